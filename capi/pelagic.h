@@ -136,8 +136,8 @@ typedef struct pelagic_sea {
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
     double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
-    double small_waves;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
-    double alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    double short_wave_cutoff;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
+    double wind_alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
     double loop_period_s; /* T, the sea repeats exactly after this time; [0.1, 86400] */
     /* Newer than the fields above. */
     int32_t spreading;          /* PELAGIC_SPREADING_...; the spectrum phillips-paper takes no other than paper */
@@ -152,7 +152,7 @@ typedef struct pelagic_sea {
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
     /* Which waves: PELAGIC_WAVES_... A pond (pond) is one cascade. What follows is of the others than a spectrum, which alone
-     * has spectrum, spreading, fetch_m, depth_m, small_waves, alignment, swell and seed. */
+     * has spectrum, spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, swell and seed. */
     int32_t waves;
     int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */
     double longest_wave_m;  /* [0.02, 1000]. 0: 120, of a pond 1.2 */

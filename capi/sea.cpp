@@ -38,8 +38,8 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
     to.roughness = from.roughness;
-    to.small_waves = from.small_waves;
-    to.alignment = from.alignment;
+    to.short_wave_cutoff = from.short_wave_cutoff;
+    to.wind_alignment = from.wind_alignment;
     to.loop_period_s = from.loop_period_s;
     to.spreading = static_cast<std::int32_t>(from.spreading);
     to.swell_height_m = from.swell_height_m;
@@ -100,8 +100,8 @@ SeaState sea_of(const pelagic_sea* pointer) {
             .depth_m = sea.depth_m,
             .choppiness = sea.choppiness,
             .roughness = sea.roughness,
-            .small_waves = sea.small_waves,
-            .alignment = sea.alignment,
+            .short_wave_cutoff = sea.short_wave_cutoff,
+            .wind_alignment = sea.wind_alignment,
             .swell_height_m = sea.swell_height_m,
             .swell_period_s = or_default(sea.swell_period_s, &SeaState::swell_period_s),
             .swell_direction_rad = sea.swell_direction_rad,

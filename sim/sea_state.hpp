@@ -40,7 +40,7 @@ inline constexpr int default_cascades = 4;
 
 /// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
 struct SeaState {
-    /// Spectrum, spreading, fetch, depth, small_waves, alignment, swell and seed are the spectrum's; the wave_ options are the
+    /// Spectrum, spreading, fetch, depth, short_wave_cutoff, wind_alignment, swell and seed are the spectrum's; the wave_ options are the
     /// others'. All have the wind, whose way is that of their waves. Whitecaps are the spectrum's alone.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;
@@ -61,8 +61,8 @@ struct SeaState {
     double roughness =
         -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the cascades
              ///< do not resolve of the slopes of a sea in this wind (SeaFigures)
-    double small_waves = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
-    double alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
+    double short_wave_cutoff = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
+    double wind_alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
                                  ///< against the wind and little across, with 1 a hundredth; [0, 1]
     double swell_height_m = 0;   ///< Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]
     double swell_period_s = 12;  ///< at which the swell's spectrum peaks; [1, 40]

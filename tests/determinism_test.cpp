@@ -420,7 +420,7 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
           .fetch_m = 200e3,
           .choppiness = 0.9,
           .roughness = 0.15,
-          .alignment = 0.6}},
+          .wind_alignment = 0.6}},
         {"one-cascade-storm",
          {.resolution = 512,
           .patch_size_m = 800,
@@ -428,7 +428,7 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
           .fetch_m = 400e3,
           .choppiness = 1,
           .roughness = 0.2,
-          .alignment = 0.7}}};
+          .wind_alignment = 0.7}}};
     for (const SpectrumModel model : spectrum_models())
         seas[std::string(name_of(model)) + "-64"] = {
             .spectrum = model, .resolution = 64, .patch_size_m = 250, .roughness = 0.1};
@@ -469,7 +469,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
         .resolution = 64, .patch_size_m = 250, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
     seas["analytic-64"] = analytic_sea_state;
     seas["pond-64"] = pond;
-    seas["small-waves-64"] = {.resolution = 64, .patch_size_m = 250, .small_waves = 0.8};
+    seas["short-wave-cutoff-64"] = {.resolution = 64, .patch_size_m = 250, .short_wave_cutoff = 0.8};
     for (const std::string name : {"calm", "moderate", "rough", "storm"})
         seas["preset-" + name] = sea_preset_named(name)->sea;
 

@@ -80,7 +80,7 @@ double integral_over_wave_numbers(const WaveSpectrum& spectrum, const SeaState& 
 
 // A wide patch with a short peak wave, so that many waves share the energy: 16 seeds then scatter by about 1 %, and the
 // grid holds all but 1 % of the height.
-constexpr SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .alignment = 0.2};
+constexpr SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .wind_alignment = 0.2};
 
 TEST(WaveHeight, IsWithinThreePercentOfTheSpectrumsIntegralOver16Seeds) {
     for (const SpectrumModel model : {SpectrumModel::jonswap, SpectrumModel::pierson_moskowitz}) {
@@ -102,7 +102,7 @@ TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
         const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz,
                            .patch_size_m = 30 * unit,
                            .wind_speed_mps = speed,
-                           .alignment = 0.2};
+                           .wind_alignment = 0.2};
         EXPECT_NEAR(expected_waves(sea).model_significant_wave_height_m.value(), 0.21 * unit, 0.005 * 0.21 * unit);
         const double measured = mean_significant_height(sea, 16);
         RecordProperty("over_v2_g_" + std::to_string(speed), std::to_string(measured / unit));
@@ -114,7 +114,7 @@ TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
 TEST(WaveHeight, OfPhillipsIsItsClosedForm) {
     const double unit = 8 * 8 / oracle::gravity;
     const SeaState sea{
-        .spectrum = SpectrumModel::phillips, .patch_size_m = 30 * unit, .wind_speed_mps = 8, .alignment = 0.2};
+        .spectrum = SpectrumModel::phillips, .patch_size_m = 30 * unit, .wind_speed_mps = 8, .wind_alignment = 0.2};
     EXPECT_NEAR(expected_waves(sea).model_significant_wave_height_m.value(), 0.18 * unit, 1e-4 * unit);
     EXPECT_NEAR(mean_significant_height(sea, 16), 0.18 * unit, 0.03 * 0.18 * unit);
 }
@@ -251,7 +251,7 @@ TEST(Symmetry, EnergyInSpaceIsEnergyInTheSpectrum) {
 TEST(Direction, WavesRunDownTheWind) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const double direction = eighth * pi / 4;
-        const SeaState sea{.resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .alignment = 1};
+        const SeaState sea{.resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .wind_alignment = 1};
         Ocean ocean = ocean_of(sea);
         const auto spectrum_of = [&](double time_s) {
             const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(time_s));

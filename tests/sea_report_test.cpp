@@ -30,7 +30,7 @@ TEST(SeaReport, SpreadIsThatOfTheCosinesPower) {
         const double s = 1 + 5 * alignment * alignment, sigma = 0.01 + 0.49 * (1 - alignment) * (1 - alignment);
         const double first = (1 - sigma) / (1 + sigma) * cosine_integral(s + 1) / cosine_integral(s);
         // Sixteen peak waves a side: the grid's few directions at the peak are averaged out to less than a degree.
-        const SeaReport report = report_on({.resolution = 128, .patch_size_m = 1000, .alignment = alignment});
+        const SeaReport report = report_on({.resolution = 128, .patch_size_m = 1000, .wind_alignment = alignment});
         EXPECT_NEAR(report.expected_directions.spread_rad, std::sqrt(2 * (1 - first)), 0.01) << alignment;
     }
 }

@@ -337,7 +337,7 @@ TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheCascade) {
     for (const SpectrumModel model : physical) {
         const SeaState all{.spectrum = model};
         SeaState few = all;
-        few.small_waves = 1;
+        few.short_wave_cutoff = 1;
         const double peak = 2 * pi / expected_waves(all).peak_wavelength_m;
         const auto kept = [&](double k) {
             return spectrum_of(few).radial_density(k) / spectrum_of(all).radial_density(k);

@@ -128,7 +128,7 @@ TEST(Spreading, OfASwellHasTheDeviationAskedFor) {
     }
 }
 
-// What the words about --alignment say.
+// What the words about --wind-alignment say.
 TEST(Spreading, OfThePaperIsWhatItsWordsSay) {
     const auto share = [](double alignment, const std::function<bool(double)>& inside) {
         const PaperSpreading paper(alignment);

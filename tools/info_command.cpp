@@ -99,14 +99,14 @@ Json sea_for_people(const Json& sea) {
     const bool is_spectrum = waves == "spectrum", has_swell = is_spectrum && sea.at("swell_height_m") > 0;
     const auto counts = [&](const std::string& key) {
         if (key == "fetch_m") return is_spectrum && sea.at("spectrum") == "jonswap";
-        if (key == "alignment") return is_spectrum && sea.at("spreading") == "paper";
+        if (key == "wind_alignment") return is_spectrum && sea.at("spreading") == "paper";
         if (key.starts_with("swell_")) return has_swell;
         if (key == "wave_strength") return waves == "analytic";
         if (key == "wave_drag") return waves == "pond";
         if (key == "patch_size_m") return sea.at(key) > 0;
         if (key == "wave_count" || key == "longest_wave_m" || key == "shortest_wave_m" || key == "wave_height_m")
             return !is_spectrum && sea.at(key) > 0;
-        if (key == "spectrum" || key == "spreading" || key == "depth_m" || key == "small_waves" || key == "seed")
+        if (key == "spectrum" || key == "spreading" || key == "depth_m" || key == "short_wave_cutoff" || key == "seed")
             return is_spectrum;
         return true;
     };

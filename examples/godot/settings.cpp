@@ -27,7 +27,7 @@ SeaState sea_of(const OceanSettings& settings) {
         sea.wind_speed_mps = named.wind_speed_mps;
         sea.fetch_m = named.fetch_m;
         sea.choppiness = named.choppiness;
-        sea.alignment = named.alignment;
+        sea.wind_alignment = named.wind_alignment;
         sea.swell_height_m = named.swell_height_m;
         sea.swell_period_s = named.swell_period_s;
         if (named.swell_height_m > 0) sea.swell_direction_rad = named.swell_direction_rad;

@@ -65,9 +65,9 @@ class Sea:
     """0 gives a height field; [0, 1]."""
     roughness: float = -1.0
     """Of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind and what the cascades don't resolve."""
-    small_waves: float = 0.0
+    short_wave_cutoff: float = 0.0
     """0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]."""
-    alignment: float = 0.5
+    wind_alignment: float = 0.5
     """Of the spreading "paper": with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1]."""
     swell_height_m: float = 0.0
     """Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]."""

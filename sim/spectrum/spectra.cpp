@@ -43,7 +43,7 @@ double deep_peak(const SeaState& sea) {
 double cutoff_length(const SeaState& sea, double peak) {
     // In hardly any wind the peak is no number any more; std::max() then takes the first.
     const double longest = std::max(smallest_wave_m, 0.5 / wave_number(peak, sea.depth_m));
-    return smallest_wave_m * det::pow(longest / smallest_wave_m, sea.small_waves);
+    return smallest_wave_m * det::pow(longest / smallest_wave_m, sea.short_wave_cutoff);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ double effective_fetch_m(const SeaState& sea) {
 WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
     : sea_(sea),
       water_(sea.depth_m, cascade.has_surface_tension ? sea_surface_tension_m3ps2 : 0),
-      paper_spreading_(sea.alignment),
+      paper_spreading_(sea.wind_alignment),
       largest_wave_m_(sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2),
       grid_spacing_(cascade.spacing()),
       peak_(deep_peak(sea)),

@@ -33,11 +33,11 @@ def add(preset, **settings):
 # As an artist would type it, and as the command line has it. Figures without an exact float are meant.
 oceans = {
     "moderate": (add("moderate"), ["--preset", "moderate"], {}),
-    "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77, alignment=0.31,
-                  small_waves=0.1, swell_height=1.3, swell_period=10.7, swell_direction=math.radians(-123.4),
+    "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77, wind_alignment=0.31,
+                  short_wave_cutoff=0.1, swell_height=1.3, swell_period=10.7, swell_direction=math.radians(-123.4),
                   swell_spread=math.radians(21.5), seed=77, loop_period=91.7, spreading="hasselmann", size=41.3, velocity=True),
-              "--preset swell --wind-speed 9.3 --wind-direction 33.3 --fetch 81234.5 --depth 37.7 --choppiness 0.77 --alignment 0.31 "
-              "--small-waves 0.1 --swell-height 1.3 --swell-period 10.7 --swell-direction -123.4 --swell-spread 21.5 --seed 77 "
+              "--preset swell --wind-speed 9.3 --wind-direction 33.3 --fetch 81234.5 --depth 37.7 --choppiness 0.77 --wind-alignment 0.31 "
+              "--short-wave-cutoff 0.1 --swell-height 1.3 --swell-period 10.7 --swell-direction -123.4 --swell-spread 21.5 --seed 77 "
               "--loop-period 91.7 --spreading hasselmann".split(), {}),
     "one cascade": (add("rough", cascade_side=250, cascade_resolution="128", size=250, foam=False), "--preset rough --patch-size 250 --resolution 128".split(), {}),
     "elsewhere": (add("moderate", place=(123456.5, -9876.25), cascades=2), "--preset moderate --cascades 2".split(), {"place": (123456.5, -9876.25)}),

@@ -67,9 +67,9 @@ double wave_number_of(double omega, double depth_m) {
 }
 
 double small_wave_factor(const SeaState& sea, double k) {
-    if (sea.small_waves == 0) return std::exp(-k * k * 1e-6);
+    if (sea.short_wave_cutoff == 0) return std::exp(-k * k * 1e-6);
     const double longest = 0.5 / wave_number_of(peak_frequency(sea), sea.depth_m);
-    const double l = 0.001 * std::pow(longest / 0.001, sea.small_waves);
+    const double l = 0.001 * std::pow(longest / 0.001, sea.short_wave_cutoff);
     return std::exp(-k * k * l * l);
 }
 
@@ -81,7 +81,7 @@ double cosine_2s(double s, double angle) {
 
 double wind_directional(const SeaState& sea, double k, double angle) {
     if (sea.spreading == SpreadingModel::paper)
-        return spreading_weight(sea.alignment, std::cos(angle)) / spreading_integral(sea.alignment);
+        return spreading_weight(sea.wind_alignment, std::cos(angle)) / spreading_integral(sea.wind_alignment);
     const double over_peak = frequency_of(sea, k) / peak_frequency(sea);
     const double age = std::min(5.0, std::max(0.83, sea.wind_speed_mps * peak_frequency(sea) / gravity));
     if (sea.spreading == SpreadingModel::cosine_2s)
@@ -154,7 +154,7 @@ Complex amplitude(const SeaState& sea, double kept, int m, int n) {
     const double p =
         a_fft * a_fft * a_spatial * a_spatial * std::exp(-1 / (kl * kl)) / std::pow(k, 4) * small_wave_factor(sea, k);
     return Complex(xi.re, xi.im) / std::numbers::sqrt2 *
-           std::sqrt(p * spreading_weight(sea.alignment, cosine_to_wind(sea, kx, kz)));
+           std::sqrt(p * spreading_weight(sea.wind_alignment, cosine_to_wind(sea, kx, kz)));
 }
 
 }  // namespace

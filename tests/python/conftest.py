@@ -29,7 +29,7 @@ def golden_seas():
     seas["breaking-swell-64"] = pelagic.Sea(**one_cascade, depth_m=2, swell_height_m=1, swell_direction_rad=2)
     seas["analytic-64"] = pelagic.Sea(waves="analytic", resolution=64, choppiness=1)
     seas["pond-64"] = pelagic.Sea(waves="pond", resolution=64)
-    seas["small-waves-64"] = pelagic.Sea(**one_cascade, small_waves=0.8)
+    seas["short-wave-cutoff-64"] = pelagic.Sea(**one_cascade, short_wave_cutoff=0.8)
     for name in ("calm", "moderate", "rough", "storm"):
         seas[f"preset-{name}"] = pelagic.preset(name)
     return seas

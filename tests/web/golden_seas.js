@@ -9,7 +9,7 @@ seas['shallow-64'] = { ...oneCascade, depthM: 8 };
 seas['breaking-swell-64'] = { ...oneCascade, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
 seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
 seas['pond-64'] = { waves: 'pond', resolution: 64 };
-seas['small-waves-64'] = { ...oneCascade, smallWaves: 0.8 };
+seas['short-wave-cutoff-64'] = { ...oneCascade, shortWaveCutoff: 0.8 };
 for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
 
 export const goldenNames = [...Object.keys(seas).flatMap((name) => [`${name}@0`, `${name}@12.34`]), 'foam-cascades'];

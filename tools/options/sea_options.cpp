@@ -36,9 +36,9 @@ constexpr std::array sea_flags = {
     SeaFlag{"choppiness", "choppiness", "horizontal motion that sharpens crests"},
     SeaFlag{"roughness", "roughness",
             "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
-    SeaFlag{"small-waves", "small_waves",
+    SeaFlag{"short-wave-cutoff", "short_wave_cutoff",
             "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
-    SeaFlag{"alignment", "alignment",
+    SeaFlag{"wind-alignment", "wind_alignment",
             "of the waves with the wind (spreading paper): with 0 a third of the energy runs against it, with 1 a "
             "hundredth"},
     SeaFlag{"swell-height", "swell_height_m", "significant height of waves from elsewhere, in metres; 0: none"},

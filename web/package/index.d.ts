@@ -30,9 +30,9 @@ export interface SeaOptions {
   /** Of the water between texels: [0, 1], or -1: from the wind. Default -1. */
   roughness?: number;
   /** Damping of small waves: [0, 1]. 1 removes those shorter than a quarter of the peak's. Default 0. */
-  smallWaves?: number;
+  shortWaveCutoff?: number;
   /** Of the waves with the wind, where spreading is "paper": [0, 1]. Default 0.5. */
-  alignment?: number;
+  windAlignment?: number;
   /** Significant height of waves from elsewhere, metres: [0, 30]. Default 0: none. */
   swellHeightM?: number;
   /** Peak period of the swell, seconds: [1, 40]. Default 12. */

@@ -77,8 +77,8 @@ def take_preset(settings, name):
     settings.depth = sea.depth_m
     settings.spectrum = sea.spectrum
     settings.spreading = sea.spreading
-    settings.alignment = sea.alignment
-    settings.small_waves = sea.small_waves
+    settings.wind_alignment = sea.wind_alignment
+    settings.short_wave_cutoff = sea.short_wave_cutoff
     settings.swell_height = sea.swell_height_m
     settings.swell_period = sea.swell_period_s
     settings.swell_direction = sea.swell_direction_rad

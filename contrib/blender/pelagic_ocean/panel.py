@@ -88,7 +88,7 @@ class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
     def draw(self, context):
         settings = context.object.pelagic
         if sea_object.has_spectrum(library.pelagic.preset(settings.preset)):
-            for name in ("spectrum", "spreading", "alignment", "small_waves"):
+            for name in ("spectrum", "spreading", "wind_alignment", "short_wave_cutoff"):
                 self.prepare().prop(settings, name)
         for name in ("cascades", "cascade_resolution", "cascade_side"):
             self.prepare().prop(settings, name)

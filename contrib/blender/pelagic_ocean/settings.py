@@ -49,10 +49,10 @@ class PelagicOcean(bpy.types.PropertyGroup):
             ("cosine-2s", "Cosine-2s", "As measured, Longuet-Higgins", 1),
             ("hasselmann", "Hasselmann", "As measured, Hasselmann 1980", 2),
             ("donelan-banner", "Donelan-Banner", "As measured, Donelan 1985 and Banner 1990", 3)))
-    alignment: FloatProperty(
+    wind_alignment: FloatProperty(
         name="Alignment", default=0.5, min=0, max=1, subtype="FACTOR", update=changed,
         description="Of the spreading Paper: with 0 a third of the energy runs against the wind, with 1 a hundredth")
-    small_waves: FloatProperty(
+    short_wave_cutoff: FloatProperty(
         name="Calm Small Waves", min=0, max=1, subtype="FACTOR", update=changed,
         description="0 keeps small waves, 1 removes those below a quarter of the peak's")
     wave_strength: FloatProperty(
