@@ -24,9 +24,9 @@ void time_frame(benchmark::State& state, const char* preset, bool stereo, bool m
             mapped ? scene.renderer->map_textures() : std::span<const TextureTargets>();
         const double map_ms = mapped ? mapping.milliseconds() : 0;
         scene.ocean.schedule(frame++ / 90.0, targets);
-        const gl::DrawFigures& figures = scene.draw(camera, scene.ocean.complete(), true, stereo);
+        const gl::DrawStatistics& statistics = scene.draw(camera, scene.ocean.complete(), true, stereo);
         const double own =
-            map_ms + figures.upload_ms - figures.upload_driver_ms + figures.draw_ms - figures.draw_driver_ms;
+            map_ms + statistics.upload_ms - statistics.upload_driver_ms + statistics.draw_ms - statistics.draw_driver_ms;
         scene.gl().Finish();
         state.SetIterationTime(own / 1000);
         own_ms += own;

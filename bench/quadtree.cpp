@@ -43,7 +43,7 @@ void time_selection(benchmark::State& state, const QuadtreePreset& preset, doubl
                                                  .depth = ClipDepth::minus_one_to_one});
         benchmark::DoNotOptimize(list.instances.data());
         patches += static_cast<std::int64_t>(list.instances.size());
-        visited += list.figures.nodes_visited;
+        visited += list.statistics.nodes_visited;
     }
     state.SetItemsProcessed(patches);
     state.counters["patches"] = static_cast<double>(patches) / static_cast<double>(state.iterations());

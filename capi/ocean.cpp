@@ -142,9 +142,9 @@ pelagic_frame c_frame_of(const Frame& frame) {
     }
     out.bounds = bounds_of(frame.bounds);
     out.cascade_count = static_cast<std::int32_t>(frame.cascades.size());
-    out.roughness = static_cast<float>(frame.figures.roughness);
-    out.foam_drift_x_mps = frame.figures.foam_drift_x_mps;
-    out.foam_drift_z_mps = frame.figures.foam_drift_z_mps;
+    out.roughness = static_cast<float>(frame.statistics.roughness);
+    out.foam_drift_x_mps = frame.statistics.foam_drift_x_mps;
+    out.foam_drift_z_mps = frame.statistics.foam_drift_z_mps;
     return out;
 }
 

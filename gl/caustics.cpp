@@ -63,7 +63,7 @@ const Cascade& cascade_for(const Frame& frame, double depth_m) {
 /// How far waves that are finer than the cascade's move light on the plane, in texels: the root of the mean square along an axis. A
 /// slope turns a ray by (1 - 1/n) of itself.
 double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
-    double variance = frame.figures.unresolved_slopes.total();
+    double variance = frame.statistics.unresolved_slopes.total();
     for (const Cascade* finer = &cascade + 1; finer < frame.cascades.data() + frame.cascades.size(); ++finer)
         variance += finer->slope_variance;
     return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.grid.side_m / side);

@@ -116,7 +116,7 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
 class FoamDrift {
    public:
     explicit FoamDrift(const SeaFacts& facts)
-        : metres_a_loop_(glm::dvec2(facts.figures.foam_drift_x_mps, facts.figures.foam_drift_z_mps) *
+        : metres_a_loop_(glm::dvec2(facts.statistics.foam_drift_x_mps, facts.statistics.foam_drift_z_mps) *
                          facts.sea.loop_period_s),
           loop_(fraction(facts.time_s / facts.sea.loop_period_s)) {}
 
@@ -174,7 +174,7 @@ float cover_of(const Cascade& cascade) {
 
 SeaFacts facts_of(const Frame& frame) {
     SeaFacts facts{.sea = frame.sea,
-                   .figures = frame.figures,
+                   .statistics = frame.statistics,
                    .resolution = frame.cascades[0].resolution(),
                    .cascades = {},
                    .time_s = frame.time_s,
@@ -228,12 +228,12 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {water.absorption_per_m, sea.depth_m};
-    const float alpha = static_cast<float>(facts.figures.roughness);
+    const float alpha = static_cast<float>(facts.statistics.roughness);
     const float detail_square = detail_part * alpha * alpha;
     block.water_backscattering = {water.backscattering_per_m, detail_square};
     block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;
-    block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
+    block.waves = {std::max(0.05, facts.statistics.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_cascades(block, facts, viewer);
     place_details(block, facts, viewer);
     place_dynamic_waves(block, facts.dynamic_waves, viewer);

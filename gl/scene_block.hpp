@@ -72,7 +72,7 @@ struct DynamicWaveFacts {
 /// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
 struct SeaFacts {
     SeaState sea;
-    SeaFigures figures;
+    SeaStatistics statistics;
     int resolution = 0;
     std::vector<CascadeFacts> cascades;
     double time_s = 0;

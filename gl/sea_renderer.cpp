@@ -111,9 +111,9 @@ struct SeaRenderer::State {
     }
 
     void add(const PatchBuffers::Counts& counts) {
-        figures.sea_calls += counts.calls;
-        figures.triangles += counts.triangles;
-        figures.draw_driver_ms += counts.driver_ms;
+        statistics.sea_calls += counts.calls;
+        statistics.triangles += counts.triangles;
+        statistics.draw_driver_ms += counts.driver_ms;
     }
 
     /// What a draw needs beyond the open sea. What nobody needs costs no pixel anything.
@@ -148,8 +148,8 @@ struct SeaRenderer::State {
         gl.BindVertexArray(empty.name());
         const Stopwatch driver;
         gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 3), cells.y + 2);
-        figures.draw_driver_ms += driver.milliseconds();
-        ++figures.floor_calls;
+        statistics.draw_driver_ms += driver.milliseconds();
+        ++statistics.floor_calls;
     }
 
     void draw_shaded(const DrawInput& input, int eye) {
@@ -165,9 +165,9 @@ struct SeaRenderer::State {
         gl.BindVertexArray(empty.name());
         const Stopwatch driver;
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
-        figures.draw_driver_ms += driver.milliseconds();
+        statistics.draw_driver_ms += driver.milliseconds();
         gl.DepthMask(GL_TRUE);
-        ++figures.sky_calls;
+        ++statistics.sky_calls;
     }
 
     /// Faces a little further away and nearly black, so that they hide the lines behind them.
@@ -202,7 +202,7 @@ struct SeaRenderer::State {
     WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
-    DrawFigures figures;
+    DrawStatistics statistics;
 };
 
 SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : state_(new State(gl, options)) {}
@@ -326,14 +326,14 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
     state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
-    state_->figures.upload_ms = all.milliseconds();
-    state_->figures.upload_driver_ms =
+    state_->statistics.upload_ms = all.milliseconds();
+    state_->statistics.upload_driver_ms =
         state_->textures.last_driver_ms() + state_->dynamic_waves.last_driver_ms() + state_->shore.last_driver_ms();
-    state_->figures.upload_bytes =
+    state_->statistics.upload_bytes =
         state_->textures.uploaded_bytes() + state_->dynamic_waves.uploaded_bytes() + state_->shore.uploaded_bytes();
 }
 
-const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
+const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     const Stopwatch all;
     State& s = *state_;
     const Functions& gl = s.gl;
@@ -341,10 +341,10 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     assert(s.sky_face_size > 0 && "set_sky() first");
     assert(!s.facts.cascades.empty() && "upload() a frame first");
     const KeptState keep(gl);
-    DrawFigures& figures = s.figures;
-    figures.sea_calls = figures.sky_calls = figures.floor_calls = 0;
-    figures.triangles = 0;
-    figures.draw_driver_ms = 0;
+    DrawStatistics& statistics = s.statistics;
+    statistics.sea_calls = statistics.sky_calls = statistics.floor_calls = 0;
+    statistics.triangles = 0;
+    statistics.draw_driver_ms = 0;
 
     s.facts.flow = s.flow_extent;
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
@@ -359,7 +359,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
-    figures.instance_bytes = s.buffers->upload(*input.list);
+    statistics.instance_bytes = s.buffers->upload(*input.list);
     s.bind_textures(mirrors_scene ? *input.host_scene : HostScene{});
     // The rest is as KeptState begins. Crests that fold show their undersides: nothing is culled.
     gl.Enable(GL_DEPTH_TEST);
@@ -374,11 +374,11 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
         else
             s.draw_shaded(input, static_cast<int>(eye));
     }
-    figures.draw_ms = all.milliseconds();
-    return figures;
+    statistics.draw_ms = all.milliseconds();
+    return statistics;
 }
 
 const FrameTextures& SeaRenderer::textures() const { return state_->textures; }
-const DrawFigures& SeaRenderer::figures() const { return state_->figures; }
+const DrawStatistics& SeaRenderer::statistics() const { return state_->statistics; }
 
 }  // namespace pelagic::gl

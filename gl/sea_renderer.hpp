@@ -75,7 +75,7 @@ struct DrawInput {
 };
 
 /// What the last draw() handed to the driver.
-struct DrawFigures {
+struct DrawStatistics {
     int sea_calls = 0;  ///< of the views together: patches and skirt
     int sky_calls = 0;
     int floor_calls = 0;
@@ -116,10 +116,10 @@ class SeaRenderer {
     /// (FrameTextures::map()). Call it before the frame is scheduled.
     std::span<const TextureTargets> map_textures();
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
-    const DrawFigures& draw(const DrawInput& input);
+    const DrawStatistics& draw(const DrawInput& input);
 
     const FrameTextures& textures() const;
-    const DrawFigures& figures() const;
+    const DrawStatistics& statistics() const;
 
    private:
     struct State;

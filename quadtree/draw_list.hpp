@@ -69,7 +69,7 @@ struct SkirtInstance {
 static_assert(sizeof(SkirtInstance) == 4);
 
 /// What a selection cost and yielded.
-struct SelectionFigures {
+struct SelectionStatistics {
     std::array<std::uint32_t, 9> patches_by_level{};
     std::uint32_t nodes_visited = 0;  ///< popped from the stack
     std::uint64_t triangles = 0;      ///< of all batches, the skirt not counted
@@ -81,7 +81,7 @@ struct DrawList {
     std::vector<PatchInstance> instances;  ///< sorted by stitch configuration
     std::vector<DrawBatch> batches;        ///< at most 16, more only where batch_limit splits one
     std::vector<SkirtInstance> skirt;
-    SelectionFigures figures;
+    SelectionStatistics statistics;
 };
 
 }  // namespace pelagic

@@ -69,7 +69,7 @@ const DrawList& Selection::select(const SelectionInput& input) {
     list_.grid = grid_around(centre);
     const glm::dvec2 corner = glm::dvec2(list_.grid.corner) * list_.grid.step_m;
     levels_.update({input.viewer_m.x - corner.x, input.viewer_m.y, input.viewer_m.z - corner.y});
-    list_.figures = {};
+    list_.statistics = {};
     walk(input.bounds);
     sort_into_batches();
     walk_border();
@@ -125,7 +125,7 @@ void Selection::walk(const SurfaceBounds& bounds) {
     while (!stack_.empty()) {
         const Node node = stack_.back();
         stack_.pop_back();
-        ++list_.figures.nodes_visited;
+        ++list_.statistics.nodes_visited;
         const Views views = views_that_see(node);
         if (culls && (views.part | views.whole) == 0) continue;
         if (!levels_.splits(node.level, node.x, node.z)) {
@@ -163,8 +163,8 @@ void Selection::emit(const Node& node) {
         }
     }
     found_.push_back(found);
-    ++list_.figures.patches_by_level[static_cast<std::size_t>(node.level)];
-    list_.figures.triangles += patch_triangles(options_.vertices, found.stitches);
+    ++list_.statistics.patches_by_level[static_cast<std::size_t>(node.level)];
+    list_.statistics.triangles += patch_triangles(options_.vertices, found.stitches);
 }
 
 void Selection::sort_into_batches() {

@@ -16,16 +16,16 @@ double length(double x, double z) { return std::sqrt(x * x + z * z); }
 
 FoamReport report_on_foam(const Frame& frame) {
     const TickClock clock(frame.sea.loop_period_s);
-    const SeaFigures& figures = frame.figures;
+    const SeaStatistics& statistics = frame.statistics;
     FoamReport report{.tick_s = clock.tick_s(),
                       .ticks_a_loop = clock.ticks_a_loop(),
                       .warm_up_ticks = FoamHistory::remembered_ticks,
-                      .drift_mps = length(figures.foam_drift_x_mps, figures.foam_drift_z_mps),
-                      .drift_direction_rad = std::atan2(figures.foam_drift_z_mps, figures.foam_drift_x_mps),
+                      .drift_mps = length(statistics.foam_drift_x_mps, statistics.foam_drift_z_mps),
+                      .drift_direction_rad = std::atan2(statistics.foam_drift_z_mps, statistics.foam_drift_x_mps),
                       .whitecap_cover = whitecap_cover(frame.sea),
                       .cascades = {}};
     for (const Cascade& cascade : frame.cascades) {
-        const DriftTexels loop = drift_a_loop(figures, cascade.grid, cascade.resolution(), clock);
+        const DriftTexels loop = drift_a_loop(statistics, cascade.grid, cascade.resolution(), clock);
         report.cascades.push_back({.makes_whitecaps = cascade.makes_whitecaps(),
                                 .columns_a_loop = loop.x,
                                 .rows_a_loop = loop.z,

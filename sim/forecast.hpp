@@ -77,7 +77,7 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 /// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions
 /// turn the shorter way (a half turn: the way from +x towards +z); models are those of the sea that there is more of. What only
 /// one of them has, a swell's period and direction, a roughness that is given, is that one's. The waves themselves are the blend
-/// of both seas' energies, whose figures a frame has in SeaFigures. \pre part in [0, 1]
+/// of both seas' energies, whose figures a frame has in SeaStatistics. \pre part in [0, 1]
 SeaState sea_between(const SeaState& before, const SeaState& after, double part);
 
 }  // namespace pelagic

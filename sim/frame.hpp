@@ -14,7 +14,7 @@
 namespace pelagic {
 
 /// What holds for all frames of a sea, found out when its spectrum is baked.
-struct SeaFigures {
+struct SeaStatistics {
     /// 4 sqrt(variance), mean over all seeds, of the waves that the cascades hold; as expected_waves() has it.
     double significant_wave_height_m = 0;
     /// Mean squares of the slopes that the cascades' textures show at their finest level, mean over all seeds; and what is left
@@ -33,7 +33,7 @@ struct SeaFigures {
 struct Frame {
     double time_s = 0;
     SeaState sea;
-    SeaFigures figures;
+    SeaStatistics statistics;
     Isa isa = {};                 ///< that computed it
     std::span<const Cascade> cascades;  ///< at least one; the coarsest first
     /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose extremes need not meet.

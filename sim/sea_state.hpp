@@ -60,7 +60,7 @@ struct SeaState {
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
     double roughness =
         -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the cascades
-             ///< do not resolve of the slopes of a sea in this wind (SeaFigures)
+             ///< do not resolve of the slopes of a sea in this wind (SeaStatistics)
     double short_wave_cutoff = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
     double wind_alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
                                  ///< against the wind and little across, with 1 a hundredth; [0, 1]

@@ -278,7 +278,7 @@ TEST(AnalyticCascades, ReportsSayTheHeightThatFramesHave) {
                     1e-12);
         Ocean ocean(sea, everything());
         const Frame& frame = ocean.frame_at(9);
-        EXPECT_NEAR(frame.figures.significant_wave_height_m, held, 1e-9);
+        EXPECT_NEAR(frame.statistics.significant_wave_height_m, held, 1e-9);
         EXPECT_NEAR(measured_significant_wave_height_m(frame), held, 1e-5 * held)
             << "waves of a grid are independent";
     }
@@ -309,7 +309,7 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
     ASSERT_EQ(lines.size(), waves.waves.size()) << "waves that meet blend together";
     Ocean ocean(Forecast{.first = before, .changes = {{.sea = after, .from_s = 10, .over_s = 40}}}, everything());
     const Frame& frame = ocean.frame_at(20);
-    EXPECT_NEAR(frame.figures.significant_wave_height_m, significant_height_m(waves), 1e-6);
+    EXPECT_NEAR(frame.statistics.significant_wave_height_m, significant_height_m(waves), 1e-6);
     const Cascade& cascade = frame.cascades[0];
     const AnalyticSurface water(waves);
     std::vector<double> x, z;
@@ -489,14 +489,14 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
         const SeaReport report = report_on(sea);
         EXPECT_NEAR(std::sqrt(squares), report.expected.significant_wave_height_m, allowed * 0.03) << drag;
         EXPECT_NEAR(*report.expected.model_significant_wave_height_m, 0.03, 1e-12);
-        const SeaFigures& figures = ocean.frame_at(0).figures;
-        EXPECT_EQ(figures.significant_wave_height_m, report.expected.significant_wave_height_m);
+        const SeaStatistics& statistics = ocean.frame_at(0).statistics;
+        EXPECT_EQ(statistics.significant_wave_height_m, report.expected.significant_wave_height_m);
         if (drag == 0) {
-            EXPECT_NEAR(slopes, figures.resolved_slopes.total(), 0.1 * slopes)
+            EXPECT_NEAR(slopes, statistics.resolved_slopes.total(), 0.1 * slopes)
                 << "a crest is steeper than its first harmonic";
         }
-        EXPECT_GT(figures.unresolved_slopes.total(), 0);
-        EXPECT_NEAR(figures.roughness, std::sqrt(figures.unresolved_slopes.total()), 1e-12);
+        EXPECT_GT(statistics.unresolved_slopes.total(), 0);
+        EXPECT_NEAR(statistics.roughness, std::sqrt(statistics.unresolved_slopes.total()), 1e-12);
     }
 }
 
@@ -523,7 +523,7 @@ TEST(AnalyticCascades, EdgesOfRangesGiveFiniteFrames) {
                             for (int i = 0; i < 32; ++i)
                                 for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_y})
                                     ASSERT_TRUE(std::isfinite(plane->at(i, j))) << field.name << " " << edge;
-                    ASSERT_TRUE(frame.figures.roughness >= 0 && frame.figures.roughness <= 1) << field.name;
+                    ASSERT_TRUE(frame.statistics.roughness >= 0 && frame.statistics.roughness <= 1) << field.name;
                 }
                 warnings_about(sea);
             }

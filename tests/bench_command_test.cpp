@@ -11,7 +11,7 @@
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
-#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/benchmark/stored_results.hpp"
 
 namespace pelagic {
 namespace {
@@ -213,7 +213,7 @@ TEST(StageWork, IsThatOfTheJobWhateverTheCascade) {
 }
 
 // What the project keeps is in the program, and read.
-TEST(StoredFigures, AreThere) {
+TEST(StoredResults, AreThere) {
     EXPECT_FALSE(tools::stored_frames().empty());
     for (const tools::MachineFrames& frames : tools::stored_frames()) {
         EXPECT_TRUE(isa_named(frames.isa)) << frames.machine;

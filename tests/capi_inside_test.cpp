@@ -65,9 +65,9 @@ TEST(CInterfaceInside, CascadesAreThoseOfTheCppInterface) {
         ASSERT_EQ(pelagic_ocean_hash(made, &hash), PELAGIC_OK);
         EXPECT_EQ(hash, hash_of(frame));
         ASSERT_EQ(c_frame.cascade_count, 4);
-        EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.figures.roughness));
-        EXPECT_EQ(c_frame.foam_drift_x_mps, frame.figures.foam_drift_x_mps);
-        EXPECT_EQ(c_frame.foam_drift_z_mps, frame.figures.foam_drift_z_mps);
+        EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.statistics.roughness));
+        EXPECT_EQ(c_frame.foam_drift_x_mps, frame.statistics.foam_drift_x_mps);
+        EXPECT_EQ(c_frame.foam_drift_z_mps, frame.statistics.foam_drift_z_mps);
         ASSERT_EQ(pelagic_ocean_foam_hash(made, &hash), has_all ? PELAGIC_OK : PELAGIC_INVALID_ARGUMENT);
         if (has_all) {
             EXPECT_EQ(hash, foam_hash_of(frame));

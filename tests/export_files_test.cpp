@@ -322,7 +322,7 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
     sea.wind_direction_rad = 40 * 3.14159265358979323846 / 180;
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(0);
-    const double roughness = frame.figures.roughness;
+    const double roughness = frame.statistics.roughness;
     const SurfaceQuery water(frame);
 
     const auto bytes = read_png(folder / "gradient_0000.png", 32);

@@ -181,7 +181,7 @@ TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
     EXPECT_EQ(said["ticks_a_loop"], 80);
     EXPECT_EQ(said["warm_up_ticks"], 29);
     EXPECT_NEAR(said["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
-    const double x = frame.figures.foam_drift_x_mps, z = frame.figures.foam_drift_z_mps;
+    const double x = frame.statistics.foam_drift_x_mps, z = frame.statistics.foam_drift_z_mps;
     EXPECT_NEAR(said["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);
     EXPECT_NEAR(said["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -56,7 +56,7 @@ std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
         for (std::size_t t = 0; t < foam.size(); ++t) {
             const Cascade& cascade = frame.cascades[t];
             const int n = cascade.resolution();
-            const DriftTexels drift = drift_of(frame.figures, cascade.grid, n, clock, number);
+            const DriftTexels drift = drift_of(frame.statistics, cascade.grid, n, clock, number);
             const std::vector<int> fresh = foam_in_halves(cascade), before = foam[t];
             foam[t] = fresh;
             if (before.empty()) continue;
@@ -241,7 +241,7 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const Frame& frame = ocean.frame_at(0);
         const TickClock clock(sea.loop_period_s);
-        const double drift_x = frame.figures.foam_drift_x_mps, drift_z = frame.figures.foam_drift_z_mps;
+        const double drift_x = frame.statistics.foam_drift_x_mps, drift_z = frame.statistics.foam_drift_z_mps;
         // Down the wind, 2 % of it and Stokes' drift, which is 1 to 2 % of the wind in a sea that it has raised (Kenyon 1969).
         const double along = drift_x * std::cos(direction) + drift_z * std::sin(direction);
         EXPECT_GT(along / sea.wind_speed_mps, 0.03);
@@ -253,7 +253,7 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
             ++fine_cascades;
             double texels_x = 0, texels_z = 0;
             for (int tick = 501; tick <= 1500; ++tick) {
-                const DriftTexels step = drift_of(frame.figures, cascade.grid, cascade.resolution(), clock, tick);
+                const DriftTexels step = drift_of(frame.statistics, cascade.grid, cascade.resolution(), clock, tick);
                 texels_x += step.x;
                 texels_z += step.z;
             }
@@ -282,16 +282,16 @@ TEST(FoamDrift, IsReportedOfEveryPreset) {
 }
 
 TEST(FoamDrift, IsWholeTexelsALoop) {
-    SeaFigures figures;
-    figures.foam_drift_x_mps = 0.37;
-    figures.foam_drift_z_mps = -0.21;
+    SeaStatistics statistics;
+    statistics.foam_drift_x_mps = 0.37;
+    statistics.foam_drift_z_mps = -0.21;
     const CascadeGrid grid{.side_m = 10, .cosine = 0.6, .sine = 0.8};
     for (const double period : {0.1, 7.3, 200.0}) {
         const TickClock clock(period);
-        const DriftTexels loop = drift_a_loop(figures, grid, 64, clock);
+        const DriftTexels loop = drift_a_loop(statistics, grid, 64, clock);
         int x = 0, z = 0;
         for (int tick = -5; tick < clock.ticks_a_loop() - 5; ++tick) {
-            const DriftTexels step = drift_of(figures, grid, 64, clock, tick);
+            const DriftTexels step = drift_of(statistics, grid, 64, clock, tick);
             x += step.x;
             z += step.z;
         }

@@ -80,11 +80,11 @@ TEST(FoamDrift, IsTheUsualOneWithinASixthInSeasThatTheWindRaised) {
     for (const char* name : {"calm", "lake", "rough", "storm", "beaufort-1", "beaufort-12"}) {
         const SeaState& sea = sea_preset_named(name)->sea;
         Ocean ocean(sea, {.executor = make_serial_executor()});
-        const SeaFigures figures = ocean.frame_at(0).figures;
+        const SeaStatistics statistics = ocean.frame_at(0).statistics;
         const WindDrift usual = usual_foam_drift(sea);
         const double speed = std::hypot(usual.x_mps, usual.z_mps);
-        EXPECT_NEAR(figures.foam_drift_x_mps, usual.x_mps, speed / 6) << name;
-        EXPECT_NEAR(figures.foam_drift_z_mps, usual.z_mps, speed / 6) << name;
+        EXPECT_NEAR(statistics.foam_drift_x_mps, usual.x_mps, speed / 6) << name;
+        EXPECT_NEAR(statistics.foam_drift_z_mps, usual.z_mps, speed / 6) << name;
     }
 }
 

@@ -157,7 +157,7 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     const auto levels =
-        oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, frame.figures.roughness);
+        oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, frame.statistics.roughness);
     ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.cascades[0].resolution()));
     for (std::size_t m = 0; m < levels.size(); ++m) {
         const auto texels = frame.cascades[0].gradient_level(static_cast<int>(m));

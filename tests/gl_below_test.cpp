@@ -59,7 +59,7 @@ class BelowScene {
     const Frame& level_frame(double depth_m) {
         level_ = ocean_.frame_at(0);
         level_.sea.depth_m = depth_m;
-        level_.figures.roughness = 0.01;
+        level_.statistics.roughness = 0.01;
         level_.bounds = {};
         const std::size_t n = static_cast<std::size_t>(ocean_.resolution());
         zeros_.assign(4 * n * n, 0);

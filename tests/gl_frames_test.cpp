@@ -42,11 +42,11 @@ TEST(GlFrames, CallsAndBytesStayWithinTheirLimits) {
     GlScene scene({.preset = "moderate", .resolution = 128, .width = 96, .height = 64, .samples = 1, .foam = true});
     for (int frame = 0; frame < 8; ++frame) {
         const bool stereo = frame % 2 == 1;
-        const gl::DrawFigures& figures = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);
+        const gl::DrawStatistics& statistics = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);
         const int views = stereo ? 2 : 1;
-        EXPECT_LE(figures.sea_calls, 17 * views);
-        EXPECT_EQ(figures.sky_calls, views);
-        EXPECT_EQ(figures.upload_bytes, 4 * (128u * 128 * 8 + (2 * 4 + 1) * (4u * 128 * 128 - 1) / 3));
+        EXPECT_LE(statistics.sea_calls, 17 * views);
+        EXPECT_EQ(statistics.sky_calls, views);
+        EXPECT_EQ(statistics.upload_bytes, 4 * (128u * 128 * 8 + (2 * 4 + 1) * (4u * 128 * 128 - 1) / 3));
     }
 }
 

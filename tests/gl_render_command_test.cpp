@@ -87,7 +87,7 @@ TEST(RenderCommand, NotesADriverInSoftware) {
         const Outcome run = run_pelagic(
             {"render", "--size", "32x18", "--quality", quality, "--json", "--out", (folder / "sea.png").string()});
         ASSERT_EQ(run.exit_code, 0) << run.err;
-        const std::string renderer = nlohmann::json::parse(run.out)["figures"]["renderer"];
+        const std::string renderer = nlohmann::json::parse(run.out)["statistics"]["renderer"];
         const bool is_software = renderer.find("llvmpipe") != std::string::npos;
         EXPECT_EQ(run.err,
                   is_software && quality != "low"
@@ -146,12 +146,12 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
                                      "--frames", "2", "--stereo", "--json", "--out", (folder / "sea.png").string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const auto figures = nlohmann::json::parse(run.out).at("figures");
-    EXPECT_EQ(figures.at("views"), 2);
-    EXPECT_LE(figures.at("sea_draw_calls_a_view"), 17);
-    EXPECT_EQ(figures.at("uploaded_bytes"), 4 * (64 * 64 * 8 + (2 * 4 + 1) * (4 * 64 * 64 - 1) / 3));
-    EXPECT_GT(figures.at("triangles"), 0);
-    EXPECT_TRUE(figures.at("median_ms").contains("draw_in_driver"));
+    const auto statistics = nlohmann::json::parse(run.out).at("statistics");
+    EXPECT_EQ(statistics.at("views"), 2);
+    EXPECT_LE(statistics.at("sea_draw_calls_a_view"), 17);
+    EXPECT_EQ(statistics.at("uploaded_bytes"), 4 * (64 * 64 * 8 + (2 * 4 + 1) * (4 * 64 * 64 - 1) / 3));
+    EXPECT_GT(statistics.at("triangles"), 0);
+    EXPECT_TRUE(statistics.at("median_ms").contains("draw_in_driver"));
     EXPECT_EQ(read_picture(folder / "sea_0000.png").spec().width, 64);
     EXPECT_EQ(read_picture(folder / "sea_0001.png").spec().height, 48);
 }

@@ -54,7 +54,7 @@ void GlScene::resize(int width, int height, PictureRows only) {
     whole_ = {0, only.first + only.count - height, width, height};
 }
 
-const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
+const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
                                      glm::vec3 clear) {
     std::vector<gl::Eye> eyes;
     if (stereo) {

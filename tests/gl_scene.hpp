@@ -45,11 +45,11 @@ class GlScene {
     explicit GlScene(const Options& options);
 
     /// Draws into the scene's target; clears with `clear` first.
-    const gl::DrawFigures& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
+    const gl::DrawStatistics& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
                                 glm::vec3 clear = {0, 0, 0}) {
         return draw(camera, ocean.frame_at(time_s), draws_sky, stereo, clear);
     }
-    const gl::DrawFigures& draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
+    const gl::DrawStatistics& draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
                                 glm::vec3 clear = {0, 0, 0});
     std::vector<std::uint8_t> picture(const Camera& camera, double time_s) {
         return picture(camera, ocean.frame_at(time_s));

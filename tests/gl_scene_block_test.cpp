@@ -63,13 +63,13 @@ TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
         facts.has_foam = true;
         return gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {}).foam_shift;
     };
-    const SeaFigures figures = ocean.frame_at(0).figures;
+    const SeaStatistics statistics = ocean.frame_at(0).statistics;
     const double loop_s = ocean.sea().loop_period_s;
     const glm::vec4 first = shift_at(0), then = shift_at(1), after_a_loop = shift_at(loop_s);
     const double sides_m[] = {gl::FoamSizes::bubbles_m, gl::FoamSizes::bubbles_m, gl::FoamSizes::lace_m,
                               gl::FoamSizes::lace_m};
     for (int i = 0; i < 4; ++i) {
-        const double drift_mps = i % 2 == 0 ? figures.foam_drift_x_mps : figures.foam_drift_z_mps;
+        const double drift_mps = i % 2 == 0 ? statistics.foam_drift_x_mps : statistics.foam_drift_z_mps;
         const double turned = static_cast<double>(first[i]) - static_cast<double>(then[i]);
         const double moved_m = (turned - std::round(turned)) * sides_m[i];
         EXPECT_GT(drift_mps, 0.1);

@@ -368,14 +368,14 @@ TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
             Frame shown = frame;
             shown.shore = shore.view();
             upload(scene, shown);
-            const std::size_t first_bytes = scene.renderer->figures().upload_bytes;
+            const std::size_t first_bytes = scene.renderer->statistics().upload_bytes;
             const std::vector<std::uint8_t> held_back = picture(scene, square);
             // Another program may round otherwise, and a mirror of the sun is steep.
             EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", cascade " << missing;
             EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
 
             upload(scene, shown);
-            EXPECT_EQ(first_bytes - scene.renderer->figures().upload_bytes, 4 * shore.parts_rgba8.size());
+            EXPECT_EQ(first_bytes - scene.renderer->statistics().upload_bytes, 4 * shore.parts_rgba8.size());
         }
     }
 }

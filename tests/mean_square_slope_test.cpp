@@ -137,9 +137,9 @@ TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
                     shown.upwind += here.upwind / seeds;
                     shown.crosswind += here.crosswind / seeds;
                     rough = rough_slopes(frame);
-                    resolved = frame.figures.resolved_slopes.total();
+                    resolved = frame.statistics.resolved_slopes.total();
                     // A frame of 250 m at 25 m/s holds few of the waves that matter; four seeds are good to some 5 %.
-                    EXPECT_NEAR(frame.figures.unresolved_slopes.total() + frame.figures.resolved_slopes.total(),
+                    EXPECT_NEAR(frame.statistics.unresolved_slopes.total() + frame.statistics.resolved_slopes.total(),
                                 measured_slopes(wind).total(), 1e-12);
                 }
                 const std::string which = std::to_string(static_cast<int>(wind)) + "_" + std::to_string(resolution) +
@@ -194,7 +194,7 @@ TEST(MeanSquareSlope, OfAStackOfCascadesAndRoughnessTogetherIsTheSeas) {
             const Frame& frame = ocean.frame_at(3);
             ASSERT_EQ(frame.cascades.size(), static_cast<std::size_t>(cascades));
             const SlopeVariance shown = filtered_slopes(frame);
-            const double alpha = frame.figures.roughness;
+            const double alpha = frame.statistics.roughness;
             const std::string which =
                 std::to_string(static_cast<int>(wind)) + "_" + std::to_string(cascades) + "_cascades";
             RecordProperty(which, std::to_string((shown.total() + alpha * alpha) / measured_slopes(wind).total()));

@@ -84,7 +84,7 @@ struct RecordedEye {
 
     RecordedEye(const Json& eye, const Frame& frame)
         : place_m(glm::dvec3(eye["pose"]["x"], eye["pose"]["y"], eye["pose"]["z"]) +
-                  glm::dvec3(0, 3 + frame.figures.significant_wave_height_m, 0)),
+                  glm::dvec3(0, 3 + frame.statistics.significant_wave_height_m, 0)),
           turn(eye["pose"]["qw"], eye["pose"]["qx"], eye["pose"]["qy"], eye["pose"]["qz"]),
           left(std::tan(eye["fov"]["left"].get<double>())),
           right(std::tan(eye["fov"]["right"].get<double>())),

@@ -76,7 +76,7 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
    protected:
     PeerOf() : ocean_(one().sea, {.executor = make_serial_executor()}), ours_(ocean_.frame_at(one().time_s)) {
         SeaState sea = one().sea;
-        sea.roughness = ours_.figures.roughness;  // peers know no other than the user's
+        sea.roughness = ours_.statistics.roughness;  // peers know no other than the user's
         switch (std::get<Peer>(GetParam())) {
             case Peer::paper: paper_.emplace(sea); break;
             case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;

@@ -158,7 +158,7 @@ TEST(Selection, MoreTauMeansMoreTriangles) {
             std::uint64_t before = 0;
             for (double tau = 0.75; tau <= 8; tau *= 1.25) {
                 Selection selection({.size_m = size, .vertices = 16, .lod_scale = tau});
-                const std::uint64_t triangles = selection.select(input).figures.triangles;
+                const std::uint64_t triangles = selection.select(input).statistics.triangles;
                 EXPECT_GE(triangles, before) << describe(selection.options(), input);
                 before = triangles;
             }
@@ -167,7 +167,7 @@ TEST(Selection, MoreTauMeansMoreTriangles) {
     // And really more where there is something to split.
     Selection coarse({.size_m = 4096, .lod_scale = 1}), fine({.size_m = 4096, .lod_scale = 2});
     const SelectionInput on_board{.viewer_m = {0, 3, 0}};
-    EXPECT_GT(fine.select(on_board).figures.triangles, 2 * coarse.select(on_board).figures.triangles);
+    EXPECT_GT(fine.select(on_board).statistics.triangles, 2 * coarse.select(on_board).statistics.triangles);
 }
 
 TEST(Selection, PresetsGrowInTrianglesAndInDetail) {
@@ -177,9 +177,9 @@ TEST(Selection, PresetsGrowInTrianglesAndInDetail) {
         for (const char* name : {"low", "medium", "high", "ultra"}) {
             Selection selection(quadtree_preset_named(name)->options(size));
             const DrawList& list = selection.select({.viewer_m = {10, 2, 20}});
-            EXPECT_GT(list.figures.triangles, triangles) << name << " " << size;
+            EXPECT_GT(list.statistics.triangles, triangles) << name << " " << size;
             EXPECT_LT(list.grid.step_m, step) << name << " " << size;
-            triangles = list.figures.triangles;
+            triangles = list.statistics.triangles;
             step = list.grid.step_m;
         }
     }
@@ -234,11 +234,11 @@ TEST(Selection, CountsWhatItDraws) {
     std::uint64_t triangles = 0, patches = 0;
     for (const DrawBatch& batch : list.batches)
         triangles += std::uint64_t{batch.count} * patch_triangles(64, batch.stitches);
-    for (const std::uint32_t n : list.figures.patches_by_level) patches += n;
-    EXPECT_EQ(list.figures.triangles, triangles);
+    for (const std::uint32_t n : list.statistics.patches_by_level) patches += n;
+    EXPECT_EQ(list.statistics.triangles, triangles);
     EXPECT_EQ(patches, list.instances.size());
     // A tree whose inner nodes have four children: n leaves hang under (n - 1) / 3 others.
-    EXPECT_EQ(list.figures.nodes_visited, patches + (patches - 1) / 3);
+    EXPECT_EQ(list.statistics.nodes_visited, patches + (patches - 1) / 3);
 }
 
 // One level more for twice the size: the cost follows what is drawn.
@@ -246,7 +246,7 @@ TEST(Selection, VisitsGrowWithTheLevelsAndNotWithTheArea) {
     std::vector<double> visits;
     for (const double size : sizes_m) {
         Selection selection(quadtree_preset_named("medium")->options(size));
-        visits.push_back(selection.select({.viewer_m = {1, 2, 3}}).figures.nodes_visited);
+        visits.push_back(selection.select({.viewer_m = {1, 2, 3}}).statistics.nodes_visited);
     }
     for (std::size_t k = 3; k < visits.size(); ++k)
         EXPECT_LT(visits[k] - visits[k - 1], 1.5 * (visits[k - 1] - visits[k - 2]) + 20);

@@ -69,7 +69,7 @@ std::string fault_of(const Cascade& cascade) {
 std::string fault_of(const Frame& frame) {
     for (const Cascade& cascade : frame.cascades)
         if (const std::string fault = fault_of(cascade); !fault.empty()) return fault;
-    const double roughness = frame.figures.roughness;
+    const double roughness = frame.statistics.roughness;
     if (!(roughness >= 0 && roughness <= 1)) return "the roughness is " + number_text(roughness);
     return {};
 }

@@ -437,7 +437,7 @@ TEST(Islands, HaveCalmWaterBehindThem) {
     }
     EXPECT_LT(std::sqrt(behind / before), 0.5);
     // Open water has the sea's own height: sixteen or so peak waves by as many times scatter by a tenth.
-    const double expected = ocean.complete().figures.significant_wave_height_m / 4;
+    const double expected = ocean.complete().statistics.significant_wave_height_m / 4;
     EXPECT_NEAR(std::sqrt(before / (400 * 40)) / expected, 1, 0.2);
     EXPECT_NEAR(std::sqrt(beside / (400 * 40)) / expected, 1, 0.2);
 }

@@ -227,12 +227,12 @@ TEST(SwellArrival, FiguresAreThoseOfTheWavesThatHaveCome) {
         Ocean ocean(forecast, {.executor = make_thread_executor(2)});
         const double end_s = forecast.changes[0].end_s();
         for (const double at : {0.15, 0.3, 0.5, 0.8}) {
-            const SeaFigures figures = ocean.frame_at(at * end_s).figures;
+            const SeaStatistics statistics = ocean.frame_at(at * end_s).statistics;
             const double expected = expected_height(forecast, at * end_s);
-            EXPECT_NEAR(figures.significant_wave_height_m, expected, 0.01 * expected) << over_s << " s, " << at;
+            EXPECT_NEAR(statistics.significant_wave_height_m, expected, 0.01 * expected) << over_s << " s, " << at;
         }
-        const SeaFigures last = ocean.frame_at(end_s).figures;
-        const SeaFigures nearly = ocean.frame_at(end_s - 1e-3).figures;
+        const SeaStatistics last = ocean.frame_at(end_s).statistics;
+        const SeaStatistics nearly = ocean.frame_at(end_s - 1e-3).statistics;
         EXPECT_NEAR(nearly.significant_wave_height_m, last.significant_wave_height_m, 1e-6);
         EXPECT_NEAR(nearly.foam_drift_x_mps, last.foam_drift_x_mps, 1e-6);
         EXPECT_NEAR(nearly.resolved_slopes.upwind, last.resolved_slopes.upwind, 1e-9);
@@ -302,8 +302,8 @@ TEST(SwellArrival, ALiveOceanTakesItAfterSeasThatWereBakedBefore) {
     Ocean fresh(whole, {.executor = make_serial_executor()});
     for (const double time_s : {9.0, 100.0, 400.0})
         EXPECT_EQ(hash_of(live.frame_at(time_s)), hash_of(fresh.frame_at(time_s)));
-    EXPECT_EQ(live.frame_at(100).figures.significant_wave_height_m,
-              fresh.frame_at(100).figures.significant_wave_height_m);
+    EXPECT_EQ(live.frame_at(100).statistics.significant_wave_height_m,
+              fresh.frame_at(100).statistics.significant_wave_height_m);
 }
 
 }  // namespace

@@ -338,7 +338,7 @@ TEST(Weather, VelocitiesAreThoseOfTheBlend) {
 
 TEST(Weather, ExpectedHeightGoesFromOneSeasToTheOthers) {
     Ocean ocean(calm_to_storm(), {.executor = make_thread_executor(2)});
-    const auto height_at = [&](double time_s) { return ocean.frame_at(time_s).figures.significant_wave_height_m; };
+    const auto height_at = [&](double time_s) { return ocean.frame_at(time_s).statistics.significant_wave_height_m; };
     const double low = height_at(10), high = height_at(30);
     double last = low;
     for (double time_s = 10.5; time_s < 30; time_s += 0.5) {
@@ -405,8 +405,8 @@ TEST(Weather, SlopesGoOverWithTheEnergyAndRoughnessLinearly) {
         for (int moment = 0; moment < 12; ++moment) {
             const Frame& frame = ocean.frame_at(part_of_change * whole_s + moment * loop_s / 12);
             slopes.shown += slope_variance(frame) / 12;
-            slopes.expected = frame.figures.resolved_slopes.total();
-            slopes.roughness = frame.figures.roughness;
+            slopes.expected = frame.statistics.resolved_slopes.total();
+            slopes.roughness = frame.statistics.roughness;
         }
         return slopes;
     };
@@ -438,7 +438,7 @@ TEST(Weather, SmoothnessChannelHasTheRoughnessOfTheBlend) {
     Ocean ocean(forecast, {.executor = make_serial_executor(), .gradients = true});
     const auto expect_roughness = [&](double time_s, double roughness) {
         const Frame& frame = ocean.frame_at(time_s);
-        EXPECT_NEAR(frame.figures.roughness, roughness, 1e-12) << time_s;
+        EXPECT_NEAR(frame.statistics.roughness, roughness, 1e-12) << time_s;
         for (const Cascade& cascade : frame.cascades)
             EXPECT_NEAR((cascade.gradient_level(0)[5] >> 24) / 255.0, 1 - std::sqrt(roughness), 0.51 / 255) << time_s;
     };

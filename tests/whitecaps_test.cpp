@@ -28,7 +28,7 @@ TEST(Whitecaps, AreNoneWhereNothingFolds) {
     EXPECT_FALSE(unfolded.frame_at(0).cascades[0].makes_whitecaps());
 }
 
-TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
+TEST(FrameStatistics, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
     const SeaState calm{.resolution = 64, .patch_size_m = 50, .wind_speed_mps = 3};
     const SeaState storm{.resolution = 64, .patch_size_m = 800, .wind_speed_mps = 20};
     double calm_height_m = 0, storm_height_m = 0;
@@ -42,23 +42,23 @@ TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
         EXPECT_EQ(last_calm.sea.patch_size_m, 50);
         EXPECT_EQ(last_calm.time_s, 1);
         EXPECT_EQ(last_calm.isa, isa);
-        EXPECT_NEAR(last_calm.figures.significant_wave_height_m / expected_waves(calm).significant_wave_height_m, 1,
+        EXPECT_NEAR(last_calm.statistics.significant_wave_height_m / expected_waves(calm).significant_wave_height_m, 1,
                     1e-12);
-        const double height_before_m = last_calm.figures.significant_wave_height_m;
+        const double height_before_m = last_calm.statistics.significant_wave_height_m;
         const float jacobian_before = last_calm.cascades[0].whitecap_jacobian;
         const Frame& first_storm = ocean.complete();
         EXPECT_EQ(first_storm.sea.patch_size_m, 800);
-        EXPECT_NEAR(first_storm.figures.significant_wave_height_m / expected_waves(storm).significant_wave_height_m,
+        EXPECT_NEAR(first_storm.statistics.significant_wave_height_m / expected_waves(storm).significant_wave_height_m,
                     1, 1e-12);
         if (isa == isas_here().front()) {
             calm_height_m = height_before_m;
             calm_jacobian = jacobian_before;
-            storm_height_m = first_storm.figures.significant_wave_height_m;
+            storm_height_m = first_storm.statistics.significant_wave_height_m;
             storm_jacobian = first_storm.cascades[0].whitecap_jacobian;
         }
         EXPECT_EQ(height_before_m, calm_height_m);
         EXPECT_EQ(jacobian_before, calm_jacobian);
-        EXPECT_EQ(first_storm.figures.significant_wave_height_m, storm_height_m);
+        EXPECT_EQ(first_storm.statistics.significant_wave_height_m, storm_height_m);
         EXPECT_EQ(first_storm.cascades[0].whitecap_jacobian, storm_jacobian);
     }
 }

@@ -10,7 +10,7 @@
 #include "pelagic/tools/benchmark/bench_table.hpp"
 #include "pelagic/tools/benchmark/headset_table.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
-#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/benchmark/stored_results.hpp"
 #include "pelagic/tools/export/sea_json.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -92,7 +92,7 @@ void BenchFlags::add_to(CLI::App& app) {
         ->type_name("SECONDS");
     app.add_flag("--headset", headset_,
                  "seas for a headset on 1, 2 and 3 threads, beside its frame times; without --sizes");
-    app.add_option("--json", json_, "writes the figures; - prints them instead of tables")->type_name("FILE");
+    app.add_option("--json", json_, "writes the statistics; - prints them instead of tables")->type_name("FILE");
     compute_.add_to(app);
 }
 

@@ -141,7 +141,7 @@ int run(int argc, const char* const* argv) {
     const AbsentCommand no_merge(app, "merge", "PELAGIC_IMAGES");
     CLI::App& merge_app = no_merge.app;
 #endif
-    CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
+    CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: statistics, mesh, plan");
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
     CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");

@@ -47,12 +47,12 @@ double microseconds_of(Selection& selection, const SelectionInput& input) {
     return all[50];
 }
 
-Json figures_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views, double microseconds) {
+Json statistics_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views, double microseconds) {
     Json levels = Json::array();
     for (int level = 0; level <= list.grid.deepest_level; ++level)
         levels.push_back({{"level", level},
                           {"patch_size_m", list.grid.patch_size_m(level)},
-                          {"patches", list.figures.patches_by_level[static_cast<std::size_t>(level)]}});
+                          {"patches", list.statistics.patches_by_level[static_cast<std::size_t>(level)]}});
     Json batches = Json::array();
     for (const DrawBatch& batch : list.batches)
         batches.push_back({{"stitches", batch.stitches}, {"instances", batch.count}});
@@ -62,8 +62,8 @@ Json figures_json(const DrawList& list, const QuadtreeOptions& options, std::siz
             {"cull_scale", options.cull_scale},
             {"views", views},
             {"instances", list.instances.size()},
-            {"triangles", list.figures.triangles},
-            {"nodes_visited", list.figures.nodes_visited},
+            {"triangles", list.statistics.triangles},
+            {"nodes_visited", list.statistics.nodes_visited},
             {"microseconds", std::round(microseconds * 100) / 100},
             {"skirt_pieces", list.skirt.size()},
             {"patches_by_level", levels},
@@ -115,7 +115,7 @@ void QuadtreeCommandFlags::add_to(CLI::App& app) {
     app.add_option("--ply", ply_, "the same as PLY, binary")->type_name("FILE");
     app.add_option("--gltf", gltf_, "the same as binary glTF, FILE.glb")->type_name("FILE");
     app.add_flag("--foam", foam_, "the mesh's vertices have foam too, as colour");
-    app.add_option("--json", json_, "write the figures")->type_name("FILE");
+    app.add_option("--json", json_, "write the statistics")->type_name("FILE");
     app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
     sea_.add_to(app);
     compute_.add_to(app);
@@ -142,14 +142,14 @@ void QuadtreeCommandFlags::run() const {
     const double microseconds = microseconds_of(selection, input);
     const DrawList& list = selection.list();
 
-    const Json figures = figures_json(list, options, views.size(), microseconds);
+    const Json statistics = statistics_json(list, options, views.size(), microseconds);
     if (obj || ply || gltf) {
         const Mesh mesh = mesh_of(list, frame);
         if (obj) obj->write(mesh_as_obj(mesh, ObjDigits::all));
         if (ply) ply->write(as_bytes(mesh_as_ply(mesh)));
         if (gltf) gltf->write(as_bytes(GlbFile(mesh).finish(1, false)));
     }
-    if (json) json->write(figures.dump(2) + "\n");
+    if (json) json->write(statistics.dump(2) + "\n");
     if (svg) {
         Selection everything(options);
         const DrawList& all = everything.select({.viewer_m = camera.position_m});
@@ -157,7 +157,7 @@ void QuadtreeCommandFlags::run() const {
         for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
         svg->write(plan_as_svg(list, all, frusta, camera.position_m));
     }
-    print_table(figures);
+    print_table(statistics);
 }
 
 }  // namespace pelagic::tools

@@ -50,7 +50,7 @@ double median(std::vector<double> values) {
 /// Times of each frame, and what the last one drew.
 struct Measured {
     std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, picture_ms;
-    gl::DrawFigures last;
+    gl::DrawStatistics last;
 };
 
 gl::Sky baked_sky(const SceneOptions& scene) {
@@ -141,8 +141,8 @@ class PictureMaker {
         return rgb;
     }
 
-    Json figures() const {
-        const gl::DrawFigures& last = measured_.last;
+    Json statistics() const {
+        const gl::DrawStatistics& last = measured_.last;
         const auto views = static_cast<int>(eyes_.size());
         return {{"renderer", context_.renderer_name()},
                 {"frames", measured_.sea_ms.size()},
@@ -174,7 +174,7 @@ class PictureMaker {
     }
 
     /// \param weighs_samples  the mean of a pixel's samples is the screen's; else it is that of light
-    const gl::DrawFigures& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
+    const gl::DrawStatistics& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
                                 gl::RenderTarget& target, bool weighs_samples) {
         const gl::Functions& functions = context_.functions();
         target.bind();
@@ -209,12 +209,12 @@ class PictureMaker {
                                .host_scene = host_scene});
     }
 
-    void note(const gl::DrawFigures& figures) {
-        measured_.upload_ms.push_back(figures.upload_ms);
-        measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
-        measured_.draw_ms.push_back(figures.draw_ms);
-        measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
-        measured_.last = figures;
+    void note(const gl::DrawStatistics& statistics) {
+        measured_.upload_ms.push_back(statistics.upload_ms);
+        measured_.upload_driver_ms.push_back(statistics.upload_driver_ms);
+        measured_.draw_ms.push_back(statistics.draw_ms);
+        measured_.draw_driver_ms.push_back(statistics.draw_driver_ms);
+        measured_.last = statistics;
     }
 
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
@@ -314,7 +314,7 @@ Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const File
         if (out) out.write(frame, encode_picture(maker.pixels(), width, height));
         if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
     }
-    return maker.figures();
+    return maker.statistics();
 }
 
 }  // namespace
@@ -346,8 +346,8 @@ void run_render(const RenderOptions& options) {
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
                      {"weather", weather_as_json(options.scene.sea)},
-                     {"figures", write_pictures(options, sky, out, hdr, *progress)}});
-        json["figures"]["sky_ms"] = sky_ms;
+                     {"statistics", write_pictures(options, sky, out, hdr, *progress)}});
+        json["statistics"]["sky_ms"] = sky_ms;
     }
     progress.reset();
     out.sync();
@@ -358,12 +358,12 @@ void run_render(const RenderOptions& options) {
     }
     if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
     if (!draws) return;
-    const Json& figures = json["figures"];
+    const Json& statistics = json["statistics"];
     std::printf("%s: %d picture%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
                 json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
-                options.scene.width, options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
-                static_cast<unsigned long long>(figures["triangles"].get<std::uint64_t>()),
-                figures["renderer"].get<std::string>().c_str());
+                options.scene.width, options.scene.height, statistics["sea_draw_calls_a_view"].get<int>(),
+                static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),
+                statistics["renderer"].get<std::string>().c_str());
 }
 
 }  // namespace pelagic::tools

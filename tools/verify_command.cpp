@@ -91,7 +91,7 @@ class Verification {
         std::size_t done = 0;
         for (const FrameRecord& recorded : sample_) {
             progress.show(done++);
-            FrameRecord computed = figures_of(
+            FrameRecord computed = statistics_of(
                 recorded.frame, exported_frame(ocean.frame_at(recorded.time_s), player.get()), options_.has_foam());
             computed.files = recorded.files;
             const Json now = frame_as_json(computed);

@@ -104,10 +104,10 @@ void choose_exposure(gl::CameraSettings& camera, float ev) {
     ImGui::SliderFloat("bloom", &camera.bloom, 0, 0.5f, "%.2f");
 }
 
-void choose_scale(ViewSettings& settings, const ViewFigures& figures) {
+void choose_scale(ViewSettings& settings, const ViewStatistics& statistics) {
     ImGui::Checkbox("size by frame time", &settings.scale_is_automatic);
     ImGui::SameLine();
-    ImGui::Text("%dx%d", figures.drawn_width, figures.drawn_height);
+    ImGui::Text("%dx%d", statistics.drawn_width, statistics.drawn_height);
     if (!settings.scale_is_automatic) ImGui::SliderFloat("size", &settings.fixed_scale, 0.25f, 1, "%.2f");
 }
 
@@ -129,12 +129,12 @@ void choose_surface(gl::Surface& surface) {
     ImGui::EndCombo();
 }
 
-void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& rows) {
-    ImGui::Text("%.1f ms a frame, %.2f million triangles", figures.frame_ms,
-                static_cast<double>(figures.triangles) / 1e6);
-    ImGui::Text("%zu patches in %d draws, selected in %.0f us", figures.patches, figures.draw_calls,
-                figures.select_us);
-    ImGui::Text("CPU: upload %.2f ms, draw %.2f ms", figures.upload_ms, figures.draw_ms);
+void show_times(const ViewStatistics& statistics, const std::vector<StageTimes::Row>& rows) {
+    ImGui::Text("%.1f ms a frame, %.2f million triangles", statistics.frame_ms,
+                static_cast<double>(statistics.triangles) / 1e6);
+    ImGui::Text("%zu patches in %d draws, selected in %.0f us", statistics.patches, statistics.draw_calls,
+                statistics.select_us);
+    ImGui::Text("CPU: upload %.2f ms, draw %.2f ms", statistics.upload_ms, statistics.draw_ms);
     for (const StageTimes::Row& row : rows) {
         const float largest = *std::max_element(row.ms.begin(), row.ms.end());
         char text[80];
@@ -146,7 +146,7 @@ void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& 
 
 }  // namespace
 
-void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& figures,
+void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewStatistics& statistics,
                 const std::vector<StageTimes::Row>& stage_times) {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(panel_width, 0), ImGuiCond_Always);
@@ -156,21 +156,21 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     slide(sliders::choppiness, settings.sea.choppiness);
     choose_waves(settings.sea);
     choose_preset(settings.sea);
-    choose_cascades(settings.sea, figures.cascade_sides_m);
+    choose_cascades(settings.sea, statistics.cascade_sides_m);
     slide({"changes take", "", 0, 60, "%.0f s"}, settings.change_over_s);
-    ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m,
-                figures.sea_is_baking || figures.sea_is_changing ? ", changing" : "");
+    ImGui::Text("waves of %.2f m%s", statistics.significant_wave_height_m,
+                statistics.sea_is_baking || statistics.sea_is_changing ? ", changing" : "");
     ImGui::Separator();
     choose_light(settings);
     slide_angle(sliders::sun_direction, settings.sky.sun_azimuth_rad);
     slide_angle(sliders::sun_height, settings.sky.sun_elevation_rad);
     slide(sliders::clouds, settings.sky.cloud_cover);
-    if (figures.sky_is_baking) ImGui::Text("baking the sky ...");
-    choose_exposure(settings.camera, figures.ev);
+    if (statistics.sky_is_baking) ImGui::Text("baking the sky ...");
+    choose_exposure(settings.camera, statistics.ev);
     ImGui::Separator();
     choose_quality(settings.quality);
-    choose_scale(settings, figures);
-    choose_shading(settings.shading, figures.shading);
+    choose_scale(settings, statistics);
+    choose_shading(settings.shading, statistics.shading);
     choose_surface(settings.surface);
     ImGui::Checkbox("wireframe", &settings.wireframe);
     ImGui::SameLine();
@@ -178,13 +178,13 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     ImGui::SameLine();
     bool flies = camera.mode() == ViewCamera::Mode::fly;
     if (ImGui::Checkbox("fly", &flies)) camera.set_mode(flies ? ViewCamera::Mode::fly : ViewCamera::Mode::orbit);
-    if (figures.boat_mps) {
-        ImGui::Text("boat: %.1f m/s", *figures.boat_mps);
+    if (statistics.boat_mps) {
+        ImGui::Text("boat: %.1f m/s", *statistics.boat_mps);
         ImGui::SameLine();
         ImGui::Checkbox("camera follows it", &settings.follows_boat);
     }
     ImGui::Separator();
-    show_times(figures, stage_times);
+    show_times(statistics, stage_times);
     ImGui::TextDisabled("camera: drag, wheel, WASD, R, F");
     ImGui::TextDisabled("click: a splash; B: a boat, arrows steer it");
     ImGui::TextDisabled("H hides this, P saves a picture, Esc ends");

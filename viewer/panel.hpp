@@ -38,7 +38,7 @@ struct ViewSettings {
 };
 
 /// What the panel shows of the last frame.
-struct ViewFigures {
+struct ViewStatistics {
     double frame_ms = 0;
     double select_us = 0, upload_ms = 0, draw_ms = 0;
     int draw_calls = 0;
@@ -54,7 +54,7 @@ struct ViewFigures {
 };
 
 /// Draws the widgets of one Dear ImGui frame and lets them change the settings and the camera's mode.
-void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& figures,
+void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewStatistics& statistics,
                 const std::vector<StageTimes::Row>& stage_times);
 
 }  // namespace pelagic::viewer

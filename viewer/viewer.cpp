@@ -125,7 +125,7 @@ class Viewer {
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
         fill_ocean(options_.changes);
-        figures_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
+        statistics_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
                                                         : settings_.shading.value_or(gl::Shading::high);
         choose_quality();
         take_sky();
@@ -138,7 +138,7 @@ class Viewer {
             window_.poll();
             const double now_s = since_start.milliseconds() / 1000;
             const double passed_s = std::min(now_s - last_s, 0.25);  // no leaps after a pause
-            figures_.frame_ms = (now_s - last_s) * 1000;
+            statistics_.frame_ms = (now_s - last_s) * 1000;
             last_s = now_s;
             if (!settings_.frozen) time_s_ += passed_s;
             take_input(passed_s);
@@ -192,16 +192,16 @@ class Viewer {
 
     /// Starts what the settings ask for, and takes over what is ready; nothing waits.
     void follow_settings() {
-        if (figures_.sky_is_baking && baker_.is_done()) {
+        if (statistics_.sky_is_baking && baker_.is_done()) {
             take_sky();
-            figures_.sky_is_baking = false;
+            statistics_.sky_is_baking = false;
         }
-        if (!figures_.sky_is_baking && settings_.sky != shown_sky_) {
+        if (!statistics_.sky_is_baking && settings_.sky != shown_sky_) {
             shown_sky_ = settings_.sky;
             baker_.schedule(shown_sky_);
-            figures_.sky_is_baking = true;
+            statistics_.sky_is_baking = true;
         }
-        if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
+        if (!statistics_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
             if (!check(settings_.sea).empty()) {
                 settings_.sea = shown_sea_;  // a slider went where this sea can't
             } else if (is_about_to_settle()) {
@@ -211,7 +211,7 @@ class Viewer {
             } else if (ocean_takes(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
-                figures_.sea_is_baking = true;
+                statistics_.sea_is_baking = true;
             } else {
                 fill_ocean();
                 choose_quality();
@@ -283,12 +283,12 @@ class Viewer {
         renderer_ = nullptr;
         for (auto& renderer : renderers_) renderer.reset();
         choose_mesh(preset_named(quality_).vertices);
-        choose_shading(figures_.shading);
+        choose_shading(statistics_.shading);
     }
 
     /// Those that were drawn once stay: to change between them costs an upload of the sky, and no shader is compiled again.
     void choose_shading(gl::Shading shading) {
-        figures_.shading = shading;
+        statistics_.shading = shading;
         auto& renderer = renderers_[static_cast<std::size_t>(shading)];
         if (!renderer) {
             renderer = std::make_unique<gl::SeaRenderer>(
@@ -310,7 +310,7 @@ class Viewer {
             renderer_->set_caustics(caustics_.complete());
             caustics_are_baking_ = false;
         }
-        if (!figures_.sky_is_baking && frames_ > 0) take_sky();
+        if (!statistics_.sky_is_baking && frames_ > 0) take_sky();
     }
 
     void choose_mesh(int vertices) {
@@ -332,12 +332,12 @@ class Viewer {
     const Frame& next_frame(double passed_s) {
         const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
-        if (figures_.sea_is_baking && ocean_->sea_is_ready()) {
+        if (statistics_.sea_is_baking && ocean_->sea_is_ready()) {
             ocean_->complete_sea();
-            figures_.sea_is_baking = false;
+            statistics_.sea_is_baking = false;
             ++changes_;
         }
-        figures_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
+        statistics_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
         // They read the frame before this one, whose views end with the next schedule().
         take_caustics();
         if (!settings_.frozen) disturb_water(frame, passed_s);
@@ -360,7 +360,7 @@ class Viewer {
         if (!boat_source_) boat_source_ = ocean_->add_source(press);
         ocean_->set_source(*boat_source_, press);
         ocean_->follow(boat_->place_m().x, boat_->place_m().y);
-        figures_.boat_mps = boat_->speed_mps();
+        statistics_.boat_mps = boat_->speed_mps();
     }
 
     void make_splash(const SurfaceQuery& query) {
@@ -388,13 +388,13 @@ class Viewer {
         if (settings_.follows_boat) camera_.look_at({boat_->place_m().x, 1, boat_->place_m().y});
         if (boat_model_) return;
         boat_model_.emplace(window_.functions());
-        if (!figures_.sky_is_baking) boat_model_->set_light(baker_.complete());
+        if (!statistics_.sky_is_baking) boat_model_->set_light(baker_.complete());
     }
 
     void take_boat() {
         window_middle_ = boat_->place_m();
         boat_.reset();
-        figures_.boat_mps.reset();
+        statistics_.boat_mps.reset();
         if (boat_source_) ocean_->remove_source(*boat_source_);
         boat_source_.reset();
     }
@@ -433,11 +433,11 @@ class Viewer {
         const Frame& frame = next_frame(passed_s);
         start_caustics(frame);
         shown_time_s_ = frame.time_s;
-        figures_.cascade_sides_m.clear();
-        for (const Cascade& cascade : frame.cascades) figures_.cascade_sides_m.push_back(cascade.grid.side_m);
-        figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
+        statistics_.cascade_sides_m.clear();
+        for (const Cascade& cascade : frame.cascades) statistics_.cascade_sides_m.push_back(cascade.grid.side_m);
+        statistics_.significant_wave_height_m = frame.statistics.significant_wave_height_m;
         picture_.follow(settings_.camera, unmetered_ev_, passed_s);
-        figures_.ev = picture_.ev();
+        statistics_.ev = picture_.ev();
 
         // A sea that moves never rests: full size is for a frozen one before a camera that stands, and for pictures.
         const Camera camera = camera_.camera();
@@ -461,18 +461,18 @@ class Viewer {
                          step.scale > drawn_step_.scale || step.shading > drawn_step_.shading;
         if (sea_was_drawn_) {
             // A renderer's first sky is one that is ready.
-            if (step.shading != figures_.shading && !figures_.sky_is_baking) choose_shading(step.shading);
+            if (step.shading != statistics_.shading && !statistics_.sky_is_baking) choose_shading(step.shading);
             draw_sea(frame, camera, step.scale);
             drawn_ = now;
             drawn_.changes = changes_;  // a mesh may just have been chosen
-            drawn_step_ = {step.scale, figures_.shading};
+            drawn_step_ = {step.scale, statistics_.shading};
             // The size that a resting view or a picture asks for says nothing of the next frame's.
             sea_was_drawn_ = !rests && !takes_picture_;
         }
         show_sea();
         if (takes_picture_) take_picture();
 
-        if (shows_panel_) show_panel(settings_, camera_, figures_, stage_times_->rows());
+        if (shows_panel_) show_panel(settings_, camera_, statistics_, stage_times_->rows());
         ImGui::Render();
         panel_renderer_.draw(*ImGui::GetDrawData());
     }
@@ -484,19 +484,19 @@ class Viewer {
             begin_wireframe(width, height);
         else
             picture_.begin(width, height, scale, is_software_ && scale < 1 ? 0 : samples_a_pixel);
-        figures_.drawn_width = settings_.wireframe ? width : picture_.width();
-        figures_.drawn_height = settings_.wireframe ? height : picture_.height();
-        const gl::Eye eye = gl::eye_of(camera, {0, 0, figures_.drawn_width, figures_.drawn_height});
+        statistics_.drawn_width = settings_.wireframe ? width : picture_.width();
+        statistics_.drawn_height = settings_.wireframe ? height : picture_.height();
+        const gl::Eye eye = gl::eye_of(camera, {0, 0, statistics_.drawn_width, statistics_.drawn_height});
         const gl::Stopwatch select;
         const DrawList& list = selection_->select({.viewer_m = camera.position_m,
                                                    .views = {&eye.clip_from_world, 1},
                                                    .bounds = frame.bounds,
                                                    .depth = ClipDepth::minus_one_to_one});
-        figures_.select_us = select.milliseconds() * 1000;
-        figures_.patches = list.instances.size();
+        statistics_.select_us = select.milliseconds() * 1000;
+        statistics_.patches = list.instances.size();
         renderer_->upload(frame);
         const float exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_);
-        const gl::DrawFigures& drawn =
+        const gl::DrawStatistics& drawn =
             renderer_->draw({.eyes = {&eye, 1},
                              .viewer_m = camera.position_m,
                              .list = &list,
@@ -506,10 +506,10 @@ class Viewer {
                              .weighs_samples = true,
                              .water_at_lens = water_at_lens(frame),
                              .host_scene = draw_boat(eye, exposure)});
-        figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
-        figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
-        figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
-        figures_.triangles = drawn.triangles;
+        statistics_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
+        statistics_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
+        statistics_.draw_calls = drawn.sea_calls + drawn.sky_calls;
+        statistics_.triangles = drawn.triangles;
         if (!settings_.wireframe) picture_.end(luminance_of_unit_);
     }
 
@@ -580,7 +580,7 @@ class Viewer {
     std::optional<Selection> selection_;
     std::array<std::unique_ptr<gl::SeaRenderer>, gl::shading_names.size()>
         renderers_;                        ///< by shading, once it is drawn
-    gl::SeaRenderer* renderer_ = nullptr;  ///< of figures_.shading
+    gl::SeaRenderer* renderer_ = nullptr;  ///< of statistics_.shading
     std::optional<gl::RenderTarget> wireframe_;
     float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< of the shown sky
     Drawn drawn_;
@@ -588,7 +588,7 @@ class Viewer {
     double rests_for_s_ = 0;
     bool sea_was_drawn_ = false;  ///< in the size that frame times decide
     unsigned long long changes_ = 0;
-    ViewFigures figures_;
+    ViewStatistics statistics_;
     bool shows_panel_ = true, takes_picture_ = false;
     std::optional<glm::dvec2> clicked_;  ///< a pixel of the window, from its upper left corner
     glm::dvec2 window_middle_{};         ///< of the dynamic waves, while there is no boat

@@ -126,7 +126,7 @@ std::optional<std::uint64_t> OceanNode::hash() {
 std::optional<double> OceanNode::significant_wave_height_m() {
     const Frame* asked = frame();
     if (!asked) return {};
-    return asked->figures.significant_wave_height_m;
+    return asked->statistics.significant_wave_height_m;
 }
 
 SurfaceQuery OceanNode::query_of(const Frame& frame) const {

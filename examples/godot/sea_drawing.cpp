@@ -232,7 +232,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     set("fade", Value(floats(fade.x, fade.y, grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m))));
     const double resolution = frame.cascades[0].resolution();
     set("spacing", Value(floats(1 / (options.lod_scale * options.vertices), grid.step_m, std::log2(resolution), 0)));
-    set("roughness_between_texels", Value(frame.figures.roughness));
+    set("roughness_between_texels", Value(frame.statistics.roughness));
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];

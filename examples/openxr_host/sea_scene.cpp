@@ -39,7 +39,7 @@ gl::Eye eye_of(const XrView& view, const glm::dvec3& origin_m, const EyeImages& 
 }
 
 /// On the deck of something that stands still, and that hardly a crest reaches.
-glm::dvec3 origin_above(const Frame& frame) { return {0, 3 + frame.figures.significant_wave_height_m, 0}; }
+glm::dvec3 origin_above(const Frame& frame) { return {0, 3 + frame.statistics.significant_wave_height_m, 0}; }
 
 }  // namespace
 

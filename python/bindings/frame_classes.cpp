@@ -176,7 +176,7 @@ void add_frame(py::module_& module) {
     add(frame, "bounds", [](const FrameHandle& of) { return of.frame.bounds; });
     add(frame, "sea", [](const FrameHandle& of) { return python_sea_of(of.frame.sea); });
     add(frame, "significant_wave_height_m",
-        [](const FrameHandle& of) { return of.frame.figures.significant_wave_height_m; });
+        [](const FrameHandle& of) { return of.frame.statistics.significant_wave_height_m; });
     add(frame, "is_alive", [](const FrameHandle& of) { return of.ocean->is_alive(of.number); });
     add(frame, "hash", on_frame(&hash_of));
     add(frame, "foam_hash", &checked_foam_hash);

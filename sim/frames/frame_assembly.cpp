@@ -74,7 +74,7 @@ void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> t
     const SeaMoment moment = weather_.moment_at(time_s);
     frame.time_s = time_s;
     frame.sea = weather_.sea_at(moment);
-    frame.figures = weather_.figures_at(moment);
+    frame.statistics = weather_.statistics_at(moment);
     frame.isa = isa_;
     for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade)
         sources_[cascade]->begin(Pass::frame, moment, slots_.cascade(cascade));
@@ -88,12 +88,12 @@ void FrameAssembly::begin_tick() {
     const DefaultFloatEnvironment environment;
     const std::int64_t number = frame_tick_.number - --ticks_due_;
     const SeaMoment moment = moment_at_tick(number);
-    const SeaFigures figures = weather_.figures_at(moment);
+    const SeaStatistics statistics = weather_.statistics_at(moment);
     foam_->advance();
     for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
         Cascade& at_tick = foam_->cascade(cascade);
         sources_[cascade]->begin(Pass::tick, moment, at_tick);
-        const DriftTexels drift = drift_of(figures, at_tick.grid, resolution(), clock(), number);
+        const DriftTexels drift = drift_of(statistics, at_tick.grid, resolution(), clock(), number);
         foam_->set_drift(cascade, drift.x, drift.z);
     }
     begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);

@@ -29,6 +29,6 @@ class Arrival {
 };
 
 /// What a cascade's waves add to the sea meanwhile: each band blends by itself, so that the figures are those of the waves.
-LineFigures between(const FiguresByBand& before, const FiguresByBand& after, const Arrival& arrival, double since_s);
+LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival, double since_s);
 
 }  // namespace pelagic

@@ -52,7 +52,7 @@ PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, cons
       waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
       harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
 
-LineFigures& LineFigures::operator+=(const LineFigures& other) {
+LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     height_variance += other.height_variance;
     mean_square_slope += other.mean_square_slope;
     mean_square_convergence += other.mean_square_convergence;
@@ -63,26 +63,26 @@ LineFigures& LineFigures::operator+=(const LineFigures& other) {
     return *this;
 }
 
-LineFigures& FiguresByBand::operator[](std::size_t band) {
-    if (figures_.empty()) first_ = band;
+LineStatistics& StatisticsByBand::operator[](std::size_t band) {
+    if (statistics_.empty()) first_ = band;
     if (band < first_) {
-        figures_.insert(figures_.begin(), first_ - band, LineFigures());
+        statistics_.insert(statistics_.begin(), first_ - band, LineStatistics());
         first_ = band;
     }
-    if (band >= end()) figures_.resize(band - first_ + 1);
-    return figures_[band - first_];
+    if (band >= end()) statistics_.resize(band - first_ + 1);
+    return statistics_[band - first_];
 }
 
-FiguresByBand& FiguresByBand::operator+=(const FiguresByBand& other) {
+StatisticsByBand& StatisticsByBand::operator+=(const StatisticsByBand& other) {
     for (std::size_t band = other.first(); band < other.end(); ++band) (*this)[band] += other.at(band);
     return *this;
 }
 
-LineFigures between(const LineFigures& before, const LineFigures& after, double part) {
+LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part) {
     if (part == 0) return before;
     if (part == 1) return after;
-    LineFigures sum;
-    const auto add = [&](const LineFigures& of, double weight) {
+    LineStatistics sum;
+    const auto add = [&](const LineStatistics& of, double weight) {
         sum += {.height_variance = of.height_variance * weight,
                 .mean_square_slope = of.mean_square_slope * weight,
                 .mean_square_convergence = of.mean_square_convergence * weight,
@@ -96,8 +96,8 @@ LineFigures between(const LineFigures& before, const LineFigures& after, double 
     return sum;
 }
 
-LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out, FiguresByBand* by_band) {
+LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
+                               PackedSpectrum& out, StatisticsByBand* by_band) {
     const CascadePlan& cascade = waves.cascade();
     const int resolution = cascade.resolution;
     const int radix = plan.tables().first_step().radix;
@@ -113,7 +113,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, c
     const WindDrift usual = usual_foam_drift(sea);
     const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
-    LineFigures all;
+    LineStatistics all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
     std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
 
@@ -136,29 +136,29 @@ LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, c
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
-                LineFigures figures;
-                figures.height_variance = mirrors * opposites.expected_square();
-                figures.mean_square_slope = mirrors * opposites.expected_square() * k * k;
-                figures.mean_square_convergence = figures.mean_square_slope * orbit_square;
+                LineStatistics statistics;
+                statistics.height_variance = mirrors * opposites.expected_square();
+                statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
+                statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
                 const double sign = signed_m == m ? 1 : -1;
                 // Foam that drifts meets waves the slower, the more it runs with them.
                 const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
                 const auto square_rate = [](const Wave& of, double met_frequency) {
                     return std::norm(of.amplitude) * met_frequency * met_frequency;
                 };
-                figures.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
+                statistics.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
                                          mirrors *
                                              (square_rate(opposites.along, frequency - drifted) +
                                               square_rate(opposites.against, frequency + drifted)) *
                                              orbit_square,
                                          signed_m * spacing, n * spacing, sign * fold_x, fold_z);
-                figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
+                statistics.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
-                figures.stokes_x = running * (signed_m * spacing);
-                figures.stokes_z = running * (n * spacing);
-                all += figures;
-                if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += figures;
+                statistics.stokes_x = running * (signed_m * spacing);
+                statistics.stokes_z = running * (n * spacing);
+                all += statistics;
+                if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += statistics;
             };
             const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);

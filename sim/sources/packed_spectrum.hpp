@@ -42,7 +42,7 @@ struct PackedSpectrum {
 };
 
 /// What the waves of a line and of its mirror add to the sea.
-struct LineFigures {
+struct LineStatistics {
     double height_variance = 0;    ///< m^2, the mean over all seeds
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
     double mean_square_convergence =
@@ -52,36 +52,36 @@ struct LineFigures {
     double stokes_x = 0,
            stokes_z = 0;  ///< Stokes' drift at the surface along the cascade's own axes, m/s, the mean over all seeds
 
-    LineFigures& operator+=(const LineFigures& other);
+    LineStatistics& operator+=(const LineStatistics& other);
 };
 
 /// The same by bands of frequency (harmonic_band()).
-class FiguresByBand {
+class StatisticsByBand {
    public:
     /// Room for a band is made.
-    LineFigures& operator[](std::size_t band);
-    FiguresByBand& operator+=(const FiguresByBand& other);
+    LineStatistics& operator[](std::size_t band);
+    StatisticsByBand& operator+=(const StatisticsByBand& other);
 
     std::size_t first() const { return first_; }
-    std::size_t end() const { return first_ + figures_.size(); }
+    std::size_t end() const { return first_ + statistics_.size(); }
     /// None where there is nothing.
-    LineFigures at(std::size_t band) const {
-        return band < first() || band >= end() ? LineFigures() : figures_[band - first_];
+    LineStatistics at(std::size_t band) const {
+        return band < first() || band >= end() ? LineStatistics() : statistics_[band - first_];
     }
 
-    std::size_t bytes() const { return figures_.capacity() * sizeof(LineFigures); }
+    std::size_t bytes() const { return statistics_.capacity() * sizeof(LineStatistics); }
 
    private:
     std::size_t first_ = 0;
-    std::vector<LineFigures> figures_;
+    std::vector<LineStatistics> statistics_;
 };
 
 /// What they are while one sea turns into another: all are sums over energies. The one or the other, bit for bit, where `part`
 /// is 0 or 1.
-LineFigures between(const LineFigures& before, const LineFigures& after, double part);
+LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part);
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent. \param by_band  gets the same figures, if there is one
-LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out, FiguresByBand* by_band = nullptr);
+LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
+                               PackedSpectrum& out, StatisticsByBand* by_band = nullptr);
 
 }  // namespace pelagic

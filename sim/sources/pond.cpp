@@ -149,33 +149,33 @@ Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
                        static_cast<double>(octave.at.n) / plan.resolution};
         waves.terms.push_back(terms);
     }
-    const double mean_square_slope = figures_of(waves).mean_square_slope;
+    const double mean_square_slope = statistics_of(waves).mean_square_slope;
     waves.slope_ranges = slope_ranges(mean_square_slope, mean_square_slope);
     return waves;
 }
 
-LineFigures Pond::figures_of(const Waves& waves) {
+LineStatistics Pond::statistics_of(const Waves& waves) {
     const double texel_m = waves.plan.grid.side_m / waves.plan.resolution;
     const auto difference = [&](int periods) {  // what central differences over texels make of a wave number
         return det::sine_cosine_of_turns(static_cast<double>(periods) / waves.plan.resolution).sine / texel_m;
     };
-    LineFigures figures;
+    LineStatistics statistics;
     for (const GridOctave& octave : waves.octaves) {
         const double shown = octave.shown * octave.shown;
-        figures.height_variance += octave.height_variance();
-        figures.mean_square_slope += shown * octave.slope_variance();
+        statistics.height_variance += octave.height_variance();
+        statistics.mean_square_slope += shown * octave.slope_variance();
         const double height = octave.octave.height_m;
-        figures.slopes.add_wave(pond_slope_variance * (height * height) * shown, difference(octave.at.m),
+        statistics.slopes.add_wave(pond_slope_variance * (height * height) * shown, difference(octave.at.m),
                                 difference(octave.at.n));
     }
-    return figures;
+    return statistics;
 }
 
 void Pond::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double) { bake_ = waves_of(sea, plan); }
 
-LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
+LineStatistics Pond::adopt_spectrum(std::size_t, std::size_t) {
     waves_ = *std::exchange(bake_, std::nullopt);
-    return figures_of(waves_);
+    return statistics_of(waves_);
 }
 
 std::size_t Pond::bytes() const {

@@ -34,7 +34,7 @@ class Pond final : public SeaSource {
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
     /// It has one sea at a time: Forecast lets none of its kind turn into another.
-    LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
+    LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
     const CascadeGrid& grid() const override { return waves_.plan.grid; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
@@ -53,7 +53,7 @@ class Pond final : public SeaSource {
         float least, most;
     };
     static Waves waves_of(const SeaState& sea, const CascadePlan& plan);
-    static LineFigures figures_of(const Waves& waves);
+    static LineStatistics statistics_of(const Waves& waves);
     void fill_row(Pass pass, std::size_t row);
 
     FrameSlots& slots_;

@@ -97,11 +97,11 @@ const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) cons
     return **found;
 }
 
-SpectralCascade::Look SpectralCascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
+SpectralCascade::Look SpectralCascade::look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const {
     return {whitecap_cover > 0
-                ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
+                ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
                 : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
-            slope_ranges(figures.mean_square_slope, figures.mean_square_convergence)};
+            slope_ranges(statistics.mean_square_slope, statistics.mean_square_convergence)};
 }
 
 void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
@@ -124,13 +124,13 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
         };
         const double choppiness = between_both(before.choppiness, after.choppiness);
         shown.choppiness = static_cast<float>(choppiness);
-        LineFigures figures = between(before.figures, after.figures, moment.part);
+        LineStatistics statistics = between(before.statistics, after.statistics, moment.part);
         if (moment.arrival) {
             for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
                 shown.parts.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
-            figures = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
+            statistics = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
         }
-        look = look_of(figures, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
+        look = look_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
     }
     shown.is_blend = shown.part != 0 || !shown.parts.empty();
     cascade.grid = grid_;
@@ -158,15 +158,15 @@ void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& pla
                        std::make_unique<std::once_flag>(),
                        {},
                        PackedSpectrum(plan_, kernels_.lanes, memory_),
-                       std::vector<LineFigures>(line_count(resolution_)),
-                       std::vector<FiguresByBand>(line_count(resolution_))});
+                       std::vector<LineStatistics>(line_count(resolution_)),
+                       std::vector<StatisticsByBand>(line_count(resolution_))});
 }
 
-LineFigures SpectralCascade::adopt_spectrum(std::size_t number, std::size_t place) {
-    LineFigures all;
-    for (const LineFigures& line : bake_->lines) all += line;
-    FiguresByBand by_band;
-    for (const FiguresByBand& line : bake_->lines_by_band) by_band += line;
+LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t place) {
+    LineStatistics all;
+    for (const LineStatistics& line : bake_->lines) all += line;
+    StatisticsByBand by_band;
+    for (const StatisticsByBand& line : bake_->lines_by_band) by_band += line;
     const SeaState& sea = bake_->sea;
     grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;

@@ -40,8 +40,8 @@ class SpectralCascade final : public SeaSource {
 
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
-    LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
-    const FiguresByBand* figures_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
+    LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
+    const StatisticsByBand* statistics_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
     const CascadeGrid& grid() const override { return grid_; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
@@ -68,15 +68,15 @@ class SpectralCascade final : public SeaSource {
         WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
         SlopeRanges slope_ranges;
     };
-    Look look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const;
+    Look look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const;
 
     /// The waves of a sea.
     struct Waves {
         std::size_t number;
         double choppiness, whitecap_cover;
         PackedSpectrum spectrum;
-        LineFigures figures;
-        FiguresByBand by_band;
+        LineStatistics statistics;
+        StatisticsByBand by_band;
         Look look;
     };
     const Waves& waves_of(std::size_t number) const;
@@ -108,8 +108,8 @@ class SpectralCascade final : public SeaSource {
         std::optional<CascadeWaves>
             waves;  ///< by the first line that is baked: they take longer than a frame has time for
         PackedSpectrum spectrum;
-        std::vector<LineFigures> lines;
-        std::vector<FiguresByBand> lines_by_band;
+        std::vector<LineStatistics> lines;
+        std::vector<StatisticsByBand> lines_by_band;
     };
     std::optional<Bake> bake_, aside_;
 

@@ -83,14 +83,14 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
     return sea_between(sea(moment.before), sea(moment.after), moment.part);
 }
 
-SeaFigures Weather::figures_at(const SeaMoment& moment) const {
+SeaStatistics Weather::statistics_at(const SeaMoment& moment) const {
     const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
-    if (moment.is_steady()) return before.figures;
+    if (moment.is_steady()) return before.statistics;
     const Sums sums =
         moment.arrival ? arriving(before, after, moment) : Sums::between(before.sums, after.sums, moment.part);
-    SeaFigures figures = figures_of(sea_at(moment), sums);
-    figures.roughness = (1 - moment.part) * before.figures.roughness + moment.part * after.figures.roughness;
-    return figures;
+    SeaStatistics statistics = statistics_of(sea_at(moment), sums);
+    statistics.roughness = (1 - moment.part) * before.statistics.roughness + moment.part * after.statistics.roughness;
+    return statistics;
 }
 
 Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
@@ -111,9 +111,9 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
     return sums;
 }
 
-Weather::Sums Weather::Sums::of(const LineFigures& figures, const CascadeGrid& grid) {
-    const CascadeGrid::Place stokes = grid.in_world(figures.stokes_x, figures.stokes_z);
-    return {figures.height_variance, figures.slopes.in_world(grid), stokes.along, stokes.across};
+Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeGrid& grid) {
+    const CascadeGrid::Place stokes = grid.in_world(statistics.stokes_x, statistics.stokes_z);
+    return {statistics.height_variance, statistics.slopes.in_world(grid), stokes.along, stokes.across};
 }
 
 /// Each band's waves by their own part; the wind has that of the swell's peak, as in sea_at().
@@ -126,15 +126,15 @@ Weather::Sums Weather::arriving(const Baked& before, const Baked& after, const S
     return sums;
 }
 
-SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
-    SeaFigures figures;
-    figures.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
-    figures.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
-    figures.unresolved_slopes = slopes_left(sea, figures.resolved_slopes);
-    figures.roughness = roughness_of(sea, figures.unresolved_slopes);
-    figures.foam_drift_x_mps = sums.drift_x_mps;
-    figures.foam_drift_z_mps = sums.drift_z_mps;
-    return figures;
+SeaStatistics Weather::statistics_of(const SeaState& sea, const Sums& sums) {
+    SeaStatistics statistics;
+    statistics.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
+    statistics.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
+    statistics.unresolved_slopes = slopes_left(sea, statistics.resolved_slopes);
+    statistics.roughness = roughness_of(sea, statistics.unresolved_slopes);
+    statistics.foam_drift_x_mps = sums.drift_x_mps;
+    statistics.foam_drift_z_mps = sums.drift_z_mps;
+    return statistics;
 }
 
 std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
@@ -166,9 +166,9 @@ void Weather::adopt(Sources sources) {
     Sums sums;
     std::vector<Sums> by_band;
     for (const auto& source : sources) {
-        const LineFigures added = source->adopt_spectrum(baked_number_, place);
+        const LineStatistics added = source->adopt_spectrum(baked_number_, place);
         sums += Sums::of(added, source->grid());
-        const FiguresByBand* const bands = source->figures_by_band(place);
+        const StatisticsByBand* const bands = source->statistics_by_band(place);
         if (!bands) continue;
         by_band.resize(std::max(by_band.size(), bands->end()));
         for (std::size_t band = bands->first(); band < bands->end(); ++band)
@@ -178,7 +178,7 @@ void Weather::adopt(Sources sources) {
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
     const Sums by_wind{0, {}, wind.x_mps, wind.z_mps};
-    baked_[place] = {sums, by_wind, std::move(by_band), figures_of(baked, sums)};
+    baked_[place] = {sums, by_wind, std::move(by_band), statistics_of(baked, sums)};
 }
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {

@@ -42,7 +42,7 @@ class Weather {
     SeaMoment moment_at(double time_s) const;
     SeaState sea_at(const SeaMoment& moment) const;
     /// \pre the moment's seas are at hand
-    SeaFigures figures_at(const SeaMoment& moment) const;
+    SeaStatistics statistics_at(const SeaMoment& moment) const;
 
     /// The next run of the pass takes what the moment needs.
     void need(Pass pass, const SeaMoment& moment) { shelf_.need(pass, moment.before, moment.after); }
@@ -74,13 +74,13 @@ class Weather {
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double part);
         /// The drift is Stokes'.
-        static Sums of(const LineFigures& figures, const CascadeGrid& grid);
+        static Sums of(const LineStatistics& statistics, const CascadeGrid& grid);
     };
     struct Baked {
         Sums sums;
         Sums wind;                  ///< what the wind adds to them
         std::vector<Sums> by_band;  ///< what waves add to them, by bands of frequency
-        SeaFigures figures;         ///< of this sea alone
+        SeaStatistics statistics;         ///< of this sea alone
     };
     /// Another weather, whose sea is being baked.
     struct Other {
@@ -107,7 +107,7 @@ class Weather {
     const Outlook& outlook_of(std::size_t number) const { return number < next_.first_number ? now() : next_; }
     const SeaState& sea(std::size_t number) const { return outlook_of(number).sea(number); }
     static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
-    static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
+    static SeaStatistics statistics_of(const SeaState& sea, const Sums& sums);
     void begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources);
 
     WaveReach reach_;

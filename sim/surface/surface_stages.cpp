@@ -95,7 +95,7 @@ ShownFoam SurfaceStages::shown_foam() {
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
-    const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
+    const auto roughness = static_cast<float>(slots_.frame().statistics.roughness);
     const CascadeGrid& grid = slots_.cascade(cascade_).grid;
     const double two_texels_m = 2 * grid.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);

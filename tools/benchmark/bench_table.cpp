@@ -10,7 +10,7 @@
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
-#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/benchmark/stored_results.hpp"
 
 namespace pelagic::tools {
 namespace {

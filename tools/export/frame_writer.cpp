@@ -180,7 +180,7 @@ std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFo
 
 }  // namespace
 
-FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
+FrameRecord statistics_of(int number, const Frame& frame, bool has_foam) {
     return {.frame = number,
             .time_s = frame.time_s,
             .hash = hex_text(hash_of(frame)),
@@ -219,7 +219,7 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
       plan_(plan_writing(options, most_bytes)) {}
 
 void FrameWriter::write(int number, const Frame& frame) {
-    FrameRecord record = figures_of(number, frame, options_.has_foam());
+    FrameRecord record = statistics_of(number, frame, options_.has_foam());
     if (plan_.frames == 1) {
         record.files = write_files(options_, folder_, number, frame, plan_.files_a_frame, trace_);
         return add(std::move(record));

@@ -48,7 +48,7 @@ struct WritingPlan {
 WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes);
 
 /// All of a frame's record but the files, of a frame as the ocean hands it out, with the dynamic-wave grid if there is one.
-FrameRecord figures_of(int number, const Frame& frame, bool has_foam);
+FrameRecord statistics_of(int number, const Frame& frame, bool has_foam);
 
 /// Encodes and writes frames on a few threads and journals them in order, as many at once as plan_writing() says.
 class FrameWriter {

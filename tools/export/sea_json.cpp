@@ -24,7 +24,7 @@ Json names_as_json(const std::vector<FileRecord>& files) {
     return list;
 }
 
-Json figures_as_json(const FrameRecord& record) {
+Json statistics_as_json(const FrameRecord& record) {
     Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
     if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
     if (!record.dynamic_waves_hash.empty()) json["dynamic_waves_hash"] = record.dynamic_waves_hash;
@@ -109,14 +109,14 @@ Json options_as_json(const ExportOptions& options) {
 }
 
 Json frame_as_json(const FrameRecord& record) {
-    Json json = figures_as_json(record);
+    Json json = statistics_as_json(record);
     json["files"] = files_as_json(record.files);
     json["record_xxh3"] = digest_of(json.dump());
     return json;
 }
 
 Json frame_summary_as_json(const FrameRecord& record) {
-    Json json = figures_as_json(record);
+    Json json = statistics_as_json(record);
     json["files"] = names_as_json(record.files);
     return json;
 }

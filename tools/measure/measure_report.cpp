@@ -67,7 +67,7 @@ PartPeaks part_peaks(const std::vector<SpectrumPoint>& found, const SeaState& se
 }
 
 /// The export's own figures beside those of its options; drawn is null where only frames say what the seed drew.
-Json figures_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
+Json statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
     const auto three = [](Json measured, Json drawn, Json expected) -> Json {
         return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
     };
@@ -145,7 +145,7 @@ Json measure_export(const std::filesystem::path& folder) {
         json["cascades"].push_back({{"side_m", cascade.grid.side_m}, {"resolution", cascade.resolution}});
     json["cascades_there"] = plan_cascades(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
-    json["waves"] = figures_json(found, sea, report);
+    json["waves"] = statistics_json(found, sea, report);
     json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
                                          [&](const auto& at) { return model_by_frequency(sea, at); });
     json["by_wave_number"] = spectrum_json(found.by_wave_number, "wave_number_rad_per_m", "m3",

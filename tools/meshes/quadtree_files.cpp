@@ -133,11 +133,11 @@ std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<co
     text(number_text(grid.size_m()) + " m, x right, z down");
     for (int level = 0; level <= grid.deepest_level; ++level) {
         const auto at = static_cast<std::size_t>(level);
-        if (all.figures.patches_by_level[at] == 0) continue;
+        if (all.statistics.patches_by_level[at] == 0) continue;
         svg +=
             line("<rect x=\"%g\" y=\"%g\" width=\"18\" height=\"18\" fill=\"%s\"/>\n", x, y - 15, level_colours[at]);
         svg += line("<text x=\"%g\" y=\"%g\">level %d: %u of %u</text>\n", x + 26, y, level,
-                    drawn.figures.patches_by_level[at], all.figures.patches_by_level[at]);
+                    drawn.statistics.patches_by_level[at], all.statistics.patches_by_level[at]);
         y += 30;
     }
     if (!views.empty()) text("red: seen at y = 0");

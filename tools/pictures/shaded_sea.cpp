@@ -289,7 +289,7 @@ int ShadedSea::width() const { return state_->width; }
 int ShadedSea::height() const { return state_->height; }
 
 const std::vector<std::uint8_t>& ShadedSea::draw(const Frame& frame) {
-    state_->hidden_slope_variance = static_cast<float>(frame.figures.unresolved_slopes.total() / 2);
+    state_->hidden_slope_variance = static_cast<float>(frame.statistics.unresolved_slopes.total() / 2);
     state_->cascades.resize(frame.cascades.size());
     for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) state_->cascades[cascade].take(frame.cascades[cascade]);
     state_->run->schedule();

@@ -86,14 +86,14 @@ val variance_of(const SlopeVariance& variance) {
     return object;
 }
 
-val figures_of(const SeaFigures& figures) {
+val statistics_of(const SeaStatistics& statistics) {
     val object = val::object();
-    object.set("significantWaveHeightM", figures.significant_wave_height_m);
-    object.set("resolvedSlopes", variance_of(figures.resolved_slopes));
-    object.set("unresolvedSlopes", variance_of(figures.unresolved_slopes));
-    object.set("roughness", figures.roughness);
-    object.set("foamDriftXMps", figures.foam_drift_x_mps);
-    object.set("foamDriftZMps", figures.foam_drift_z_mps);
+    object.set("significantWaveHeightM", statistics.significant_wave_height_m);
+    object.set("resolvedSlopes", variance_of(statistics.resolved_slopes));
+    object.set("unresolvedSlopes", variance_of(statistics.unresolved_slopes));
+    object.set("roughness", statistics.roughness);
+    object.set("foamDriftXMps", statistics.foam_drift_x_mps);
+    object.set("foamDriftZMps", statistics.foam_drift_z_mps);
     return object;
 }
 
@@ -226,7 +226,7 @@ class OceanOfPage {
         val object = val::object();
         object.set("timeS", frame.time_s);
         object.set("sea", options_of(frame.sea));
-        object.set("figures", figures_of(frame.figures));
+        object.set("statistics", statistics_of(frame.statistics));
         object.set("isa", std::string(name_of(frame.isa)));
         object.set("bounds", bounds_of(frame.bounds));
         val cascades = val::array();

@@ -130,7 +130,7 @@ const Frame& SeaView::simulate(double time_s) {
 double SeaView::simulate_ms() const { return state_->simulate_ms; }
 const Frame& SeaView::frame() const { return *state_->frame; }
 const Ocean& SeaView::ocean() const { return *state_->ocean; }
-const gl::DrawFigures& SeaView::figures() const { return state_->renderer->figures(); }
+const gl::DrawStatistics& SeaView::statistics() const { return state_->renderer->statistics(); }
 
 void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> exposure) {
     State& s = *state_;

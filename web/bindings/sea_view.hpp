@@ -54,7 +54,7 @@ class SeaView {
     /// Of the last simulate(). \\pre there was one, also below
     const Frame& frame() const;
     const Ocean& ocean() const;
-    const gl::DrawFigures& figures() const;
+    const gl::DrawStatistics& statistics() const;
 
     /// Into the framebuffer that is bound, which it clears. One selection for all eyes.
     /// \param exposure  what radiance is multiplied with; none: the sky's

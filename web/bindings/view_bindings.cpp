@@ -198,7 +198,7 @@ class BoundView {
         is_simulated_ = true;
     }
     double simulate_ms() { return view_->simulate_ms(); }
-    double draw_ms() { return view_->figures().draw_ms; }
+    double draw_ms() { return view_->statistics().draw_ms; }
     std::string hash() {
         char text[17];
         std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash_of(frame())));
@@ -206,11 +206,11 @@ class BoundView {
     }
     val sea_info() {
         val info = val::object();
-        info.set("significantHeightM", frame().figures.significant_wave_height_m);
+        info.set("significantHeightM", frame().statistics.significant_wave_height_m);
         info.set("cascades", static_cast<int>(view_->ocean().cascade_count()));
         info.set("resolution", view_->ocean().resolution());
         info.set("memoryBytes", static_cast<double>(view_->ocean().memory_bytes()));
-        info.set("triangles", static_cast<double>(view_->figures().triangles));
+        info.set("triangles", static_cast<double>(view_->statistics().triangles));
         return info;
     }
     void draw(const val& request) {

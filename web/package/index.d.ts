@@ -163,7 +163,7 @@ export interface SlopeVariance {
 }
 
 /** What holds for all frames of a sea. */
-export interface SeaFigures {
+export interface SeaStatistics {
   significantWaveHeightM: number;
   /** That the cascades' maps show, and what is left to roughness. */
   resolvedSlopes: SlopeVariance;
@@ -178,7 +178,7 @@ export interface SeaFigures {
 export interface FrameAbout {
   readonly timeS: number;
   readonly sea: Required<Omit<SeaOptions, 'preset'>>;
-  readonly figures: SeaFigures;
+  readonly statistics: SeaStatistics;
   /** "wasm128": the instruction set. */
   readonly isa: string;
   /** Sums of the cascades' bounds. */
@@ -193,7 +193,7 @@ export class Frame implements FrameAbout {
   private constructor();
   readonly timeS: number;
   readonly sea: Required<Omit<SeaOptions, 'preset'>>;
-  readonly figures: SeaFigures;
+  readonly statistics: SeaStatistics;
   readonly isa: string;
   readonly bounds: Bounds;
   /** At least one, the coarsest first. */

@@ -96,7 +96,7 @@ export class Frame {
 
   get timeS() { return this.#describe().timeS; }
   get sea() { return this.#describe().sea; }
-  get figures() { return this.#describe().figures; }
+  get statistics() { return this.#describe().statistics; }
   get isa() { return this.#describe().isa; }
   get bounds() { return this.#describe().bounds; }
 

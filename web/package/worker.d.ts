@@ -1,6 +1,6 @@
 // The sea in a worker: the same as index.d.ts, as promises.
 import type {
-  Answers, Bounds, FrameAbout, Hit, OceanOptions, Points, QueryOptions, Ray, SeaFigures, SeaOptions, CascadeAbout, CascadeMaps,
+  Answers, Bounds, FrameAbout, Hit, OceanOptions, Points, QueryOptions, Ray, SeaStatistics, SeaOptions, CascadeAbout, CascadeMaps,
 } from './index.js';
 
 export { seaOptions, presets, levelCount, levelOffset, Plane } from './index.js';
@@ -38,7 +38,7 @@ export class RemoteFrame implements FrameAbout {
   private constructor();
   readonly timeS: number;
   readonly sea: Required<Omit<SeaOptions, 'preset'>>;
-  readonly figures: SeaFigures;
+  readonly statistics: SeaStatistics;
   readonly isa: string;
   readonly bounds: Bounds;
   readonly cascades: readonly RemoteCascade[];

@@ -49,8 +49,8 @@ const methods = {
     const number = count++;
     frames.set(number, frame);
     frames.delete(number - 2);
-    const { sea, figures, isa, bounds } = frame;
-    return { number, timeS, sea, figures, isa, bounds, cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)) };
+    const { sea, statistics, isa, bounds } = frame;
+    return { number, timeS, sea, statistics, isa, bounds, cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)) };
   },
   hash: (number) => frameOf(number).hash(),
   foamHash: (number) => frameOf(number).foamHash(),

@@ -208,7 +208,7 @@ class Page {
     this.seen = seen;
     this.drawnWidth = width;
     this.isStale = false;
-    this.showFigures(now, sinceLast);
+    this.showStatistics(now, sinceLast);
     // The next task begins when the driver has taken this frame's calls.
     setTimeout(() => this.endFrame(now), 0);
   }
@@ -263,7 +263,7 @@ class Page {
     if (!isInVr) this.requestFrame();
   }
 
-  showFigures(now, sinceLast) {
+  showStatistics(now, sinceLast) {
     byId('time').textContent = this.shownTimeS.toFixed(this.settings.paused ? 3 : 1);
     if (this.hash === undefined && (this.settings.paused || !(now - this.hashedAt < hashEveryMs))) {
       this.hash = this.view.hash();

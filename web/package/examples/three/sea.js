@@ -66,7 +66,7 @@ const uniforms = {
   grid: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
   ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
   whitecaps: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.makesWhitecaps ? cascade.whitecapJacobian : -10, cascade.whitecapRamp)) },
-  unresolved: { value: frame.figures.unresolvedSlopes.upwind + frame.figures.unresolvedSlopes.crosswind },
+  unresolved: { value: frame.statistics.unresolvedSlopes.upwind + frame.statistics.unresolvedSlopes.crosswind },
   sun: { value: new THREE.Vector3(0.25, 0.2, -1).normalize() },
 };
 const sea = new THREE.Mesh(disc(420, 512, 0.5, 30000), new THREE.ShaderMaterial({ uniforms, ...seaShaders(count) }));

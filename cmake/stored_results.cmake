@@ -1,11 +1,11 @@
 # Figures that the project keeps, as text in the command, so that an installed one needs no files. They are read while the
 # build is configured, again whenever a file changes.
 #
-#   pelagic_write_stored_figures(RESULTS bench/results INSTRUCTIONS bench/budgets.json OUTPUT stored_figures.inc)
-function(pelagic_write_stored_figures)
+#   pelagic_write_stored_results(RESULTS bench/results INSTRUCTIONS bench/budgets.json OUTPUT stored_results.inc)
+function(pelagic_write_stored_results)
   cmake_parse_arguments(PARSE_ARGV 0 stored "" "RESULTS;INSTRUCTIONS;OUTPUT" "")
   file(GLOB results CONFIGURE_DEPENDS ${stored_RESULTS}/*.json)
-  set(code "// Made by cmake/stored_figures.cmake.\nconstexpr std::string_view stored_results_json[] = {\n")
+  set(code "// Made by cmake/stored_results.cmake.\nconstexpr std::string_view stored_results_json[] = {\n")
   foreach(file IN LISTS results)
     file(READ ${file} text)
     string(APPEND code "R\"json(${text})json\",\n")

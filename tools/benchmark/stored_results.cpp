@@ -1,4 +1,4 @@
-#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/benchmark/stored_results.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -6,7 +6,7 @@
 namespace pelagic::tools {
 namespace {
 
-#include "pelagic/generated/stored_figures.inc"
+#include "pelagic/generated/stored_results.inc"
 
 const nlohmann::json& instructions() {
     static const nlohmann::json json = nlohmann::json::parse(stored_instructions_json);
