@@ -10,7 +10,7 @@
 #include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/point_groups.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -61,7 +61,7 @@ std::optional<Stretch> between_heights(double y, double way_y, double lowest, do
 std::string check(const PondSea& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     if (const double last_m = last_wavelength_m(sea); last_m < shortest_wavelength_m)
-        return refusal("the last octave's wavelength_m", last_m, "0.001 at least: fewer octaves, or less growth");
+        return invalid_value_message("the last octave's wavelength_m", last_m, "0.001 at least: fewer octaves, or less growth");
     return {};
 }
 

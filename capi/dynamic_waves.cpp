@@ -4,7 +4,7 @@
 #include "pelagic/capi/ocean.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/rain.hpp"
 
@@ -20,9 +20,9 @@ static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mo
 Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
     const pelagic_disturbance from = read_struct(pointer, name);
     if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
-        refuse(refusal("shape", from.shape, "one of PELAGIC_SHAPE_..."));
+        reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
     if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_IMPULSE)
-        refuse(refusal("mode", from.mode, "one of PELAGIC_DISTURB_..."));
+        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURB_..."));
     return {.shape = static_cast<Disturbance::Shape>(from.shape),
             .mode = static_cast<Disturbance::Mode>(from.mode),
             .x_m = from.x_m,
@@ -38,7 +38,7 @@ Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name)
 
 const DynamicWavesView& shown_dynamic_waves(const pelagic_ocean& ocean) {
     need_frame(ocean);
-    if (!ocean.shown->dynamic_waves) refuse("the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
+    if (!ocean.shown->dynamic_waves) reject("the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
     return ocean.shown->dynamic_waves;
 }
 
@@ -47,7 +47,7 @@ const DynamicWavesView& shown_dynamic_waves(const pelagic_ocean& ocean) {
 DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options) {
     const pelagic_dynamic_waves_options from = read_struct(options, "dynamic_waves");
     if (from.step < 0 || from.step > PELAGIC_DYNAMIC_WAVES_VERLET)
-        refuse(refusal("dynamic_waves.step", from.step, "PELAGIC_DYNAMIC_WAVES_SPECTRAL or PELAGIC_DYNAMIC_WAVES_VERLET"));
+        reject(invalid_value_message("dynamic_waves.step", from.step, "PELAGIC_DYNAMIC_WAVES_SPECTRAL or PELAGIC_DYNAMIC_WAVES_VERLET"));
     const DynamicWavesOptions ours{.step = static_cast<DynamicWavesStep>(from.step),
                                  .resolution = from.resolution,
                                  .side_m = from.side_m,
@@ -58,7 +58,7 @@ DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options
                                  .wave_speed_mps = from.wave_speed_mps,
                                  .decay_per_s = from.decay_per_s,
                                  .foam_height_m = from.foam_height_m};
-    if (const std::string reason = check(ours); !reason.empty()) refuse("dynamic_waves." + reason);
+    if (const std::string reason = check(ours); !reason.empty()) reject("dynamic_waves." + reason);
     return ours;
 }
 

@@ -2,14 +2,14 @@
 
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::capi {
 namespace {
 
 std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options) {
     if (options.cpu_mask != 0 && options.kind != PELAGIC_EXECUTOR_THREADS)
-        refuse("cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
+        reject("cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
     switch (options.kind) {
         case PELAGIC_EXECUTOR_DEFAULT: return make_default_executor(options.threads);
         case PELAGIC_EXECUTOR_SERIAL: return make_serial_executor();
@@ -18,14 +18,14 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
 #if defined(PELAGIC_HAS_TBB)
             return make_tbb_executor(options.threads);
 #else
-            refuse("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
+            reject("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
 #endif
         case PELAGIC_EXECUTOR_HOST:
             return make_host_executor({.user = options.user,
                                        .parallel_for = options.parallel_for,
                                        .submit = options.submit,
                                        .threads = options.threads == 0 ? 1 : options.threads});
-        default: refuse(refusal("kind", options.kind, "0 to 4"));
+        default: reject(invalid_value_message("kind", options.kind, "0 to 4"));
     }
 }
 

@@ -12,7 +12,7 @@
 #include "pelagic/capi/wave_input.hpp"
 #include "pelagic/jobs/platform.hpp"
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::capi {
 
@@ -51,7 +51,7 @@ void need_frame(const pelagic_ocean& ocean) {
 
 void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count) {
     std::size_t& there = needed(count, "count");
-    if (bytes && room < saved.size()) refuse(refusal("room", room, number_text(saved.size()) + " or more"));
+    if (bytes && room < saved.size()) reject(invalid_value_message("room", room, number_text(saved.size()) + " or more"));
     if (bytes) std::copy(saved.begin(), saved.end(), bytes);
     there = saved.size();
 }
@@ -64,7 +64,7 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
     const double wanted = options.query_tolerance_m;
     if (wanted == 0) return SurfaceQuery::default_tolerance_m;
     if (!(wanted >= least_tolerance_m && wanted <= most_tolerance_m))
-        refuse(refusal("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
+        reject(invalid_value_message("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
     return wanted;
 }
 
@@ -77,9 +77,9 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     if (options.executor) result.executor = options.executor->executor;
     if (options.isa) {
         result.isa = isa_named(options.isa);
-        if (!result.isa) refuse(refusal("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
+        if (!result.isa) reject(invalid_value_message("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
     }
-    if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
+    if (!options.allocate != !options.release) reject("allocate or release is NULL, needs both or neither");
     if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
     if (options.shore) result.shore = shore_options_of(options.shore);
     result.inputs = inputs_of(options.inputs, options.input_count);
@@ -88,7 +88,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
 }
 
 void need_finite(double time_s) {
-    if (!std::isfinite(time_s)) refuse(refusal("time_s", time_s, "a finite number"));
+    if (!std::isfinite(time_s)) reject(invalid_value_message("time_s", time_s, "a finite number"));
 }
 
 void need_frame_in_flight(const pelagic_ocean& ocean) {
@@ -207,18 +207,18 @@ class OfEachCascade {
     OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
         const std::size_t bytes = struct_bytes(first, name.c_str());
         if (count_ > 1 && bytes % alignof(Theirs) != 0)
-            refuse(refusal(name + ".struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
+            reject(invalid_value_message(name + ".struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
         // Before anybody looks behind the first: a host that knows one cascade has one struct.
         if (std::max(first->cascade_count, 1u) != count_)
-            refuse(refusal(name + ".cascade_count", first->cascade_count,
+            reject(invalid_value_message(name + ".cascade_count", first->cascade_count,
                            number_text(count_) + ", with as many structs one after the other"));
         for (std::size_t i = 0; i < count_; ++i) {
             const std::string of_cascade = i == 0 ? name : name + "[" + number_text(i) + "]";
             const auto* const at =
                 reinterpret_cast<const Theirs*>(reinterpret_cast<const unsigned char*>(first) + i * bytes);
             if (at->struct_size != bytes)
-                refuse(refusal(of_cascade + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
-            if (i > 0 && at->cascade_count != 0) refuse(refusal(of_cascade + ".cascade_count", at->cascade_count, "0"));
+                reject(invalid_value_message(of_cascade + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            if (i > 0 && at->cascade_count != 0) reject(invalid_value_message(of_cascade + ".cascade_count", at->cascade_count, "0"));
             cascades_[i] = ours_of(read_struct(at, of_cascade.c_str()));
         }
     }
@@ -253,7 +253,7 @@ pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_
         pelagic_ocean*& out = needed(ocean, "ocean");
         out = nullptr;
         const Forecast forecast{.first = sea_of(sea)};
-        if (const std::string reason = check(forecast.first); !reason.empty()) refuse(reason);
+        if (const std::string reason = check(forecast.first); !reason.empty()) reject(reason);
         out = new_ocean(forecast, options);
     });
 }
@@ -294,7 +294,7 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         const HostTargets to(targets, "targets", sea.cascade_count());
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
-            refuse("targets: " + reason);
+            reject("targets: " + reason);
         ocean->asked.wait_for_old_readers();
         sea.schedule(time_s, to.all());
         ocean->frame_in_flight = true;
@@ -326,7 +326,7 @@ pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, 
         struct_bytes(cascade, "cascade");
         const std::span<const Cascade> cascades = ocean->shown->cascades;
         if (index < 0 || static_cast<std::size_t>(index) >= cascades.size())
-            refuse(refusal("index", index, cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
+            reject(invalid_value_message("index", index, cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
         write_struct(c_cascade_of(cascades[static_cast<std::size_t>(index)]), cascade);
     });
 }
@@ -347,7 +347,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         const HostBuffers to(buffers, "buffers", sea.cascade_count());
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
-            refuse(reason);
+            reject(reason);
         ocean->asked.wait_for_old_readers();
         FrameBounds all;
         if (ocean->has_completed) {
@@ -372,7 +372,7 @@ pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
 pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        if (!ocean->contents.foam) refuse("the ocean remembers no foam, needs pelagic_ocean_options.foam");
+        if (!ocean->contents.foam) reject("the ocean remembers no foam, needs pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->shown);
     });
 }

@@ -3,14 +3,14 @@
 #include "pelagic/capi/ocean.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::capi {
 namespace {
 
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
-    if (!ocean.has_queries) refuse("the ocean can't be queried, needs pelagic_ocean_options.queries");
+    if (!ocean.has_queries) reject("the ocean can't be queried, needs pelagic_ocean_options.queries");
     if (!reader.query()) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
     return *reader.query();
 }
@@ -20,7 +20,7 @@ Interpolation interpolation_of(const pelagic_points& points) {
         case PELAGIC_INTERPOLATION_LINEAR: return Interpolation::linear;
         case PELAGIC_INTERPOLATION_CUBIC: return Interpolation::cubic;
         default:
-            refuse(refusal("points.interpolation", points.interpolation,
+            reject(invalid_value_message("points.interpolation", points.interpolation,
                            "PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)"));
     }
 }
@@ -28,7 +28,7 @@ Interpolation interpolation_of(const pelagic_points& points) {
 SurfacePoints points_of(const pelagic_points& points) {
     // More can't be in memory, and a length in bytes still fits.
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-    if (points.count > most) refuse(refusal("points.count", points.count, "at most " + number_text(most)));
+    if (points.count > most) reject(invalid_value_message("points.count", points.count, "at most " + number_text(most)));
     if (points.count == 0) return {};
     return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
 }
@@ -52,7 +52,7 @@ SurfaceRay ray_of(const pelagic_ray& ray, const Frame& frame) {
     const SurfaceRay asked{.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
                            .direction = {ray.direction[0], ray.direction[1], ray.direction[2]},
                            .reach_m = ray.reach_m};
-    if (const std::string reason = check(asked, frame); !reason.empty()) refuse("ray." + reason);
+    if (const std::string reason = check(asked, frame); !reason.empty()) reject("ray." + reason);
     return asked;
 }
 

@@ -4,7 +4,7 @@
 
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 
@@ -134,17 +134,17 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         const std::string_view wanted = &needed(name, "name");
         struct_bytes(sea, "sea");
         const SeaPreset* const preset = sea_preset_named(wanted);
-        if (!preset) refuse(refusal("preset", wanted, "one of " + preset_names()));
+        if (!preset) reject(invalid_value_message("preset", wanted, "one of " + preset_names()));
         const SeaState& state = preset->sea;
         if (state.waves != WaveModel::spectrum && !knows_waves(*sea))
-            refuse(refusal("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
+            reject(invalid_value_message("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
         write_struct(c_sea_of(knows_cascades(*sea) ? state : one_cascade(state, lone_side_m(state))), sea);
     });
 }
 
 pelagic_status pelagic_sea_check(const pelagic_sea* sea) {
     return guarded([&] {
-        if (const std::string reason = check(sea_of(sea)); !reason.empty()) refuse(reason);
+        if (const std::string reason = check(sea_of(sea)); !reason.empty()) reject(reason);
     });
 }
 
@@ -152,7 +152,7 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
     return guarded([&] {
         struct_bytes(statistics, "statistics");
         const SeaState state = sea_of(sea);
-        if (const std::string reason = check(state); !reason.empty()) refuse(reason);
+        if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
         const WavePart wind_sea = report.wind_sea.value_or(WavePart{}), swell = report.swell.value_or(WavePart{});
         pelagic_statistics all{};

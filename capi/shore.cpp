@@ -4,14 +4,14 @@
 #include "pelagic/capi/ocean.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::capi {
 namespace {
 
 const ShoreSurface& shown_shore(const pelagic_ocean& ocean) {
     need_frame(ocean);
-    if (!ocean.shown->shore) refuse("the ocean has no shore, needs pelagic_ocean_options.shore");
+    if (!ocean.shown->shore) reject("the ocean has no shore, needs pelagic_ocean_options.shore");
     return ocean.shown->shore;
 }
 
@@ -34,7 +34,7 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
         ours.heights_m.assign(heights,
                               heights + static_cast<std::size_t>(from.columns) * static_cast<std::size_t>(from.rows));
     }
-    if (const std::string reason = check(ours); !reason.empty()) refuse("shore." + reason);
+    if (const std::string reason = check(ours); !reason.empty()) reject("shore." + reason);
     return ours;
 }
 

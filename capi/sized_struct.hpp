@@ -53,8 +53,8 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
     static_assert(least_struct_bytes<T> > 0, "say which field was its last at first");
     const std::uint32_t bytes = needed(pointer, name).struct_size;
     if (bytes < least_struct_bytes<T> || bytes > most_struct_bytes)
-        refuse(
-            refusal(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
+        reject(
+            invalid_value_message(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
     return bytes;
 }
 
@@ -66,11 +66,11 @@ T read_struct(const T* pointer, const char* name) {
     std::memcpy(&ours, pointer, std::min(bytes, sizeof ours));
     const auto* const all = reinterpret_cast<const unsigned char*>(pointer);
     if (std::any_of(all + std::min(bytes, sizeof ours), all + bytes, [](unsigned char byte) { return byte != 0; }))
-        refuse(std::string(name) + " sets fields of a later version, needs 0 there");
+        reject(std::string(name) + " sets fields of a later version, needs 0 there");
     if constexpr (requires { ours.reserved; })
-        if (ours.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
+        if (ours.reserved != 0) reject(std::string(name) + ".reserved is set, needs 0");
     if constexpr (requires { ours.reserved_1; })
-        if (ours.reserved_1 != 0) refuse(std::string(name) + ".reserved_1 is set, needs 0");
+        if (ours.reserved_1 != 0) reject(std::string(name) + ".reserved_1 is set, needs 0");
     return ours;
 }
 

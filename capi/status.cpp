@@ -32,7 +32,7 @@ pelagic_status failure(pelagic_status status, const char* reason) noexcept {
     return status;
 }
 
-void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
+void reject(const std::string& reason) { throw std::invalid_argument(reason); }
 
 }  // namespace pelagic::capi
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
@@ -19,7 +19,7 @@ namespace pelagic::capi {
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
 /// "ocean is NULL, needs an ocean".
-[[noreturn]] void refuse(const std::string& reason);
+[[noreturn]] void reject(const std::string& reason);
 
 /// What the host asked for at the wrong moment.
 struct WrongOrder : std::logic_error {
@@ -52,7 +52,7 @@ pelagic_status guarded(Body body) noexcept {
 /// The thing behind a pointer that has to be there.
 template <class T>
 T& needed(T* pointer, const char* name) {
-    if (!pointer) refuse(std::string(name) + " is NULL, needs a pointer");
+    if (!pointer) reject(std::string(name) + " is NULL, needs a pointer");
     return *pointer;
 }
 

@@ -7,7 +7,7 @@
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 AnalyticSea waves_of(const pelagic_waves* pointer) {
     const pelagic_waves from = read_struct(pointer, "waves");
     if (from.count > GerstnerInput::most_waves)
-        refuse(refusal("waves.count", from.count, "at most " + number_text(GerstnerInput::most_waves)));
+        reject(invalid_value_message("waves.count", from.count, "at most " + number_text(GerstnerInput::most_waves)));
     AnalyticSea sea{.waves = {}, .choppiness = from.choppiness};
     if (from.count == 0) return sea;
     needed(from.amplitude_m, "waves.amplitude_m");
@@ -71,7 +71,7 @@ std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, 
     for (std::size_t i = 0; i < count; ++i) {
         const std::string name = "inputs[" + number_text(i) + "]";
         if (needed(inputs[i], name.c_str()).has_ocean)
-            refuse(name + " belongs to another ocean, needs one that is new");
+            reject(name + " belongs to another ocean, needs one that is new");
         ours.push_back(inputs[i]->input);
     }
     return ours;
@@ -93,7 +93,7 @@ pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_in
 
 pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves) {
     return guarded([&] {
-        if (!needed(input, "input").waves) refuse("input is no waves, needs one of pelagic_input_create_waves");
+        if (!needed(input, "input").waves) reject("input is no waves, needs one of pelagic_input_create_waves");
         input->waves->set(waves_of(waves));
     });
 }
@@ -109,7 +109,7 @@ pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic
 
 pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple) {
     return guarded([&] {
-        if (!needed(input, "input").ripple) refuse("input is no ripple, needs one of pelagic_input_create_ripple");
+        if (!needed(input, "input").ripple) reject("input is no ripple, needs one of pelagic_input_create_ripple");
         input->ripple->set(ripple_of(ripple));
     });
 }
@@ -121,7 +121,7 @@ pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callb
         const pelagic_input_callback from = read_struct(callback, "callback");
         needed(from.add, "callback.add");
         if (!(from.largest_slope >= 0 && from.largest_slope <= 100))
-            refuse(refusal("callback.largest_slope", from.largest_slope, "[0, 100]"));
+            reject(invalid_value_message("callback.largest_slope", from.largest_slope, "[0, 100]"));
         const auto add = [from](const InputRows& rows) {
             const pelagic_input_rows theirs = c_rows_of(rows);
             try {

@@ -5,7 +5,7 @@
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/forecast.hpp"
 
 namespace pelagic::capi {
@@ -26,14 +26,14 @@ Forecast forecast_of(const pelagic_forecast* pointer) {
     if (from.change_count == 0) return forecast;
     const std::size_t bytes = struct_bytes(from.changes, "changes");
     if (bytes % alignof(pelagic_change) != 0)
-        refuse(
-            refusal("changes.struct_size", bytes, number_text(sizeof(pelagic_change)) + ", the size of the struct"));
+        reject(
+            invalid_value_message("changes.struct_size", bytes, number_text(sizeof(pelagic_change)) + ", the size of the struct"));
     for (std::size_t i = 0; i < from.change_count; ++i) {
         const auto* const at =
             reinterpret_cast<const pelagic_change*>(reinterpret_cast<const unsigned char*>(from.changes) + i * bytes);
         const std::string name = "changes[" + number_text(i) + "]";
         if (at->struct_size != bytes)
-            refuse(refusal(name + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            reject(invalid_value_message(name + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
         forecast.changes.push_back(change_of(at, name.c_str()));
     }
     return forecast;

@@ -59,7 +59,7 @@ set(sim_headers analytic_cascades disturbance foam_report forecast frame frame_b
                 surface_query_jobs surface_ray texture_targets tick_clock cascade cascade_plan wave_input)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers caustics display errors exposure frame_textures functions headless_context host_scene light_meter light_presets objects pixel_ring render_target sea_floor
-               sea_renderer shading sky sky_baker small_water views water_at_lens water_optics)
+               sea_renderer shading sky sky_baker small_water views camera_water_plane water_optics)
 set(folders message analytic jobs simd sim)
 if(PELAGIC_QUADTREE)
   list(APPEND folders quadtree)

@@ -18,7 +18,7 @@
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/gl/water_at_lens.hpp"
+#include "pelagic/gl/camera_water_plane.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 
@@ -143,7 +143,7 @@ void draw_voyage(const char* name) {
                    .lod_scale = selection.options().lod_scale,
                    .exposure = exposure,
                    .weighs_samples = true,
-                   .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), camera.position_m),
+                   .camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m),
                    .host_scene = model.picture(eye, pose)});
     gl::Display display(functions);
     gl::RenderTarget screen(functions, width, height, 0);

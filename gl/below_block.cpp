@@ -28,8 +28,8 @@ double near_plane(const glm::dmat4& viewer_from_clip) {
 }
 
 glm::vec4 lens_of(const DrawInput& input) {
-    if (!input.water_at_lens || input.eyes.empty()) return {};
-    const WaterAtLens& water = *input.water_at_lens;
+    if (!input.camera_water_plane || input.eyes.empty()) return {};
+    const CameraWaterPlane& water = *input.camera_water_plane;
     const double above = input.viewer_m.y - water.height_m;
     const double near_m = near_plane(glm::inverse(input.eyes[0].clip_from_world));
     if (above > std::max(1.0, 4 * near_m)) return {};

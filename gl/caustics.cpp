@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <stdexcept>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -72,9 +72,9 @@ double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
 }  // namespace
 
 std::string check(const CausticsOptions& options) {
-    if (!(options.depth_m >= 0.001 && options.depth_m <= 1000)) return refusal("depth_m", options.depth_m, "[0.001, 1000]");
+    if (!(options.depth_m >= 0.001 && options.depth_m <= 1000)) return invalid_value_message("depth_m", options.depth_m, "[0.001, 1000]");
     if (!(std::abs(glm::length(options.sun) - 1) < 1e-3f))
-        return refusal("sun", glm::length(options.sun), "a unit vector");
+        return invalid_value_message("sun", glm::length(options.sun), "a unit vector");
     return {};
 }
 

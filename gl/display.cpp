@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pelagic/gl/errors.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/picture_pass.hpp"
 
 namespace pelagic::gl {
@@ -83,15 +83,15 @@ struct Display::State {
 Display::Display(const Functions& gl) {
     if (!gl.renders_to_half_floats)
         throw GlError("the driver can't draw radiance: it has no EXT_color_buffer_half_float");
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     state_ = std::make_unique<State>(gl);
 }
 Display::~Display() = default;
 
 void Display::show(const TexturePart& radiance, const Look& look, const Viewport& to) {
     State& s = *state_;
-    const KeptState keep(s.gl);
-    const KeptTargets targets(s.gl);
+    const GlStateGuard keep(s.gl);
+    const GlTargetsGuard targets(s.gl);
     s.gl.BindVertexArray(s.empty.name());
     // Without bloom the shader does not look at it.
     TexturePart spread = radiance;

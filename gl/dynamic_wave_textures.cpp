@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/cascade.hpp"
 
 namespace pelagic::gl {
@@ -47,7 +47,7 @@ void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t r
 
 std::string check(const DynamicWavesView& water, int largest_side) {
     const auto refused = [](const char* what, auto value, const std::string& needs) {
-        return refusal("Frame::dynamic_waves." + std::string(what), value, needs);
+        return invalid_value_message("Frame::dynamic_waves." + std::string(what), value, needs);
     };
     if (!water) return {};
     if (water.resolution > largest_side || std::popcount(static_cast<unsigned>(water.resolution)) != 1)
@@ -98,7 +98,7 @@ void DynamicWaveTextures::upload(const DynamicWavesView& water) {
     uploaded_bytes_ = 0;
     driver_ms_ = 0;
     if (!water) return;
-    const KeptState keep(gl_);
+    const GlStateGuard keep(gl_);
     if (water.resolution != resolution_) make_textures(water.resolution);
     const auto words = std::size_t{2} * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
     // GL's buffers are as aligned as TextureTargets are.

@@ -29,9 +29,9 @@ class DynamicWaveTextures {
     DynamicWaveTextures& operator=(const DynamicWaveTextures&) = delete;
 
     /// Empty, or why upload() would not take it.
-    std::string refusal_of(const DynamicWavesView& water) const { return check(water, largest_side_); }
+    std::string invalid_value_of(const DynamicWavesView& water) const { return check(water, largest_side_); }
     /// Starts its way into the next of two textures, as FrameTextures does; the views may go stale afterwards. Grids of one size take
-    /// the same textures again. Nothing happens without a window. \pre refusal_of() is empty
+    /// the same textures again. Nothing happens without a window. \pre invalid_value_of() is empty
     void upload(const DynamicWavesView& water);
 
     /// GL_TEXTURE_2D of the last grid.

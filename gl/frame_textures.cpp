@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pelagic/gl/errors.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
@@ -31,7 +31,7 @@ bool shows_foam(const Frame& frame) {
 }
 
 /// Why the textures can't take the frame; empty if they can.
-std::string refusal_of(const Frame& frame, int resolution, std::size_t cascades, bool is_mapped) {
+std::string invalid_value_of(const Frame& frame, int resolution, std::size_t cascades, bool is_mapped) {
     if (frame.cascades.size() != cascades)
         return "the frame has " + std::to_string(frame.cascades.size()) + " cascades, the renderer was made for " +
                std::to_string(cascades) + " (RendererOptions::cascades)";
@@ -54,7 +54,7 @@ std::string refusal_of(const Frame& frame, int resolution, std::size_t cascades,
 
 FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t cascades)
     : gl_(gl), resolution_(resolution), cascades_(cascades), pixels_(gl, foam_offset() + foam_bytes()) {
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
         set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
@@ -104,7 +104,7 @@ void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texe
 
 std::span<const TextureTargets> FrameTextures::map() {
     if (pixels_.is_mapped()) return targets_;
-    const KeptState keep(gl_);
+    const GlStateGuard keep(gl_);
     std::byte* const start = pixels_.map();
     targets_.assign(cascades_, {});
     const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / cascades_;
@@ -124,9 +124,9 @@ std::span<const TextureTargets> FrameTextures::map() {
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    if (const std::string reason = refusal_of(frame, resolution_, cascades_, pixels_.is_mapped()); !reason.empty())
+    if (const std::string reason = invalid_value_of(frame, resolution_, cascades_, pixels_.is_mapped()); !reason.empty())
         throw std::invalid_argument(reason);
-    const KeptState keep(gl_);
+    const GlStateGuard keep(gl_);
     const bool is_there = frame.cascades.front().displacement_rgba16f.empty();
     std::byte* const start = pixels_.map();
     if (!is_there) fill(start, frame);

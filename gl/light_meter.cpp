@@ -1,6 +1,6 @@
 #include "pelagic/gl/light_meter.hpp"
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/picture_pass.hpp"
 
 namespace pelagic::gl {
@@ -51,16 +51,16 @@ struct LightMeter::State {
 };
 
 LightMeter::LightMeter(const Functions& gl) {
-    const KeptState keep(gl);
-    const KeptTargets targets(gl);
+    const GlStateGuard keep(gl);
+    const GlTargetsGuard targets(gl);
     state_ = std::make_unique<State>(gl);
 }
 LightMeter::~LightMeter() = default;
 
 std::vector<MeteredCell> LightMeter::measure(const TexturePart& radiance) {
     const Functions& gl = state_->gl;
-    const KeptState keep(gl);
-    const KeptTargets targets(gl);
+    const GlStateGuard keep(gl);
+    const GlTargetsGuard targets(gl);
     state_->draw(radiance);
     std::vector<float> rgba(4 * cells);
     gl.ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, rgba.data());
@@ -70,8 +70,8 @@ std::vector<MeteredCell> LightMeter::measure(const TexturePart& radiance) {
 void LightMeter::start(const TexturePart& radiance) {
     if (state_->fence) return;
     const Functions& gl = state_->gl;
-    const KeptState keep(gl);
-    const KeptTargets targets(gl);
+    const GlStateGuard keep(gl);
+    const GlTargetsGuard targets(gl);
     state_->draw(radiance);
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, state_->pixels.name());
     gl.ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, nullptr);
@@ -85,7 +85,7 @@ std::optional<std::vector<MeteredCell>> LightMeter::finished() {
     if (met != GL_ALREADY_SIGNALED && met != GL_CONDITION_SATISFIED) return {};
     gl.DeleteSync(state_->fence);
     state_->fence = nullptr;
-    const KeptTargets targets(gl);
+    const GlTargetsGuard targets(gl);
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, state_->pixels.name());
     std::optional<std::vector<MeteredCell>> seen;
     if (const void* rgba = gl.MapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT))

@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "pelagic/gl/errors.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -23,7 +23,7 @@ struct MeshLight {
 LitMesh::LitMesh(const Functions& gl, std::span<const MeshVertex> vertices, std::span<const std::uint16_t> indices,
                  std::string_view fragment_file)
     : gl_(gl), count_(static_cast<GLsizei>(indices.size())) {
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     program_ = Program(gl, "mesh.vert.glsl", fragment_file);
     gl.UniformBlockBinding(program_.name(), gl.GetUniformBlockIndex(program_.name(), "MeshLight"), 0);
     array_ = VertexArray(gl);
@@ -50,7 +50,7 @@ void LitMesh::set_light(const Sky& sky) {
 }
 
 void LitMesh::draw(const Eye& eye, const glm::dmat4& world_from_mesh, float weighing_exposure) {
-    const KeptState keep(gl_);
+    const GlStateGuard keep(gl_);
     const glm::vec3 sun = glm::transpose(glm::mat3(world_from_mesh)) * sun_direction_;
     const MeshLight light{glm::mat4(eye.clip_from_world * world_from_mesh), glm::vec4(sun, 0),
                           glm::vec4(sun_irradiance_, weighing_exposure), glm::vec4(sky_irradiance_, 0)};
@@ -92,8 +92,8 @@ void LitMesh::make_picture(int width, int height) {
 }
 
 HostScene LitMesh::picture(const Eye& eye, const glm::dmat4& world_from_mesh) {
-    const KeptState keep(gl_);
-    const KeptTargets targets(gl_);
+    const GlStateGuard keep(gl_);
+    const GlTargetsGuard targets(gl_);
     const int width = eye.viewport.width, height = eye.viewport.height;
     if (width != width_ || height != height_) make_picture(width, height);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());

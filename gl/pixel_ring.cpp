@@ -1,7 +1,7 @@
 #include "pelagic/gl/pixel_ring.hpp"
 
 #include "pelagic/gl/errors.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 
 namespace pelagic::gl {
@@ -11,7 +11,7 @@ PixelRing::PixelRing(const Functions& gl, std::size_t bytes) : gl_(gl), bytes_(b
         memory_.resize(bytes_);
         return;
     }
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     for (PixelBuffer& pixels : ring_) {
         pixels.buffer = Buffer(gl);
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());

@@ -20,7 +20,7 @@ class PixelRing {
     PixelRing& operator=(const PixelRing&) = delete;
 
     /// The next bytes to write, as aligned as TextureTargets have to be; the same ones until hand_over(). Waits only if the GPU is three
-    /// frames behind. Throws GlError. \pre a KeptState stands around this call and those below
+    /// frames behind. Throws GlError. \pre a GlStateGuard stands around this call and those below
     std::byte* map();
     bool is_mapped() const { return mapped_ != nullptr; }
     /// What was written is whole. Returns what GL's calls take for the address of its first byte until release(), a pointer or an

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 
@@ -22,18 +22,18 @@ double SeaFloor::height_at(double x_m, double z_m) const {
 
 std::string check(const SeaFloor& floor) {
     for (const float channel : {floor.albedo.x, floor.albedo.y, floor.albedo.z})
-        if (!(channel >= 0 && channel <= 1)) return refusal("albedo", channel, "[0, 1]");
+        if (!(channel >= 0 && channel <= 1)) return invalid_value_message("albedo", channel, "[0, 1]");
     if (floor.is_even() && floor.rows == 0) return {};
     const std::string sides = "2 to " + std::to_string(SeaFloor::most_samples_a_side) + ", or 0 for an even floor";
     if (floor.columns < 2 || floor.columns > SeaFloor::most_samples_a_side)
-        return refusal("columns", floor.columns, sides);
-    if (floor.rows < 2 || floor.rows > SeaFloor::most_samples_a_side) return refusal("rows", floor.rows, sides);
+        return invalid_value_message("columns", floor.columns, sides);
+    if (floor.rows < 2 || floor.rows > SeaFloor::most_samples_a_side) return invalid_value_message("rows", floor.rows, sides);
     if (!(floor.metres_a_texel >= 0.001 && floor.metres_a_texel <= 1e4))
-        return refusal("metres_a_texel", floor.metres_a_texel, "[0.001, 10000]");
+        return invalid_value_message("metres_a_texel", floor.metres_a_texel, "[0.001, 10000]");
     if (floor.heights_m.size() != static_cast<std::size_t>(floor.columns) * floor.rows)
-        return refusal("heights_m.size()", floor.heights_m.size(), "columns * rows");
+        return invalid_value_message("heights_m.size()", floor.heights_m.size(), "columns * rows");
     for (const float height : floor.heights_m)
-        if (!(height >= -11000 && height <= 9000)) return refusal("heights_m", height, "[-11000, 9000]");
+        if (!(height >= -11000 && height <= 9000)) return invalid_value_message("heights_m", height, "[-11000, 9000]");
     return {};
 }
 

@@ -1,6 +1,6 @@
 #include "pelagic/gl/sea_programs.hpp"
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 
 namespace pelagic::gl {
 

@@ -8,7 +8,7 @@
 
 #include "pelagic/gl/detail_image.hpp"
 #include "pelagic/gl/foam_image.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/dynamic_wave_textures.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
@@ -71,7 +71,7 @@ struct SeaRenderer::State {
           textures(functions, wanted.resolution, wanted.cascades),
           dynamic_waves(functions),
           shore(functions) {
-        const KeptState keep(gl);
+        const GlStateGuard keep(gl);
         choose_programs({.dynamic_waves = options.dynamic_waves});
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
@@ -210,7 +210,7 @@ SeaRenderer::~SeaRenderer() = default;
 
 void SeaRenderer::set_flow(const FlowMap& map) {
     if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
-    const KeptState keep(state_->gl);
+    const GlStateGuard keep(state_->gl);
     state_->flow = make_flow_texture(state_->gl, map);
     state_->flow_extent = map.extent;
 }
@@ -218,7 +218,7 @@ void SeaRenderer::set_flow(const FlowMap& map) {
 void SeaRenderer::set_sky(const Sky& sky) {
     State& s = *state_;
     const Functions& gl = s.gl;
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     gl.ActiveTexture(GL_TEXTURE0 + sky_unit);
     if (s.sky_face_size != sky.face_size) {
         s.sky = Texture(gl);
@@ -246,7 +246,7 @@ void SeaRenderer::set_sky(const Sky& sky) {
 
 void SeaRenderer::set_patch_vertices(int patch_vertices) {
     if (patch_vertices == state_->options.patch_vertices) return;
-    const KeptState keep(state_->gl);
+    const GlStateGuard keep(state_->gl);
     state_->buffers = std::make_unique<PatchBuffers>(state_->gl, patch_vertices);
     state_->options.patch_vertices = patch_vertices;
 }
@@ -265,7 +265,7 @@ void SeaRenderer::set_floor(const SeaFloor& floor) {
                      .albedo = floor.albedo};
     s.floor.reset();
     if (floor.is_even()) return;
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     const FloorTexels texels = texels_of(floor);
     s.floor = Texture(gl);
     gl.ActiveTexture(GL_TEXTURE0 + floor_unit);
@@ -287,7 +287,7 @@ void SeaRenderer::set_floor(const SeaFloor& floor) {
 void SeaRenderer::set_caustics(const Caustics& caustics) {
     State& s = *state_;
     const Functions& gl = s.gl;
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     gl.ActiveTexture(GL_TEXTURE0 + caustics_unit);
     const bool is_first = s.caustics.name() == 0;
     if (is_first) s.caustics = Texture(gl);
@@ -314,7 +314,7 @@ std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->tex
 
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
-    if (const std::string reason = state_->dynamic_waves.refusal_of(frame.dynamic_waves); !reason.empty())
+    if (const std::string reason = state_->dynamic_waves.invalid_value_of(frame.dynamic_waves); !reason.empty())
         throw std::invalid_argument(reason);
     state_->textures.upload(frame);
     state_->shore.upload(frame.shore);
@@ -340,7 +340,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
     assert(s.sky_face_size > 0 && "set_sky() first");
     assert(!s.facts.cascades.empty() && "upload() a frame first");
-    const KeptState keep(gl);
+    const GlStateGuard keep(gl);
     DrawStatistics& statistics = s.statistics;
     statistics.sea_calls = statistics.sky_calls = statistics.floor_calls = 0;
     statistics.triangles = 0;
@@ -361,7 +361,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     statistics.instance_bytes = s.buffers->upload(*input.list);
     s.bind_textures(mirrors_scene ? *input.host_scene : HostScene{});
-    // The rest is as KeptState begins. Crests that fold show their undersides: nothing is culled.
+    // The rest is as GlStateGuard begins. Crests that fold show their undersides: nothing is culled.
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
 

@@ -32,7 +32,7 @@
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
-#include "pelagic/gl/water_at_lens.hpp"
+#include "pelagic/gl/camera_water_plane.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
 
@@ -68,7 +68,7 @@ struct DrawInput {
     bool weighs_samples = false;
     /// The surface at the viewer, for lenses near the water or within it, whose pixels below it show the underwater world;
     /// none: all of them are in the air.
-    std::optional<WaterAtLens> water_at_lens = {};
+    std::optional<CameraWaterPlane> camera_water_plane = {};
     /// What waves mirror besides the sky, where their rays meet it within the picture. Of one eye; not with two, with multiview or
     /// with Shading::headset, which mirror the sky alone.
     std::optional<HostScene> host_scene = {};

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
@@ -74,7 +74,7 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
     driver_ms_ = 0;
     uploaded_bytes_ = 0;
     if (!shore) return;
-    const KeptState keep(gl_);
+    const GlStateGuard keep(gl_);
     if (shore.columns != columns_ || shore.rows != rows_) make_textures(shore.columns, shore.rows);
 
     const std::size_t texels = shore.height_m.size();

@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -16,7 +16,7 @@
 #include "pelagic/gl/clouds.hpp"
 #include "pelagic/gl/cube.hpp"
 #include "pelagic/gl/sky_mirrors.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -197,7 +197,7 @@ struct SkyBaker::State {
 
 SkyBaker::SkyBaker(std::shared_ptr<Executor> executor, int face_size) {
     if (face_size < 16 || face_size > 2048 || !std::has_single_bit(static_cast<unsigned>(face_size)))
-        throw std::invalid_argument(refusal("face_size", face_size, "a power of two from 16 to 2048"));
+        throw std::invalid_argument(invalid_value_message("face_size", face_size, "a power of two from 16 to 2048"));
     state_ = std::make_unique<State>(std::move(executor), face_size);
 }
 SkyBaker::~SkyBaker() = default;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pelagic/gl/scene_block.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -139,9 +139,9 @@ std::optional<Surface> surface_named(std::string_view name) {
 }
 
 std::string check(const FlowMap& map) {
-    if (map.side < 1 || map.side > 4096) return refusal("side", map.side, "1 to 4096");
-    if (!(map.extent.side_m > 0)) return refusal("side_m", map.extent.side_m, "a length above 0");
-    if (!(map.extent.fastest_mps > 0)) return refusal("fastest_mps", map.extent.fastest_mps, "a speed above 0");
+    if (map.side < 1 || map.side > 4096) return invalid_value_message("side", map.side, "1 to 4096");
+    if (!(map.extent.side_m > 0)) return invalid_value_message("side_m", map.extent.side_m, "a length above 0");
+    if (!(map.extent.fastest_mps > 0)) return invalid_value_message("fastest_mps", map.extent.fastest_mps, "a speed above 0");
     const std::size_t bytes = std::size_t{2} * map.side * map.side;
     if (map.velocities.size() != bytes)
         return "velocities has " + std::to_string(map.velocities.size()) +

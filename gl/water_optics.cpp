@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -136,7 +136,7 @@ WaterOptics water_optics(std::string_view jerlov_type) {
 
 WaterOptics water_optics_of_chlorophyll(float mg_per_m3) {
     if (!(mg_per_m3 >= 0.01f && mg_per_m3 <= 30))
-        throw std::invalid_argument(refusal("chlorophyll", mg_per_m3, "[0.01, 30] mg/m^3"));
+        throw std::invalid_argument(invalid_value_message("chlorophyll", mg_per_m3, "[0.01, 30] mg/m^3"));
     WaterOptics water;
     for (std::size_t i = 0; i < channels_nm.size(); ++i) {
         const int c = static_cast<int>(i);

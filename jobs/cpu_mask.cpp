@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-[[noreturn]] void refuse(std::uint64_t cpu_mask, const char* needs) {
+[[noreturn]] void reject(std::uint64_t cpu_mask, const char* needs) {
     char digits[16];
     const auto length =
         static_cast<std::size_t>(std::to_chars(digits, digits + sizeof digits, cpu_mask, 16).ptr - digits);
@@ -21,9 +21,9 @@ namespace {
 
 int checked_cpus(std::uint64_t cpu_mask) {
     if (cpu_mask == 0) return 0;
-    if (!has_cpu_masks()) refuse(cpu_mask, "0 on this system, which has no masks");
+    if (!has_cpu_masks()) reject(cpu_mask, "0 on this system, which has no masks");
     const std::uint64_t usable = cpu_mask & cpus_of_this_process();
-    if (usable == 0) refuse(cpu_mask, "a CPU that this process may use");
+    if (usable == 0) reject(cpu_mask, "a CPU that this process may use");
     return std::popcount(usable);
 }
 

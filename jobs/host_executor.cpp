@@ -20,7 +20,7 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/platform.hpp"
 #include "pelagic/jobs/run_failure.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 namespace {
@@ -214,7 +214,7 @@ class HostExecutor final : public Executor {
 std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs) {
     if (!jobs.parallel_for) throw std::invalid_argument("parallel_for is null, needs the host's function");
     if (jobs.threads < 1 || jobs.threads > 1024)
-        throw std::invalid_argument(refusal("threads", jobs.threads, "1 to 1024"));
+        throw std::invalid_argument(invalid_value_message("threads", jobs.threads, "1 to 1024"));
     return std::make_shared<HostExecutor>(jobs);
 }
 

@@ -5,20 +5,20 @@
 #include <utility>
 
 #include "pelagic/jobs/stack_room.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 
 StageId JobGraph::add(Stage stage) {
     const StageId id = stages_.size();
-    const auto refuse = [&](const std::string& what) {
+    const auto reject = [&](const std::string& what) {
         throw std::invalid_argument(one_line("stage " + stage.name + what));
     };
-    if (stage.batch == 0) refuse(" has a batch of 0, needs at least 1");
-    if (!stage.body) refuse(" has no body");
+    if (stage.batch == 0) reject(" has a batch of 0, needs at least 1");
+    if (!stage.body) reject(" has no body");
     for (const StageId earlier : stage.waits_for)
         if (earlier >= id)
-            refuse(" waits for stage number " + number_text(earlier) + ", needs one of the " + number_text(id) +
+            reject(" waits for stage number " + number_text(earlier) + ", needs one of the " + number_text(id) +
                    " added before it");
     stages_.push_back(std::move(stage));
     return id;

@@ -69,19 +69,19 @@ void need_threads(int count, std::size_t stack_bytes) {
     std::atomic<std::uint32_t> is_released = 0;
     std::vector<JobThread> threads;
     threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
-    std::error_code refusal;
+    std::error_code invalid_value_message;
     try {
         for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(is_released, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
-        refusal = error.code();
+        invalid_value_message = error.code();
     }
     const std::size_t given = threads.size() + 1;
     is_released = 1;
     wake_all(is_released);
     for (JobThread& thread : threads) thread.join();
-    if (refusal)
+    if (invalid_value_message)
         throw std::system_error(
-            refusal, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
+            invalid_value_message, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
 }
 
 }  // namespace pelagic

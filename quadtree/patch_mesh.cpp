@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> cells_in_cache_order(int cells) {
 
 PatchMesh::PatchMesh(int v) : vertices(v) {
     if (v < 2 || v > 128 || v % 2 != 0)
-        throw std::invalid_argument(refusal("vertices", v, "an even number from 2 to 128"));
+        throw std::invalid_argument(invalid_value_message("vertices", v, "an even number from 2 to 128"));
     for (int j = 0; j <= v; ++j)
         for (int i = 0; i <= v; ++i)
             positions.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)});

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 namespace {

@@ -6,7 +6,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/sources/dynamic_wave_grid.hpp"
 
 namespace pelagic {
@@ -63,11 +63,11 @@ DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample
 std::string check(const DynamicWavesOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     if (options.border_m > options.side_m / 4)
-        return refusal("border_m", options.border_m,
+        return invalid_value_message("border_m", options.border_m,
                        "at most a quarter of side_m, " + number_text(options.side_m / 4));
     const double courant = DynamicWaveGrid::courant_number(options);
     if (options.step == DynamicWavesStep::verlet && courant * courant > DynamicWaveGrid::most_coupling)
-        return refusal("wave_speed_mps", options.wave_speed_mps,
+        return invalid_value_message("wave_speed_mps", options.wave_speed_mps,
                        "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(DynamicWaveGrid::most_coupling) +
                            " at most, which is " + rounded_text(courant * courant, 3));
     return {};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
 
 namespace pelagic {
@@ -28,12 +28,12 @@ std::string of_change(std::string_view name, std::size_t number) {
 /// The first thing that a forecast fixes and `sea` has otherwise.
 std::string difference(const SeaState& first, const SeaState& sea, std::size_t number) {
     const auto refused = [&](std::string_view name, const auto& is, const std::string& needed) {
-        return refusal(of_change(name, number), is, needed + " as the first sea has it");
+        return invalid_value_message(of_change(name, number), is, needed + " as the first sea has it");
     };
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
     // Octaves that move one another have no energies to blend.
     if (sea.waves == WaveModel::pond)
-        return refusal(of_change("waves", number), name_of(sea.waves),
+        return invalid_value_message(of_change("waves", number), name_of(sea.waves),
                        "spectrum or analytic: a pond does not change");
     if (has_papers_spectrum(first) != has_papers_spectrum(sea))
         return refused("spectrum", name_of(sea.spectrum),
@@ -57,7 +57,7 @@ std::string too_long(const std::string& whose, const SeaState& sea, double large
     if (largest_peak_m == 0) return {};  // the search for a peak takes most of a check's time
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
-    return refusal("peak_wavelength_m" + whose, peak_m,
+    return invalid_value_message("peak_wavelength_m" + whose, peak_m,
                    "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
@@ -106,7 +106,7 @@ std::string check(const Forecast& forecast) {
     if (const std::string reason = check(forecast.first); !reason.empty()) return "first sea: " + reason;
     const double largest_m = forecast.largest_peak_m;
     if (!(largest_m >= 0 && largest_m <= most_peak_m))
-        return refusal("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
+        return invalid_value_message("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
     if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
     double over_s = -most_time_s;  // when the change before is over
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
@@ -119,14 +119,14 @@ std::string check(const Forecast& forecast) {
             !reason.empty())
             return reason;
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))
-            return refusal(of_change("over_s", number), change.over_s, "(0, 1e9]");
+            return invalid_value_message(of_change("over_s", number), change.over_s, "(0, 1e9]");
         if (const double afar = change.swell_from_m;
             afar != 0 && !(afar >= least_swell_from_m && afar <= most_swell_from_m))
-            return refusal(of_change("swell_from_m", number), afar, "[1e3, 2e7], or 0: all waves change together");
+            return invalid_value_message(of_change("swell_from_m", number), afar, "[1e3, 2e7], or 0: all waves change together");
         if (change.swell_from_m > 0 && change.sea.swell_height_m == 0)
-            return refusal(of_change("swell_from_m", number), change.swell_from_m, "0 where the sea has no swell");
+            return invalid_value_message(of_change("swell_from_m", number), change.swell_from_m, "0 where the sea has no swell");
         if (!(change.from_s >= over_s && change.from_s <= most_time_s))
-            return refusal(
+            return invalid_value_message(
                 of_change("from_s", number), change.from_s,
                 i == 0 ? "[-1e12, 1e12]" : "at least " + number_text(over_s) + ", when the change before is over");
         over_s = change.end_s();

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/frames/dynamic_wave_frames.hpp"
 #include "pelagic/sim/sources/shore_source.hpp"
@@ -84,7 +84,7 @@ struct Ocean::State {
         nothing,
         ahead,  ///< a sea of the forecast, which frames will need
         other,  ///< another weather's, until complete_sea()
-        aside   ///< that one is done and waits, and the run is free
+        staged  ///< that one is done and waits, and the run is free
     };
 
     void bake(std::size_t number) {
@@ -139,13 +139,13 @@ struct Ocean::State {
             bake_in_flight = Bake::nothing;
         } else if (bake_in_flight == Bake::other) {
             complete_bake();
-            frames.set_sea_aside();
-            bake_in_flight = Bake::aside;
+            frames.stage_sea();
+            bake_in_flight = Bake::staged;
         }
     }
     /// Puts at hand what a pass of that moment takes: a sea that is missing is baked here and now. Before begin_frame() and before
     /// each tick.
-    void hold_seas(Pass pass, double time_s) {
+    void ensure_resident(Pass pass, double time_s) {
         const SeaMoment moment = frames.weather().moment_at(time_s);
         frames.weather().need(pass, moment);
         for (const std::size_t number : {moment.before, moment.after}) {
@@ -192,7 +192,7 @@ struct Ocean::State {
         run->complete();
         shore->end_bake();
     }
-    void refuse_other_sea() const {
+    void require_constant_sea() const {
         if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
     }
 
@@ -203,7 +203,7 @@ struct Ocean::State {
     }
 
     void begin_tick() {
-        hold_seas(Pass::tick, frames.next_tick_s());
+        ensure_resident(Pass::tick, frames.next_tick_s());
         frames.begin_tick();
     }
     /// Begins the run that makes the frame, with its last tick if it needs one.
@@ -250,7 +250,7 @@ Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
             throw std::invalid_argument(reason);
         if (!forecast.changes.empty())
             throw std::invalid_argument(
-                refusal("changes' number", forecast.changes.size(), "0 where there is a shore"));
+                invalid_value_message("changes' number", forecast.changes.size(), "0 where there is a shore"));
     }
     state_.reset(new State(forecast, std::move(options)));
     state_->bake(0);
@@ -269,7 +269,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
         !reason.empty())
         throw std::invalid_argument(reason);
     state_->adopt_ahead();
-    state_->hold_seas(Pass::frame, time_s);
+    state_->ensure_resident(Pass::frame, time_s);
     state_->bake_ahead(time_s);
     state_->run_in_flight = nullptr;
     state_->turn();
@@ -335,16 +335,16 @@ void Ocean::schedule_sea(const SeaState& sea) {
     using Bake = State::Bake;
     assert((state_->bake_in_flight == Bake::nothing || state_->bake_in_flight == Bake::ahead) &&
            "complete_sea() first");
-    state_->refuse_other_sea();
+    state_->require_constant_sea();
     checked(sea);
     if (const auto cascades = static_cast<std::size_t>(cascades_of(sea)); cascades != cascade_count())
         throw std::invalid_argument(
-            refusal("cascades", cascades, number_text(cascade_count()) + ", as the ocean was built"));
+            invalid_value_message("cascades", cascades, number_text(cascade_count()) + ", as the ocean was built"));
     if (resolution_of(sea) != resolution())
         throw std::invalid_argument(
-            refusal("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
+            invalid_value_message("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
     if ((sea.waves == WaveModel::pond) != (this->sea().waves == WaveModel::pond))
-        throw std::invalid_argument(refusal("waves", name_of(sea.waves),
+        throw std::invalid_argument(invalid_value_message("waves", name_of(sea.waves),
                                             std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->end_bake();
     state_->frames.begin_other_weather(sea);
@@ -365,9 +365,9 @@ bool Ocean::sea_is_ready() const {
 void Ocean::complete_sea() {
     using Bake = State::Bake;
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    if (state_->bake_in_flight != Bake::other && state_->bake_in_flight != Bake::aside) return;
-    if (state_->bake_in_flight == Bake::aside)
-        state_->frames.set_sea_aside();
+    if (state_->bake_in_flight != Bake::other && state_->bake_in_flight != Bake::staged) return;
+    if (state_->bake_in_flight == Bake::staged)
+        state_->frames.stage_sea();
     else
         state_->complete_bake();
     state_->bake_in_flight = Bake::nothing;
@@ -377,7 +377,7 @@ void Ocean::complete_sea() {
 void Ocean::schedule_sea(const SeaChange& change) {
     assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
            "complete_sea() first");
-    state_->refuse_other_sea();
+    state_->require_constant_sea();
     Weather& weather = state_->frames.weather();
     checked(weather.with(change));
     state_->end_bake();

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sources/input_grid.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
@@ -31,7 +31,7 @@ constexpr std::array fields = {
 std::string check(const Ripple& ripple) {
     if (std::string reason = check_fields(ripple, fields); !reason.empty()) return reason;
     if (two_pi * ripple.amplitude_m > ripple.wavelength_m)
-        return refusal("amplitude_m", ripple.amplitude_m,
+        return invalid_value_message("amplitude_m", ripple.amplitude_m,
                        "at most wavelength_m / (2 pi), " + rounded_text(ripple.wavelength_m / two_pi, 4));
     return {};
 }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 
 namespace pelagic {
@@ -116,18 +116,18 @@ std::string check(const SeaState& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {
-        if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the cascade is given");
-        if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
-        if (sea.waves == WaveModel::pond) return refusal("cascades", sea.cascades, "1 where waves is pond");
+        if (sea.patch_size_m > 0) return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");
+        if (is_papers) return invalid_value_message("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
+        if (sea.waves == WaveModel::pond) return invalid_value_message("cascades", sea.cascades, "1 where waves is pond");
         if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
-            return refusal("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
+            return invalid_value_message("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
     }
     if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);
     if (!is_papers) return {};
     if (sea.spreading != SpreadingModel::paper)
-        return refusal("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");
+        return invalid_value_message("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");
     if (sea.swell_height_m != 0)
-        return refusal("swell_height_m", sea.swell_height_m, "0 where the spectrum is phillips-paper");
+        return invalid_value_message("swell_height_m", sea.swell_height_m, "0 where the spectrum is phillips-paper");
     return {};
 }
 

@@ -7,7 +7,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/query/shore_at.hpp"
 #include "pelagic/sim/sources/sea_bed.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
@@ -42,13 +42,13 @@ std::string check(const ShoreOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     const std::size_t samples = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
     if (options.heights_m.size() != samples)
-        return refusal("heights_m' size", options.heights_m.size(), number_text(samples) + ", columns times rows");
+        return invalid_value_message("heights_m' size", options.heights_m.size(), number_text(samples) + ", columns times rows");
     for (const float height : options.heights_m)
         if (!(static_cast<double>(height) >= lowest_m && static_cast<double>(height) <= highest_m))
-            return refusal("heights_m", height, "[-11000, 9000]");
+            return invalid_value_message("heights_m", height, "[-11000, 9000]");
     const double shorter_m = (std::min(options.columns, options.rows) - 1) * options.metres_a_sample;
     if (options.fade_m > shorter_m / 2)
-        return refusal("fade_m", options.fade_m,
+        return invalid_value_message("fade_m", options.fade_m,
                        "at most half the field's shorter side, " + number_text(shorter_m / 2));
     return {};
 }
@@ -56,11 +56,11 @@ std::string check(const ShoreOptions& options) {
 std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (std::string reason = check(options); !reason.empty()) return reason;
     if (sea.waves == WaveModel::pond)
-        return refusal("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
+        return invalid_value_message("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
     if (has_papers_spectrum(sea))
-        return refusal("spectrum", name_of(sea.spectrum), "one with a physical height where there is a shore");
+        return invalid_value_message("spectrum", name_of(sea.spectrum), "one with a physical height where there is a shore");
     if (const int cascades = cascades_of(sea); cascades < 2)
-        return refusal("cascades", cascades, "2 to 4 where there is a shore, which takes the coarsest cascade's waves");
+        return invalid_value_message("cascades", cascades, "2 to 4 where there is a shore, which takes the coarsest cascade's waves");
     return {};
 }
 

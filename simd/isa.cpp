@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 namespace {
@@ -33,8 +33,8 @@ bool has_f16c() {
 }
 #endif
 
-[[noreturn]] void refuse(std::string_view option, std::string_view value) {
-    throw std::invalid_argument(refusal(option, value, "an instruction set that this CPU runs: " + names_here()));
+[[noreturn]] void reject(std::string_view option, std::string_view value) {
+    throw std::invalid_argument(invalid_value_message(option, value, "an instruction set that this CPU runs: " + names_here()));
 }
 
 }  // namespace
@@ -75,12 +75,12 @@ std::vector<Isa> isas_here() {
 
 Isa choose_isa(std::optional<Isa> wanted) {
     if (wanted) {
-        if (!runs_here(*wanted)) refuse("isa", name_of(*wanted));
+        if (!runs_here(*wanted)) reject("isa", name_of(*wanted));
         return *wanted;
     }
     if (const char* name = std::getenv("PELAGIC_ISA"); name && *name) {
         const std::optional<Isa> isa = isa_named(name);
-        if (!isa || !runs_here(*isa)) refuse("PELAGIC_ISA", name);
+        if (!isa || !runs_here(*isa)) reject("PELAGIC_ISA", name);
         return *isa;
     }
     const std::vector<Isa> isas = isas_here();

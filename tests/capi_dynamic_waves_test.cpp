@@ -72,7 +72,7 @@ class CInterfaceDynamicWaves : public testing::Test {
     }
 };
 
-void expect_refused(pelagic_status status, pelagic_status expected, const std::string& line) {
+void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
     EXPECT_EQ(status, expected);
     EXPECT_EQ(pelagic_last_error(), line);
 }
@@ -124,13 +124,13 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
 
     const COcean ocean = answering();
     rain.radius_m = 3;
-    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
                    "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
     rain.radius_m = 0.6, rain.height_m = 11;
-    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
                    "height_m is 11, needs [-10, 10]");
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
-    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
                    "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
     EXPECT_EQ(pelagic_ocean_set_rain(answering(false).get(), &rain), PELAGIC_INVALID_ARGUMENT);
@@ -148,7 +148,7 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     std::size_t count = 0;
     ASSERT_EQ(pelagic_ocean_save_water(goes.get(), nullptr, 0, &count), PELAGIC_OK);
     std::vector<std::uint8_t> saved(count);
-    expect_refused(pelagic_ocean_save_water(goes.get(), saved.data(), count - 1, &count), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_save_water(goes.get(), saved.data(), count - 1, &count), PELAGIC_INVALID_ARGUMENT,
                    "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
     ASSERT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_OK);
     const pelagic_disturbance stone = drop(3);
@@ -161,7 +161,7 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     run(stays, 30, 80);
     EXPECT_EQ(dynamic_waves_hash(goes), dynamic_waves_hash(stays));
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
-    expect_refused(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
+    expect_rejected(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
                    PELAGIC_INVALID_ARGUMENT,
                    "the saved water is of other options, needs those of this ocean's water");
     ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
@@ -176,18 +176,18 @@ TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     complete(without, 0);
     complete(with, 0);
     std::uint64_t hash = 0;
-    expect_refused(pelagic_ocean_dynamic_waves_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_dynamic_waves_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
                    "the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
     EXPECT_EQ(pelagic_ocean_dynamic_waves(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_ocean_follow(without.get(), 0, 0), PELAGIC_INVALID_ARGUMENT);
     pelagic_disturbance wrong = drop();
     EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;
-    expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
                    "radius_m is 0, needs [0.001, 1000]");
     wrong = drop();
     wrong.mode = 3;
-    expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
                    "mode is 3, needs one of PELAGIC_DISTURB_...");
     wrong = drop();
     wrong.shape = -1;
@@ -204,7 +204,7 @@ TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     options.dynamic_waves = &dynamic_waves;
     const pelagic_sea sea = small_sea();
     pelagic_ocean* ocean = nullptr;
-    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
                    "dynamic_waves.border_m is 20, needs at most a quarter of side_m, 16");
     dynamic_waves.border_m = 0;
     dynamic_waves.step = 2;

@@ -130,7 +130,7 @@ std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& opt
     return found.what();
 }
 
-void expect_refused(pelagic_status status, const std::string& what, const char* name) {
+void expect_rejected(pelagic_status status, const std::string& what, const char* name) {
     const std::string line = pelagic_last_error();
     EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT) << what << ": " << line;
     EXPECT_NE(line.find(name), std::string::npos) << what << ": " << line;
@@ -140,12 +140,12 @@ void expect_refused(pelagic_status status, const std::string& what, const char* 
 using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;
 
 /// \pre `options` are what make() takes
-void expect_refused_or_finite(const std::string& what, const char* name, const pelagic_ocean_options& options,
+void expect_rejected_or_finite(const std::string& what, const char* name, const pelagic_ocean_options& options,
                               const Make& make) {
     pelagic_ocean* made = nullptr;
     const pelagic_status status = make(&made);
     const COcean ocean(made);
-    if (status != PELAGIC_OK) return expect_refused(status, what, name);
+    if (status != PELAGIC_OK) return expect_rejected(status, what, name);
     EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
 }
 
@@ -223,7 +223,7 @@ TEST(CInterfaceLeastValues, OfASea) {
     for (const Kind& kind : kinds)
         walk(sea_of(kind), sea_fields, kind.name,
              [&](const pelagic_sea& sea, const std::string& what, const char* name) {
-                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                 expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                      return pelagic_ocean_create(&sea, &options, ocean);
                  });
              });
@@ -235,7 +235,7 @@ TEST(CInterfaceLeastValues, OfTheQueriesTolerance) {
     const pelagic_sea sea = two_cascades();
     walk(all_options(), fields, "options",
          [&](const pelagic_ocean_options& options, const std::string& what, const char* name) {
-             expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+             expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                  return pelagic_ocean_create(&sea, &options, ocean);
              });
          });
@@ -255,7 +255,7 @@ TEST(CInterfaceLeastValues, OfAChange) {
     usual.from_s = 0.1;
     usual.over_s = 1;
     const auto of_forecast = [&](const pelagic_forecast& forecast, const std::string& what, const char* name) {
-        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+        expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
             return pelagic_ocean_create_forecast(&forecast, &options, ocean);
         });
     };
@@ -307,7 +307,7 @@ TEST(CInterfaceLeastValues, OfDynamicWaves) {
              [&](const pelagic_dynamic_waves_options& dynamic_waves, const std::string& what, const char* name) {
                  pelagic_ocean_options options = all_options();
                  options.dynamic_waves = &dynamic_waves;
-                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                 expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                      const pelagic_status status = pelagic_ocean_create(&sea, &options, ocean);
                      return status == PELAGIC_OK ? pelagic_ocean_disturb(*ocean, &push) : status;
                  });
@@ -338,7 +338,7 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
                      [&](const pelagic_disturbance& source, const std::string& what, const char* name) {
                          std::uint32_t number = 0;
                          const pelagic_status status = pelagic_ocean_add_source(ocean.get(), &source, &number);
-                         if (status != PELAGIC_OK) return expect_refused(status, what, name);
+                         if (status != PELAGIC_OK) return expect_rejected(status, what, name);
                          EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
                          EXPECT_EQ(pelagic_ocean_remove_source(ocean.get(), number), PELAGIC_OK);
                      });
@@ -361,7 +361,7 @@ TEST(CInterfaceLeastValues, OfRain) {
         walk(usual, fields, "step " + std::to_string(step),
              [&](const pelagic_rain& rain, const std::string& what, const char* name) {
                  const pelagic_status status = pelagic_ocean_set_rain(ocean.get(), &rain);
-                 if (status != PELAGIC_OK) return expect_refused(status, what, name);
+                 if (status != PELAGIC_OK) return expect_rejected(status, what, name);
                  EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
              });
     }
@@ -390,7 +390,7 @@ TEST(CInterfaceLeastValues, OfAShore) {
              [&](const pelagic_shore_options& shore, const std::string& what, const char* name) {
                  pelagic_ocean_options options = all_options();
                  options.shore = &shore;
-                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                 expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                      return pelagic_ocean_create(&sea, &options, ocean);
                  });
              });
@@ -453,7 +453,7 @@ TEST(CInterfaceLeastValues, OfARipple) {
     usual.reach_m = 50;
     const pelagic_ocean_options options = all_options();
     walk(usual, fields, "ripple", [&](const pelagic_ripple& ripple, const std::string& what, const char* name) {
-        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+        expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
             pelagic_input* input = nullptr;
             const pelagic_status status = pelagic_input_create_ripple(&ripple, &input);
             return ocean_with(status, input, options, ocean);
@@ -480,7 +480,7 @@ TEST(CInterfaceLeastValues, OfWaves) {
         waves.direction_rad = &wave.direction_rad;
         waves.phase_rad = &wave.phase_rad;
         waves.choppiness = wave.choppiness;
-        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+        expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
             pelagic_input* input = nullptr;
             const pelagic_status status = pelagic_input_create_waves(&waves, &input);
             return ocean_with(status, input, options, ocean);
@@ -495,7 +495,7 @@ TEST(CInterfaceLeastValues, OfACallbacksSlope) {
     const pelagic_ocean_options options = all_options();
     walk(usual, fields, "callback",
          [&](const pelagic_input_callback& callback, const std::string& what, const char* name) {
-             expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+             expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                  pelagic_input* input = nullptr;
                  const pelagic_status status = pelagic_input_create_callback(&callback, &input);
                  return ocean_with(status, input, options, ocean);

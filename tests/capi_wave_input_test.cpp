@@ -93,7 +93,7 @@ std::uint64_t hash_of(const COcean& ocean, double time_s) {
     return hash;
 }
 
-void expect_refused(pelagic_status status, pelagic_status expected, const std::string& line) {
+void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
     EXPECT_EQ(status, expected);
     EXPECT_EQ(pelagic_last_error(), line);
 }
@@ -156,13 +156,13 @@ TEST(CInterfaceInputs, AreSetBetweenFrames) {
     still.wavelength_m = 1;
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(hash_of(ocean, 3), hash_of(pure, 3));
-    expect_refused(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
                    "input is no ripple, needs one of pelagic_input_create_ripple");
-    expect_refused(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
                    "input is no waves, needs one of pelagic_input_create_waves");
     pelagic_ocean* second = nullptr;
     const pelagic_sea sea = flat_sea();
-    expect_refused(pelagic_ocean_create(&sea, &options, &second), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_create(&sea, &options, &second), PELAGIC_INVALID_ARGUMENT,
                    "inputs[0] belongs to another ocean, needs one that is new");
 }
 
@@ -171,33 +171,33 @@ TEST(CInterfaceInputs, WhatCanNotBeIsRefusedInOneLine) {
     OneWave wave;
     wave.wavelength = std::numeric_limits<double>::quiet_NaN();
     pelagic_waves waves = wave.asked();
-    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                    "waves[0].wavelength_m is nan, needs [0.01, 1000]");
     waves.count = 65;
-    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                    "waves.count is 65, needs at most 64");
     waves.count = 1, waves.amplitude_m = nullptr;
-    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                    "waves.amplitude_m is NULL, needs a pointer");
     const auto ripple = sized<pelagic_ripple>();
-    expect_refused(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
                    "wavelength_m is 0, needs [0.01, 1000]");
     auto callback = sized<pelagic_input_callback>();
-    expect_refused(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
                    "callback.add is NULL, needs a pointer");
     callback.add = [](void*, const pelagic_input_rows*) {};
     callback.largest_slope = -1;
-    expect_refused(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
                    "callback.largest_slope is -1, needs [0, 100]");
     EXPECT_EQ(made, nullptr);
     const pelagic_sea sea = flat_sea(16);
     auto options = sized<pelagic_ocean_options>();
     options.input_count = 1;
     pelagic_ocean* ocean = nullptr;
-    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
                    "inputs is NULL, needs a pointer");
     options.inputs = &made;
-    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
                    "inputs[0] is NULL, needs a pointer");
 }
 
@@ -216,10 +216,10 @@ TEST(CInterfaceInputs, ACallbackThatFailsLosesItsFrameAlone) {
     auto frame = sized<pelagic_frame>();
     fails = 1;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    expect_refused(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_HOST_ERROR, "an input's callback threw");
+    expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_HOST_ERROR, "an input's callback threw");
     fails = 2;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    expect_refused(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,
                    "inputs[0]'s height is inf, needs [-1000, 1000], metres or metres a second");
     fails = 0;
     EXPECT_EQ(hash_of(ocean, 1), before);

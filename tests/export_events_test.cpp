@@ -77,7 +77,7 @@ void expect_same(const Files& files, const Files& wanted) {
     }
 }
 
-void expect_refused(const Outcome& outcome, const std::string& says) {
+void expect_rejected(const Outcome& outcome, const std::string& says) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -403,13 +403,13 @@ TEST_F(ExportEvents, OfAnotherFileAreNotResumedOrJoined) {
     made(to("one"), "one");
     made(to("shards", {"--shard", "1/2"}), "shards");
     write_file(events(), std::string(several) + "9,1,0,1,1,,,,,\n");
-    expect_refused(run_pelagic(to("one", {"--resume"})), "--events was ");
+    expect_rejected(run_pelagic(to("one", {"--resume"})), "--events was ");
     EXPECT_EQ(read_file(place("one") / "sea_events.csv"), several);
     made(to("shards", {"--shard", "2/2"}), "shards");
     EXPECT_NE(run_pelagic({"merge", place("shards").string()}).exit_code, 0);
     // A copy that was edited is not what the record says.
     write_file(place("one") / "sea_events.csv", std::string(several) + "\n");
-    expect_refused(run_pelagic({"verify", place("one").string()}), "--events is ");
+    expect_rejected(run_pelagic({"verify", place("one").string()}), "--events is ");
 }
 
 TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
@@ -434,17 +434,17 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
     for (const auto& [text, says] : bad) {
         write_file(events(), text);
         const Outcome outcome = run_pelagic(to("bad"));
-        expect_refused(outcome, says);
+        expect_rejected(outcome, says);
         EXPECT_FALSE(std::filesystem::exists(place("bad"))) << text;
     }
     write_file(events(), several);
-    expect_refused(run_pelagic(to("bad", {"--events-side", "0"})), "--events-side is 0, needs metres in [1, 10000]");
-    expect_refused(run_pelagic(to("bad", {"--events-at", "3"})), "--events-at is 3, needs X,Z");
-    expect_refused(run_pelagic({"query", "--points", "-", "--events-at", "3,4"}), "needs --events with it");
+    expect_rejected(run_pelagic(to("bad", {"--events-side", "0"})), "--events-side is 0, needs metres in [1, 10000]");
+    expect_rejected(run_pelagic(to("bad", {"--events-at", "3"})), "--events-at is 3, needs X,Z");
+    expect_rejected(run_pelagic({"query", "--points", "-", "--events-at", "3,4"}), "needs --events with it");
     std::string many = start + "\n";
     for (int i = 0; i < 4097; ++i) many += "1,0,0,1,0.1\n";
     write_file(events(), many);
-    expect_refused(run_pelagic(to("bad")), "more than 4096 pushes at 1 s");
+    expect_rejected(run_pelagic(to("bad")), "more than 4096 pushes at 1 s");
     EXPECT_FALSE(std::filesystem::exists(place("bad")));
 }
 

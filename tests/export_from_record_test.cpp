@@ -171,7 +171,7 @@ TEST(ExportFromRecord, KeepsNamesAndWeather) {
 TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
     const TemporaryFolder folder;
     const Json usual = options_as_json(options_of({"--out", folder.path().string()}));
-    const auto refusal = [&](const std::string& pointer, const ReadJson& value) -> std::string {
+    const auto invalid_value_message = [&](const std::string& pointer, const ReadJson& value) -> std::string {
         ReadJson edited = usual;
         edited[ReadJson::json_pointer(pointer)] = value;
         try {
@@ -186,16 +186,16 @@ TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
     const auto expect_says = [&](const std::string& line, const std::string& says) {
         EXPECT_NE(line.find(says), std::string::npos) << line;
     };
-    expect_says(refusal("/version", "99.0"), "was written by pelagic 99.0, needs");
-    expect_says(refusal("/export/maps", "whales"), "--maps is whales");
-    expect_says(refusal("/export/frames", -1), "--frames is -1");
-    expect_says(refusal("/export/help", true), "sea.json: ");
-    expect_says(refusal("/export/trace", "/tmp/somewhere"), "--trace is /tmp/somewhere, not not set");
-    expect_says(refusal("/export/out", "elsewhere"), "sea.json: ");
-    expect_says(refusal("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
-    expect_says(refusal("/sea/wind_speed_mps", 1e6), "wind_speed");
-    EXPECT_EQ(refusal("/export", 3), "damaged");
-    EXPECT_EQ(refusal("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
+    expect_says(invalid_value_message("/version", "99.0"), "was written by pelagic 99.0, needs");
+    expect_says(invalid_value_message("/export/maps", "whales"), "--maps is whales");
+    expect_says(invalid_value_message("/export/frames", -1), "--frames is -1");
+    expect_says(invalid_value_message("/export/help", true), "sea.json: ");
+    expect_says(invalid_value_message("/export/trace", "/tmp/somewhere"), "--trace is /tmp/somewhere, not not set");
+    expect_says(invalid_value_message("/export/out", "elsewhere"), "sea.json: ");
+    expect_says(invalid_value_message("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
+    expect_says(invalid_value_message("/sea/wind_speed_mps", 1e6), "wind_speed");
+    EXPECT_EQ(invalid_value_message("/export", 3), "damaged");
+    EXPECT_EQ(invalid_value_message("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
 }
 
 // What is written frame by frame is JSON of the whole, with a line for each frame.

@@ -63,7 +63,7 @@ mode_t type_of(const std::filesystem::path& path) {
 
 /// Runs a command that would write `name` in `folder`, once for each obstacle under each name in question. In the gate each
 /// name meets the link, which leads elsewhere, and one other obstacle, by turns.
-void expect_refused(const std::vector<std::string>& names,
+void expect_rejected(const std::vector<std::string>& names,
                     const std::function<Arguments(const std::filesystem::path&)>& command) {
     for (std::size_t turn = 0; turn < names.size(); ++turn) {
         const std::string& name = names[turn];
@@ -86,14 +86,14 @@ void expect_refused(const std::vector<std::string>& names,
 }
 
 TEST(PreparedFolder, HasNothingReplacedThatIsNoRegularFile) {
-    expect_refused({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
+    expect_rejected({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
                     "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
                     ".gradient_0002.png.part", ".sea.lock"},
                    [](const auto& folder) { return export_to(folder); });
 }
 
 TEST(PreparedFolder, HasNothingReadThatIsNoRegularFile) {
-    expect_refused({record, journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
+    expect_rejected({record, journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
 }
 
 TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
@@ -110,13 +110,13 @@ TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
 
 TEST(PreparedFolder, HasNothingReplacedByQuadtreeFiles) {
     for (const std::string option : {"--svg", "--obj", "--json"})
-        expect_refused({"plan", ".plan.part"}, [&](const auto& folder) {
+        expect_rejected({"plan", ".plan.part"}, [&](const auto& folder) {
             return Arguments{"quadtree", "--resolution", "16", option, (folder / "plan").string()};
         });
 }
 
 TEST(PreparedFolder, HasNoPartOfATraceFollowed) {
-    expect_refused({".trace.json.part"}, [](const auto& folder) {
+    expect_rejected({".trace.json.part"}, [](const auto& folder) {
         return export_to(folder / "sea", {"--trace", (folder / "trace.json").string()});
     });
 }
@@ -150,7 +150,7 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
         return all;
     };
     const auto before = files_in(folder.path());
-    const auto expect_refused_and_kept = [&](const Arguments& arguments, const std::string& says) {
+    const auto expect_rejected_and_kept = [&](const Arguments& arguments, const std::string& says) {
         const auto now = files_in(folder.path());
         const Outcome outcome = run(arguments);
         expect_one_line(outcome, 2, says);
@@ -160,24 +160,24 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
     const std::string finished = folder.path().string() +
                                  " already holds a finished export of 3 frames: --resume keeps what is "
                                  "whole of it, --overwrite replaces it";
-    expect_refused_and_kept(second, finished);
-    expect_refused_and_kept(export_to(folder.path()), finished);
-    expect_refused_and_kept(with("--resume"), "--wind-speed was 12.0 and is 9.0");
+    expect_rejected_and_kept(second, finished);
+    expect_rejected_and_kept(export_to(folder.path()), finished);
+    expect_rejected_and_kept(with("--resume"), "--wind-speed was 12.0 and is 9.0");
     Arguments both = with("--overwrite");
     both.push_back("--resume");
-    expect_refused_and_kept(both, "--overwrite is given with --resume");
-    expect_refused_and_kept(export_to(folder.path(), {"--overwrite", "--shard", "1/2"}),
+    expect_rejected_and_kept(both, "--overwrite is given with --resume");
+    expect_rejected_and_kept(export_to(folder.path(), {"--overwrite", "--shard", "1/2"}),
                             "--overwrite is given with --shard 1/2");
     EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == before);
 
     // Of a record that is gone sea.json tells as much, and of both that are gone nothing.
     std::filesystem::remove(folder / record);
-    expect_refused_and_kept(second, finished);
-    expect_refused_and_kept(export_to(folder.path(), {"--resume"}), "which has a sea.json but no sea_files.json");
+    expect_rejected_and_kept(second, finished);
+    expect_rejected_and_kept(export_to(folder.path(), {"--resume"}), "which has a sea.json but no sea_files.json");
     write_file(folder / record, before.at(record));
     std::filesystem::remove(folder / "sea.json");
-    expect_refused_and_kept(second, finished);
+    expect_rejected_and_kept(second, finished);
     write_file(folder / "sea.json", before.at("sea.json"));
     EXPECT_EQ(run(with("--overwrite")).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));

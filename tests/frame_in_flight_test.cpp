@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/spectrum_cache.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
@@ -123,15 +123,15 @@ TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
     }
 }
 
-TEST(SeaShelf, HasRoomForAllThatPassesTakeAndOneMore) {
-    SeaShelf shelf;
-    for (const std::size_t number : {0, 1, 2, 3}) shelf.put(number);
-    shelf.need(Pass::tick, 0, 1);
-    shelf.need(Pass::frame, 2, 3);
+TEST(SpectrumCache, HasRoomForAllThatPassesTakeAndOneMore) {
+    SpectrumCache cache;
+    for (const std::size_t number : {0, 1, 2, 3}) cache.put(number);
+    cache.need(Pass::tick, 0, 1);
+    cache.need(Pass::frame, 2, 3);
     for (std::size_t number = 4; number < 10; ++number) {
-        shelf.put(number);
-        EXPECT_TRUE(shelf.holds(number));
-        for (const std::size_t needed : {0, 1, 2, 3}) EXPECT_TRUE(shelf.holds(needed)) << number;
+        cache.put(number);
+        EXPECT_TRUE(cache.holds(number));
+        for (const std::size_t needed : {0, 1, 2, 3}) EXPECT_TRUE(cache.holds(needed)) << number;
     }
 }
 

@@ -79,7 +79,7 @@ class BelowScene {
     }
 
     /// \param water  none: the lens is in the air
-    std::vector<float> picture(const Camera& camera, const Frame& frame, std::optional<gl::WaterAtLens> water,
+    std::vector<float> picture(const Camera& camera, const Frame& frame, std::optional<gl::CameraWaterPlane> water,
                                bool draws_sky = true) {
         const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
         const DrawList& list = selection_.select(
@@ -94,7 +94,7 @@ class BelowScene {
                        .list = &list,
                        .lod_scale = quadtree_.lod_scale,
                        .draws_sky = draws_sky,
-                       .water_at_lens = water});
+                       .camera_water_plane = water});
         return target_.read_radiance();
     }
     double green(const std::vector<float>& pixels, int x, int y) const {
@@ -131,7 +131,7 @@ TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
     BelowScene scene("calm", 240, 240);
     scene.renderer.set_sky(even_sky(100));
     const Frame& frame = scene.level_frame(4000);
-    const auto pixels = scene.picture({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::WaterAtLens{});
+    const auto pixels = scene.picture({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::CameraWaterPlane{});
     const double k = BelowScene::attenuation();
     int within = 0, beside = 0;
     for (int y = 0; y < scene.height(); ++y)
@@ -170,7 +170,7 @@ TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
         const Frame& frame = scene.level_frame(depth_m);
         baker.schedule(frame, {});
         scene.renderer.set_caustics(baker.complete());
-        const auto floor_of = [&](const Camera& camera, std::optional<gl::WaterAtLens> water) {
+        const auto floor_of = [&](const Camera& camera, std::optional<gl::CameraWaterPlane> water) {
             std::array<double, 2> light{};
             for (const float albedo : {0.f, 1.f}) {
                 scene.renderer.set_floor({.is_sand = false, .albedo = glm::vec3(albedo)});
@@ -179,7 +179,7 @@ TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
             return light[1] - light[0];
         };
         // From a metre below the surface. What the surface lets in is Fresnel's 0.98 of the sun's 1.
-        const double from_water = floor_of({{0, -1, 0}, {0, -9, 0}, 0.3}, gl::WaterAtLens{});
+        const double from_water = floor_of({{0, -1, 0}, {0, -9, 0}, 0.3}, gl::CameraWaterPlane{});
         const double below = 0.98 / pi * std::exp(-k * (depth_m + depth_m - 1));
         EXPECT_NEAR(from_water, below, 0.01 * below) << depth_m;
         // From the air, beside the sun's mirror image, and on the slant: 40 degrees from the vertical the refracted way is 1 /
@@ -209,7 +209,7 @@ TEST(UnderWater, ItGetsDarkerWithDepthAndIsBrighterUpwards) {
     scene.renderer.set_caustics(baker.complete());
     const auto seen = [&](double depth_m, glm::dvec3 ahead) {
         const glm::dvec3 at(0, -depth_m, 0);
-        return scene.middle(scene.picture({at, at + ahead, 0.2}, frame, gl::WaterAtLens{}));
+        return scene.middle(scene.picture({at, at + ahead, 0.2}, frame, gl::CameraWaterPlane{}));
     };
     // Straight down and level everything above is the same water, thicker.
     for (const glm::dvec3 ahead : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0)})
@@ -227,8 +227,8 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
         const Frame& frame = scene.frame_at(2.0 * i);
         glm::dvec3 at(17.0 * i, 0, -9.0 * i);
         const SurfaceQuery query(frame);
-        at.y = gl::water_at_lens(query, at).height_m + 0.004 * (i - 1.5);
-        const gl::WaterAtLens water = gl::water_at_lens(query, at);
+        at.y = gl::camera_water_plane(query, at).height_m + 0.004 * (i - 1.5);
+        const gl::CameraWaterPlane water = gl::camera_water_plane(query, at);
         const Camera camera{at, at + glm::dvec3(std::cos(i), 0, std::sin(i)), 1.0};
         const auto pixels = scene.picture(camera, frame, water, i % 2 == 0);
         const glm::dmat4 world_from_clip = glm::inverse(camera.clip_from_world(1.5));
@@ -263,7 +263,7 @@ TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
     for (int i = 0; i < (is_sanitized ? 2 : 5); ++i) {
         const glm::dvec3 at(130.7 * i, -2 - 20 * i, -71.3 * i);
         const auto pixels =
-            scene.picture({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::WaterAtLens{});
+            scene.picture({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::CameraWaterPlane{});
         int holes = 0;
         for (int y = 0; y < scene.height(); ++y)
             for (int x = 0; x < scene.width(); ++x) holes += !(scene.green(pixels, x, y) > 0.02);
@@ -291,11 +291,11 @@ TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
             baker.complete();
         glm::dvec3 at(300 * uniform(), 0, 300 * uniform());
         const SurfaceQuery query(frame);
-        at.y = gl::water_at_lens(query, at).height_m + (i % 2 == 0 ? 0.1 * (uniform() - 0.5) : -30 * uniform());
+        at.y = gl::camera_water_plane(query, at).height_m + (i % 2 == 0 ? 0.1 * (uniform() - 0.5) : -30 * uniform());
         const double azimuth = 6.3 * uniform(), up = 3 * (uniform() - 0.5);
         const glm::dvec3 ahead(std::cos(azimuth) * std::cos(up), std::sin(up), std::sin(azimuth) * std::cos(up));
         const auto pixels =
-            scene.picture({at, at + ahead, 0.3 + 1.6 * uniform()}, frame, gl::water_at_lens(query, at));
+            scene.picture({at, at + ahead, 0.3 + 1.6 * uniform()}, frame, gl::camera_water_plane(query, at));
         int bad = 0;
         for (const float value : pixels) bad += !(value >= 0 && value <= 65504);
         EXPECT_EQ(bad, 0) << "camera " << i;

@@ -80,7 +80,7 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
         SCOPED_TRACE(std::to_string(first_x));
         const Grid grid = waves_at(first_x, first_z);
         gl::DynamicWaveTextures textures(probe.gl());
-        ASSERT_EQ(textures.refusal_of(grid.surface()), "");
+        ASSERT_EQ(textures.invalid_value_of(grid.surface()), "");
         textures.upload(grid.surface());
         probe.gl().Finish();
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -51,7 +51,7 @@ glm::dvec3 ray_through(int x, int y) {
 /// A red box as a host would draw it, by rays.
 struct HostPicture {
     HostPicture(const gl::Functions& gl, const Box& box) : radiance(gl), depth(gl) {
-        const gl::KeptState keep(gl);
+        const gl::GlStateGuard keep(gl);
         std::vector<float> colours, depths;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {

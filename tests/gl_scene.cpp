@@ -72,14 +72,14 @@ const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame
     renderer->upload(frame);
     // Mesa's software driver with threads may sample mips before they are written; pictures are to be the same each time.
     gl().Finish();
-    std::optional<gl::WaterAtLens> water;
-    if (lens_may_dip_) water = gl::water_at_lens(SurfaceQuery(frame), camera.position_m);
+    std::optional<gl::CameraWaterPlane> water;
+    if (lens_may_dip_) water = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m);
     return renderer->draw({.eyes = eyes,
                            .viewer_m = camera.position_m,
                            .list = &list,
                            .lod_scale = quadtree.lod_scale,
                            .draws_sky = draws_sky,
-                           .water_at_lens = water,
+                           .camera_water_plane = water,
                            .host_scene = host_scene});
 }
 

@@ -28,7 +28,7 @@ class Folder {
 };
 
 /// What the compiler says of a program; empty if it links.
-std::string refusal_of(const gl::ProgramFiles& files) {
+std::string invalid_value_of(const gl::ProgramFiles& files) {
     const Folder folder;
     const auto vertex = folder / "shader.vert", fragment = folder / "shader.frag";
     std::ofstream(vertex) << gl::shader_source(files.vertex, files.defines);
@@ -80,7 +80,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
         all.push_back({"screen.vert.glsl", pass, ""});
     ASSERT_EQ(all.size(), 257u);
     for (const gl::ProgramFiles& files : all)
-        EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
+        EXPECT_EQ(invalid_value_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
@@ -184,7 +184,7 @@ TEST(Shaders, TakeThreeMoreLooksAtAShore) {
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
     EXPECT_NE(
-        refusal_of({"sea.vert.glsl", "sea.frag.glsl",
+        invalid_value_of({"sea.vert.glsl", "sea.frag.glsl",
                     "#define CASCADES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
         "");
 }

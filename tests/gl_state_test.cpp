@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pelagic/gl/display.hpp"
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/gl/rock.hpp"
@@ -197,7 +197,7 @@ class NastyHost {
 struct Look {
     const char* name;
     gl::DrawMode mode;
-    std::optional<gl::WaterAtLens> water_at_lens = {};
+    std::optional<gl::CameraWaterPlane> camera_water_plane = {};
     bool has_rock = false;  ///< which a host draws, and hands in to be mirrored
 };
 
@@ -250,7 +250,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
                    .list = &list,
                    .lod_scale = quadtree.lod_scale,
                    .mode = look.mode,
-                   .water_at_lens = look.water_at_lens,
+                   .camera_water_plane = look.camera_water_plane,
                    .host_scene = host_scene});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
@@ -342,7 +342,7 @@ TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
 INSTANTIATE_TEST_SUITE_P(Modes, GlState,
                          testing::Values(Look{"shaded", gl::DrawMode::shaded},
                                          Look{"wireframe", gl::DrawMode::wireframe},
-                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::WaterAtLens{10}},
+                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::CameraWaterPlane{10}},
                                          Look{"mirrored_rock", gl::DrawMode::shaded, {}, true}),
                          [](const auto& look) { return look.param.name; });
 

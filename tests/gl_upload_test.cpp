@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Cascades, GlUploads, testing::Values(1, 4),
                          [](const auto& cascades) { return std::to_string(cascades.param); });
 
 /// What the renderer says of a frame that it can't draw.
-std::string refusal_of(gl::SeaRenderer& renderer, const Frame& frame) {
+std::string invalid_value_of(gl::SeaRenderer& renderer, const Frame& frame) {
     try {
         renderer.upload(frame);
     } catch (const std::invalid_argument& error) {
@@ -101,7 +101,7 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .cascades = 1});
     const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
         Ocean ocean(sea, options);
-        return refusal_of(renderer, ocean.frame_at(0));
+        return invalid_value_of(renderer, ocean.frame_at(0));
     };
     const auto serial = make_serial_executor();
     EXPECT_EQ(refused({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true}), "");
@@ -119,7 +119,7 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     for (const bool is_mapped : {false, true}) {
         if (is_mapped) renderer.map_textures();  // of which the frame knows nothing
         ocean.schedule(0, {&elsewhere, 1});
-        EXPECT_EQ(refusal_of(renderer, ocean.complete()),
+        EXPECT_EQ(invalid_value_of(renderer, ocean.complete()),
                   "the frame's textures are in memory of the host's; map() gives such that upload() knows");
     }
 }

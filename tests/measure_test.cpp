@@ -359,7 +359,7 @@ TEST(Measure, WritesAPictureWhereItIsToldAndNothingElse) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-void expect_refused(const std::vector<std::string>& arguments, int code, const std::string& reason) {
+void expect_rejected(const std::vector<std::string>& arguments, int code, const std::string& reason) {
     const Outcome outcome = run_pelagic(arguments);
     EXPECT_EQ(outcome.exit_code, code) << outcome.err;
     EXPECT_NE(outcome.err.find(reason), std::string::npos) << "needs " << reason << "\nsays " << outcome.err;
@@ -378,18 +378,18 @@ TEST(Measure, HostileFoldersAreOneLine) {
         json record = json::parse(sea_json);
         change(record);
         write_file(out / "sea.json", record.dump());
-        expect_refused(measure, 2, reason);
+        expect_rejected(measure, 2, reason);
         write_file(out / "sea.json", sea_json);
     };
-    expect_refused({"info", "--measure", ""}, 2, "--measure is empty");
-    expect_refused({"info", "--measure", (out / "sea.json").string()}, 2,
+    expect_rejected({"info", "--measure", ""}, 2, "--measure is empty");
+    expect_rejected({"info", "--measure", (out / "sea.json").string()}, 2,
                    "needs a folder that pelagic export has written");
-    expect_refused({"info", "--measure", folder.path().string()}, 2, "sea.json is missing, needs a finished export");
-    expect_refused({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "needs no other sea");
-    expect_refused({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
-    expect_refused({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
+    expect_rejected({"info", "--measure", folder.path().string()}, 2, "sea.json is missing, needs a finished export");
+    expect_rejected({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "needs no other sea");
+    expect_rejected({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
+    expect_rejected({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
                    "can't write");
-    expect_refused({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
+    expect_rejected({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
 
     with_record([](json& record) { record["export"]["pack"] = "parts"; }, "frame 0 names no displacement image");
     with_record([](json& record) { record["export"]["format"] = "dds"; },
@@ -413,13 +413,13 @@ TEST(Measure, HostileFoldersAreOneLine) {
     with_record([](json& record) { record["deep"] = json::parse("[[[[[[[[[[1]]]]]]]]]]"); }, "malformed JSON");
     for (const std::string text : {"", "{", "[]", "\"sea\"", "{\"a\": 1e999}"}) {
         write_file(out / "sea.json", text);
-        expect_refused(measure, 2, "malformed JSON");
+        expect_rejected(measure, 2, "malformed JSON");
     }
     write_file(out / "sea.json", sea_json);
 
     const auto with_image = [&](const std::string& bytes, const std::string& reason) {
         write_file(out / "displacement_0001.exr", bytes);
-        expect_refused(measure, 1, "displacement_0001.exr: " + reason);
+        expect_rejected(measure, 1, "displacement_0001.exr: " + reason);
     };
     with_image("", "");
     with_image("no image", "");
@@ -428,16 +428,16 @@ TEST(Measure, HostileFoldersAreOneLine) {
     export_to(folder / "other", {"--resolution", "32", "--patch-size", "250"});
     with_image(read_file(folder / "other" / "displacement_0000.exr"), "it has 32 x 32 pixels, needs 16 x 16");
     std::filesystem::remove(out / "displacement_0001.exr");
-    expect_refused(measure, 1, "displacement_0001.exr: No such file");
+    expect_rejected(measure, 1, "displacement_0001.exr: No such file");
     std::filesystem::create_symlink("displacement_0000.exr", out / "displacement_0001.exr");
-    expect_refused(measure, 1, "it is a symbolic link");
+    expect_rejected(measure, 1, "it is a symbolic link");
     std::filesystem::remove(out / "displacement_0001.exr");
     ASSERT_EQ(::mkfifo((out / "displacement_0001.exr").c_str(), 0666), 0);
-    expect_refused(measure, 1, "it is a FIFO");
+    expect_rejected(measure, 1, "it is a FIFO");
     std::filesystem::remove(out / "displacement_0001.exr");
     std::filesystem::create_symlink("/dev/zero", out / "sea.json.new");
     std::filesystem::rename(out / "sea.json.new", out / "sea.json");
-    expect_refused(measure, 1, "it is a symbolic link");
+    expect_rejected(measure, 1, "it is a symbolic link");
 }
 
 TEST(Measure, WhatIsNoHeightIsRefused) {
@@ -451,7 +451,7 @@ TEST(Measure, WhatIsNoHeightIsRefused) {
                                  OIIO::ImageSpec(16, 16, 3, OIIO::TypeDesc::FLOAT)));
         ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
         output->close();
-        expect_refused({"info", "--measure", (folder / "out").string()}, 1, "which is no height in metres");
+        expect_rejected({"info", "--measure", (folder / "out").string()}, 1, "which is no height in metres");
     }
 }
 

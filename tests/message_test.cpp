@@ -11,7 +11,7 @@
 #include <string>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/sim/sea_state.hpp"
 
@@ -82,7 +82,7 @@ TEST(OneLine, IsShortAndKeepsBothEnds) {
         for (const std::string piece : {"x", "\n", "\xc3\xb6", "\xf0\x9f\x8c\x8a"}) {
             std::string value;
             while (value.size() < length) value += piece;
-            const std::string line = refusal("wind_speed_mps", value, "(0, 60]");
+            const std::string line = invalid_value_message("wind_speed_mps", value, "(0, 60]");
             ASSERT_LE(line.size(), most_line_bytes);
             ASSERT_TRUE(line.starts_with("wind_speed_mps is ")) << line;
             ASSERT_TRUE(line.ends_with(", needs (0, 60]")) << line;

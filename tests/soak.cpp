@@ -25,7 +25,7 @@ namespace {
 void must(pelagic_status status) {
     if (status != PELAGIC_OK) fail("a call failed:", pelagic_last_error());
 }
-void must_be_refused(pelagic_status status) {
+void must_be_rejected(pelagic_status status) {
     if (status != PELAGIC_WRONG_ORDER) fail("a misuse was not refused");
 }
 
@@ -154,7 +154,7 @@ class Subject {
         scheduled_sea_ = sea_;
         must(pelagic_ocean_schedule(ocean_, time_s_));
         in_flight_ = true;
-        if (random_() % 8 == 0) must_be_refused(pelagic_ocean_schedule(ocean_, 0));
+        if (random_() % 8 == 0) must_be_rejected(pelagic_ocean_schedule(ocean_, 0));
         return 0;
     }
 
@@ -169,7 +169,7 @@ class Subject {
         if (frame.time_s != time_s_ || hash_of(ocean_) != hash_of(expected)) fail("a frame has wrong bits");
         answers_ = ask(expected);
         if (ask(ocean_) != answers_) fail("a query has wrong bits");
-        if (random_() % 8 == 0) must_be_refused(pelagic_ocean_complete(ocean_, &frame));
+        if (random_() % 8 == 0) must_be_rejected(pelagic_ocean_complete(ocean_, &frame));
         return 1;
     }
 
@@ -199,7 +199,7 @@ class Subject {
         const int wanted = static_cast<int>(random_() % seas);
         const pelagic_sea sea = sea_number(wanted, resolution_);
         if (baking_) {
-            must_be_refused(pelagic_ocean_schedule_sea(ocean_, &sea));
+            must_be_rejected(pelagic_ocean_schedule_sea(ocean_, &sea));
         } else {
             must(pelagic_ocean_schedule_sea(ocean_, &sea));
             baked_sea_ = wanted;
@@ -210,7 +210,7 @@ class Subject {
 
     int finish_sea() {
         if (!baking_ || in_flight_) {
-            must_be_refused(pelagic_ocean_complete_sea(ocean_));
+            must_be_rejected(pelagic_ocean_complete_sea(ocean_));
         } else {
             must(pelagic_ocean_complete_sea(ocean_));
             sea_ = baked_sea_;

@@ -127,7 +127,7 @@ TEST_P(TextureTargetsOnEachIsa, WhatIsLeftOutStaysInTheFrame) {
                            expected.cascades[0].moments_rgba8.begin(), expected.cascades[0].moments_rgba8.end()));
 }
 
-std::string refusal_of(Ocean& ocean, std::span<const TextureTargets> targets) {
+std::string invalid_value_of(Ocean& ocean, std::span<const TextureTargets> targets) {
     try {
         ocean.schedule(1, targets);
     } catch (const std::invalid_argument& error) {
@@ -141,11 +141,11 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
     const std::uint64_t before = hash_of(ocean.frame_at(5));
     CascadeMemory memory;
     const TextureTargets whole = memory.targets();
-    EXPECT_EQ(refusal_of(ocean, {&whole, 1}), "slopes_rgba8 is wanted, needs an ocean with slopes");
+    EXPECT_EQ(invalid_value_of(ocean, {&whole, 1}), "slopes_rgba8 is wanted, needs an ocean with slopes");
     const TextureTargets two[2] = {};
-    EXPECT_EQ(refusal_of(ocean, two), "there are targets of 2 cascades, needs 1");
+    EXPECT_EQ(invalid_value_of(ocean, two), "there are targets of 2 cascades, needs 1");
     TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
-    EXPECT_EQ(refusal_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
+    EXPECT_EQ(invalid_value_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
     Ocean with_slopes({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor(), .slopes = true});
     for (const std::size_t bytes : {1, 2, 3})
         for (const std::size_t level : {0, 2})
@@ -155,16 +155,16 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
                 TextureTargets off = memory.targets();
                 std::uint32_t*& texels = (off.*chain)[level];
                 texels = reinterpret_cast<std::uint32_t*>(reinterpret_cast<std::uintptr_t>(texels) + bytes);
-                EXPECT_EQ(refusal_of(with_slopes, {&off, 1}), "level " + std::to_string(level) + " of " + name +
+                EXPECT_EQ(invalid_value_of(with_slopes, {&off, 1}), "level " + std::to_string(level) + " of " + name +
                                                                   " is at an address that is no multiple of 4");
             }
     TextureTargets torn{.gradient_rgba8 = whole.gradient_rgba8};
     torn.gradient_rgba8[3] = nullptr;
-    EXPECT_EQ(refusal_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, needs 6 levels");
+    EXPECT_EQ(invalid_value_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, needs 6 levels");
     EXPECT_EQ(hash_of(ocean.complete()), before);
 
     TextureTargets good{.displacement_rgba16f = whole.displacement_rgba16f};
-    EXPECT_EQ(refusal_of(ocean, {&good, 1}), "");
+    EXPECT_EQ(invalid_value_of(ocean, {&good, 1}), "");
     std::vector<std::uint16_t> halves(4 * n * n);
     EXPECT_THROW(copy_frame(ocean.complete(), FrameBuffers{.displacement_rgba16f = halves}), std::invalid_argument);
 }

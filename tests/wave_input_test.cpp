@@ -601,7 +601,7 @@ TEST(WaveInput, IsToldTheTimeOfFramesAndTicks) {
 }
 
 template <class Body>
-std::string refusal_of(Body body) {
+std::string invalid_value_of(Body body) {
     try {
         body();
     } catch (const std::invalid_argument& error) {
@@ -626,12 +626,12 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
         Ocean ocean(stack, with({std::make_shared<GerstnerInput>(), bad}, choose_isa(), kind.make(kind.threads)));
         const auto complete = [&] { ocean.frame_at(1); };
         value = std::numeric_limits<float>::quiet_NaN();
-        EXPECT_EQ(refusal_of(complete), "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
+        EXPECT_EQ(invalid_value_of(complete), "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
         value = -1001, field = 1;
-        EXPECT_EQ(refusal_of(complete),
+        EXPECT_EQ(invalid_value_of(complete),
                   "inputs[1]'s height is -1001, needs [-1000, 1000], metres or metres a second");
         value = std::numeric_limits<float>::infinity(), field = 5;
-        EXPECT_EQ(refusal_of(complete),
+        EXPECT_EQ(invalid_value_of(complete),
                   "inputs[1]'s velocity_z is inf, needs [-1000, 1000], metres or metres a second");
         value = 0, field = 0;
         EXPECT_EQ(hash_of(ocean.frame_at(2)), [&] {
@@ -667,29 +667,29 @@ TEST(WaveInput, WhatItThrowsLosesItsFrameAlone) {
 }
 
 TEST(WaveInput, BadInputsAreRefusedInOneLine) {
-    EXPECT_EQ(refusal_of([] {
+    EXPECT_EQ(invalid_value_of([] {
                   Ocean ocean(stack, with({gerstner(), nullptr}));
               }),
               "inputs[1] is null, needs an input");
     for (const auto& [slope, text] : {std::pair{-1.0, "-1"}, {std::nan(""), "nan"}, {1e9, "1000000000"}}) {
         const auto steep = callback([](const InputRows&) {}, slope);
         Ocean ocean(stack, with({steep}));
-        EXPECT_EQ(refusal_of([&] { ocean.frame_at(0); }),
+        EXPECT_EQ(invalid_value_of([&] { ocean.frame_at(0); }),
                   "inputs[0]'s largest_slope is " + std::string(text) + ", needs [0, 100]");
     }
     const auto waves = gerstner();
     AnalyticSea bad = some_waves();
     bad.waves[1].wavelength_m = std::nan("");
-    EXPECT_EQ(refusal_of([&] { waves->set(bad); }), "waves[1].wavelength_m is nan, needs [0.01, 1000]");
+    EXPECT_EQ(invalid_value_of([&] { waves->set(bad); }), "waves[1].wavelength_m is nan, needs [0.01, 1000]");
     bad = some_waves();
     bad.waves[0].amplitude_m = 50;
-    EXPECT_NE(refusal_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
+    EXPECT_NE(invalid_value_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
     const auto rings = ripple({.wavelength_m = 3, .amplitude_m = 0.4});
-    EXPECT_EQ(refusal_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m is nan, needs [-1e8, 1e8]");
-    EXPECT_EQ(refusal_of([&] { rings->set({.wavelength_m = 0}); }), "wavelength_m is 0, needs [0.01, 1000]");
-    EXPECT_EQ(refusal_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m is nan, needs [-1e8, 1e8]");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 0}); }), "wavelength_m is 0, needs [0.01, 1000]");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
               "amplitude_m is 0.2, needs at most wavelength_m / (2 pi), 0.1592");
-    EXPECT_EQ(refusal_of([&] { rings->set({.reach_m = -1}); }), "reach_m is -1, needs [0, 1e5]");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.reach_m = -1}); }), "reach_m is -1, needs [0, 1e5]");
     // They keep what they had.
     Ocean ocean(stack, with({waves, rings})),
         same(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));

@@ -31,7 +31,7 @@ class WeatherCommand : public testing::Test {
         write_file(folder_ / "weather.toml", text);
         return (folder_ / "weather.toml").string();
     }
-    std::string refusal_of(const std::string& text, std::vector<std::string> more = {}) {
+    std::string invalid_value_of(const std::string& text, std::vector<std::string> more = {}) {
         std::vector<std::string> arguments = {"info", "--weather", file(text)};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = run_pelagic(arguments);
@@ -79,7 +79,7 @@ TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
                     "\nover = 0.5\nwind_speed = " + std::to_string(5 + i % 9) + "\n";
         return text;
     };
-    EXPECT_EQ(refusal_of(weather_of(1001)), "pelagic: " + (folder_ / "weather.toml").string() +
+    EXPECT_EQ(invalid_value_of(weather_of(1001)), "pelagic: " + (folder_ / "weather.toml").string() +
                                                 " is a forecast of 1001 changes, needs at most 1000\n");
     write_file(folder_ / "points.csv", "0,0\n");
     const Outcome most = run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--time", "900",
@@ -88,28 +88,28 @@ TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
 }
 
 TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
+    EXPECT_NE(invalid_value_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
               std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("depth_m of change 1 is 3, needs 4000"),
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("depth_m of change 1 is 3, needs 4000"),
               std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
                   .find("swell_from_m of change 1 is 5000000, needs 0 where the sea has no swell"),
               std::string::npos);
     EXPECT_NE(
-        refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n").find("swell_from is 30000000, needs metres"),
+        invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n").find("swell_from is 30000000, needs metres"),
         std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = \"5\"\nover = 1\n")
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = \"5\"\nover = 1\n")
                   .find("weather.toml:2: from is \"5\", needs a number without quotes: seconds in [-1e9, 1e9]"),
               std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 5\nover = \"1\"\n").find("over is \"1\", needs a number without quotes"),
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 5\nover = \"1\"\n").find("over is \"1\", needs a number without quotes"),
               std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 5\nover = 1\nswell_from = \"2e3\"\n")
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 5\nover = 1\nswell_from = \"2e3\"\n")
                   .find("swell_from is \"2e3\", needs a number without quotes"),
               std::string::npos);
-    EXPECT_NE(refusal_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
-    EXPECT_NE(refusal_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
+    EXPECT_NE(invalid_value_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
+    EXPECT_NE(invalid_value_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
               std::string::npos);
 }
 

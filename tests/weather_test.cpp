@@ -15,7 +15,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/spectrum_cache.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -191,9 +191,9 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveGoesOver) {
     }
 }
 
-TEST(SeaShelf, KeepsWhatPassesTakeAndGivesUpTheOldest) {
-    SeaShelf shelf;
-    for (std::size_t number = 0; number < SeaShelf::places; ++number) shelf.put(number);
+TEST(SpectrumCache, KeepsWhatPassesTakeAndGivesUpTheOldest) {
+    SpectrumCache shelf;
+    for (std::size_t number = 0; number < SpectrumCache::places; ++number) shelf.put(number);
     shelf.need(Pass::tick, 0, 1);
     shelf.need(Pass::frame, 1, 2);
     shelf.put(7);

@@ -56,7 +56,7 @@ class Merge {
 
     void run() {
         const double height_sum_m = check_all();
-        if (!wrong_.empty()) refuse();
+        if (!wrong_.empty()) reject();
         if (!is_finished_) write(height_sum_m);
         folder_.sync();
         for (const std::string& name : names_.leftovers)
@@ -190,7 +190,7 @@ class Merge {
         });
     }
 
-    [[noreturn]] void refuse() {
+    [[noreturn]] void reject() {
         findings_.print();
         const std::filesystem::path record = folder_.path() / (is_finished_ ? record_name({}) : first_name_);
         std::size_t lines = 0;

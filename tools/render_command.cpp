@@ -18,7 +18,7 @@
 #include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
-#include "pelagic/gl/water_at_lens.hpp"
+#include "pelagic/gl/camera_water_plane.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/events/event_player.hpp"
@@ -60,9 +60,9 @@ gl::Sky baked_sky(const SceneOptions& scene) {
 }
 
 /// Everything that a picture needs, built once.
-class PictureMaker {
+class OfflineRenderer {
    public:
-    PictureMaker(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
+    OfflineRenderer(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
         : options_(options),
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
@@ -185,9 +185,9 @@ class PictureMaker {
         functions.Finish();
         const glm::dvec3 viewer = options_.scene.camera.position_m;
         // Small water lies level, or nearly.
-        const gl::WaterAtLens water = options_.scene.surface == gl::Surface::open
-                                          ? gl::water_at_lens(SurfaceQuery(frame), viewer)
-                                          : gl::WaterAtLens{};
+        const gl::CameraWaterPlane water = options_.scene.surface == gl::Surface::open
+                                          ? gl::camera_water_plane(SurfaceQuery(frame), viewer)
+                                          : gl::CameraWaterPlane{};
         if (gl::shows_caustics(options_.scene.floor, frame.sea.depth_m, viewer.y - water.height_m)) {
             caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
                                        .sun = gl::sun_direction(options_.scene.sky)});
@@ -205,7 +205,7 @@ class PictureMaker {
                                .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                                .exposure = exposure(),
                                .weighs_samples = weighs_samples,
-                               .water_at_lens = water,
+                               .camera_water_plane = water,
                                .host_scene = host_scene});
     }
 
@@ -306,7 +306,7 @@ Json as_json(const gl::WaterOptics& water) {
 Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
                     Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;
-    PictureMaker maker(options, sky, progress);
+    OfflineRenderer maker(options, sky, progress);
     for (int frame = 0; frame < options.frames; ++frame) {
         progress.show(static_cast<std::size_t>(frame));
         maker.draw(options.time_s + frame / options.fps);

@@ -103,7 +103,7 @@ class Verification {
     }
 
     /// \pre something is wrong
-    [[noreturn]] void refuse() {
+    [[noreturn]] void reject() {
         findings_.print();
         options_.resume = !is_other_sea_;  // which would keep files that are what their record says
         options_.overwrite = is_other_sea_;
@@ -201,7 +201,7 @@ void VerifyFlags::run() const {
         Verification verification(folder, compute_.resolve());
         verification.check_files(sample_of(verification.frames(), sample, static_cast<std::uint64_t>(seed)));
         verification.check_sample();
-        if (verification.wrong() > 0) verification.refuse();
+        if (verification.wrong() > 0) verification.reject();
         std::fprintf(stderr, "%s: %zu frame%s as they were written, %zu of them computed once more\n",
                      folder_->c_str(), verification.frames(), verification.frames() == 1 ? "" : "s",
                      verification.sampled());

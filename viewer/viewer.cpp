@@ -415,14 +415,14 @@ class Viewer {
     }
 
     /// Small water lies level, or nearly.
-    gl::WaterAtLens water_at_lens(const Frame& frame) const {
+    gl::CameraWaterPlane camera_water_plane(const Frame& frame) const {
         if (surface_ != gl::Surface::open) return {};
-        return gl::water_at_lens(SurfaceQuery(frame), camera_.camera().position_m);
+        return gl::camera_water_plane(SurfaceQuery(frame), camera_.camera().position_m);
     }
 
     /// Every second frame: while the next two are made.
     void start_caustics(const Frame& frame) {
-        const double above_water_m = camera_.camera().position_m.y - water_at_lens(frame).height_m;
+        const double above_water_m = camera_.camera().position_m.y - camera_water_plane(frame).height_m;
         if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame.sea.depth_m, above_water_m)) return;
         caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.floor, frame.sea.depth_m),
                                    .sun = gl::sun_direction(shown_sky_)});
@@ -504,7 +504,7 @@ class Viewer {
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = exposure,
                              .weighs_samples = true,
-                             .water_at_lens = water_at_lens(frame),
+                             .camera_water_plane = camera_water_plane(frame),
                              .host_scene = draw_boat(eye, exposure)});
         statistics_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         statistics_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;

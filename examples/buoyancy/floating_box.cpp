@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "pelagic/examples/buoyancy/box_wake.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::buoyancy {
 namespace {
@@ -25,22 +25,22 @@ double plate_added_mass_kg(double side_m, double other_m) {
 }  // namespace
 
 std::string check(const BoxOptions& box) {
-    if (!(box.length_m > 0 && box.length_m <= 1000)) return refusal("length_m", box.length_m, "(0, 1000]");
-    if (!(box.height_m > 0 && box.height_m <= 1000)) return refusal("height_m", box.height_m, "(0, 1000]");
-    if (!(box.beam_m > 0 && box.beam_m <= 1000)) return refusal("beam_m", box.beam_m, "(0, 1000]");
+    if (!(box.length_m > 0 && box.length_m <= 1000)) return invalid_value_message("length_m", box.length_m, "(0, 1000]");
+    if (!(box.height_m > 0 && box.height_m <= 1000)) return invalid_value_message("height_m", box.height_m, "(0, 1000]");
+    if (!(box.beam_m > 0 && box.beam_m <= 1000)) return invalid_value_message("beam_m", box.beam_m, "(0, 1000]");
     const double most_kg = water_density_kgpm3 * box.length_m * box.height_m * box.beam_m;
     if (!(box.mass_kg > 0 && box.mass_kg < most_kg))
-        return refusal("mass_kg", box.mass_kg, "(0, " + number_text(most_kg) + ") to float");
+        return invalid_value_message("mass_kg", box.mass_kg, "(0, " + number_text(most_kg) + ") to float");
     if (!(std::fabs(box.centre_of_mass_m) <= box.height_m / 2))
-        return refusal("centre_of_mass_m", box.centre_of_mass_m, "at most half the height");
+        return invalid_value_message("centre_of_mass_m", box.centre_of_mass_m, "at most half the height");
     if (box.inertia_kgm2)
         for (int axis = 0; axis < 3; ++axis)
             if (!((*box.inertia_kgm2)[axis] > 0 && std::isfinite((*box.inertia_kgm2)[axis])))
-                return refusal("inertia_kgm2", (*box.inertia_kgm2)[axis], "a positive number");
+                return invalid_value_message("inertia_kgm2", (*box.inertia_kgm2)[axis], "a positive number");
     if (!(box.heave_damping >= 0 && box.heave_damping < 1))
-        return refusal("heave_damping", box.heave_damping, "[0, 1)");
+        return invalid_value_message("heave_damping", box.heave_damping, "[0, 1)");
     if (!(box.drag_coefficient >= 0 && box.drag_coefficient <= 10))
-        return refusal("drag_coefficient", box.drag_coefficient, "[0, 10]");
+        return invalid_value_message("drag_coefficient", box.drag_coefficient, "[0, 10]");
     return {};
 }
 

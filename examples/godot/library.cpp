@@ -9,7 +9,7 @@
 #include "pelagic/examples/godot/ocean_node.hpp"
 #include "pelagic/examples/godot/properties.hpp"
 #include "pelagic/message/one_line.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::godot {
 namespace {
@@ -24,7 +24,7 @@ auto guarded(OceanNode& node, const Work& work) -> decltype(work()) {
     try {
         return work();
     } catch (const std::exception& error) {
-        node.refuse(one_line(error.what()));
+        node.reject(one_line(error.what()));
     }
     return decltype(work())();
 }
@@ -40,7 +40,7 @@ void set_property(Object*, void* data, void* instance, Variant* value) {
         const VariantType type = call(core::variant_get_type, value);
         const bool fits = type == property.type || (is_number(type) && is_number(property.type)) ||
                           (type == type_nil && property.type == type_object);
-        if (!fits) return node.refuse(refusal(property.name, Text(*value).utf8(), property.accepted));
+        if (!fits) return node.reject(invalid_value_message(property.name, Text(*value).utf8(), property.accepted));
         property.set(node, *value);
     });
 }
@@ -138,7 +138,7 @@ Variant call_method(Object*, void* data, void* instance, int count, Variant** ar
     std::optional<Variant> answer;
     guarded(node, [&] {
         if (!are_right(method, all))
-            return node.refuse(std::string(method.name) + " is called as " + method.name + method.usage);
+            return node.reject(std::string(method.name) + " is called as " + method.name + method.usage);
         answer = method.call(node, all).handed_over();
     });
     return answer ? *answer : Value().handed_over();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <exception>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
@@ -31,7 +31,7 @@ void OceanNode::enter_tree() {
 
 void OceanNode::exit_tree() { drawing_.reset(); }
 
-void OceanNode::refuse(std::string_view line) const {
+void OceanNode::reject(std::string_view line) const {
     static const Method emit_signal("Object", "emit_signal");
     print_line("PelagicOcean: " + std::string(line));
     const Value name("refused"), text(line);
@@ -44,7 +44,7 @@ void OceanNode::change(const std::function<void(OceanSettings&)>& change) {
 }
 
 void OceanNode::set_time(double time_s) {
-    if (!(std::abs(time_s) <= 1e9)) return refuse(refusal("time_s", time_s, "[-1e9, 1e9]"));
+    if (!(std::abs(time_s) <= 1e9)) return reject(invalid_value_message("time_s", time_s, "[-1e9, 1e9]"));
     time_s_ = time_s;
     is_awaited_ = true;
     if (ocean_ && !is_stale_) start(time_s);
@@ -59,7 +59,7 @@ bool OceanNode::make_ocean() {
     is_stale_ = false;
     const SeaState sea = sea_of(settings_);
     if (const std::string reason = check(sea); !reason.empty()) {
-        refuse(reason);  // fields that don't go together; the sea there is stays
+        reject(reason);  // fields that don't go together; the sea there is stays
         return ocean_ != nullptr;
     }
     drawing_.reset();
@@ -185,7 +185,7 @@ std::unique_ptr<Table> OceanNode::first_hit(const Vector3& origin, const Vector3
     const SurfaceRay ray{{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, reach_m};
     auto answers = std::make_unique<Table>();
     if (const std::string reason = check(ray, *asked); !reason.empty()) {
-        refuse(reason);
+        reject(reason);
         return {};
     }
     const auto hit = pelagic::first_hit(SurfaceQuery(*asked), ray);

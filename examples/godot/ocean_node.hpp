@@ -33,7 +33,7 @@ class OceanNode {
     /// The sea is made anew before the next frame or answer.
     void change(const std::function<void(OceanSettings&)>& change);
     /// Says why a value is not taken: a line in the output, and the signal `refused` with it.
-    void refuse(std::string_view line) const;
+    void reject(std::string_view line) const;
 
     double time_s() const { return time_s_; }
     void set_time(double time_s);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::godot {
@@ -22,7 +22,7 @@ Property number_property(std::string name, VariantType type, std::string range, 
     };
     const auto take = [=](OceanNode& node, const Variant& variant) {
         const double value = number(variant);
-        if (!accepts(value)) return node.refuse(refusal(name, value, accepted));
+        if (!accepts(value)) return node.reject(invalid_value_message(name, value, accepted));
         if (value != get(node.settings())) node.change([&](OceanSettings& settings) { set(settings, value); });
     };
     return {name, type, hint, std::move(range), value_of, take, accepted};
@@ -78,7 +78,7 @@ Property choice(std::string name, std::string names, std::string OceanSettings::
             [member](const OceanNode& node) { return Value(std::string_view(node.settings().*member)); },
             [=](OceanNode& node, const Variant& value) {
                 const std::string wanted = Text(value).utf8();
-                if (!is_one(wanted)) return node.refuse(refusal(name, wanted, "one of " + names));
+                if (!is_one(wanted)) return node.reject(invalid_value_message(name, wanted, "one of " + names));
                 node.change([&](OceanSettings& settings) { settings.*member = wanted; });
             },
             "one of " + names};

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
@@ -64,7 +64,7 @@ py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::
     if ((cascade.*chain).empty())
         throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
     if (level < 0 || level >= mip_levels(cascade.resolution()))
-        throw std::invalid_argument(refusal("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
+        throw std::invalid_argument(invalid_value_message("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
     const py::ssize_t side = cascade.resolution() >> level;
     Shape shape{side, side};
     if (sizeof(Texel) == 4) shape.push_back(4);

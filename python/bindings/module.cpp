@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
@@ -28,7 +28,7 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
     OceanOptions options{.queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
     if (isa) {
         options.isa = isa_named(*isa);
-        if (!options.isa) throw std::invalid_argument(refusal("isa", *isa, "sse4.2, avx2, avx512 or neon"));
+        if (!options.isa) throw std::invalid_argument(invalid_value_message("isa", *isa, "sse4.2, avx2, avx512 or neon"));
     }
     const py::gil_scoped_release others_run;
     options.executor = make_default_executor(threads);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pelagic/message/near_names.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
@@ -51,7 +51,7 @@ Doubles doubles_of(py::handle given, const char* name) {
 Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const char* meaning) {
     Doubles array = doubles_of(given, name);
     if (array.ndim() == 0 || array.shape(array.ndim() - 1) != numbers)
-        throw std::invalid_argument(refusal(std::string(name) + ".shape", text_of(shape_of(array)),
+        throw std::invalid_argument(invalid_value_message(std::string(name) + ".shape", text_of(shape_of(array)),
                                             "(..., " + number_text(numbers) + "): " + meaning));
     return array;
 }
@@ -127,11 +127,11 @@ class Fields {
     explicit Fields(py::handle asked) : all_(asked.is_none()) {
         if (all_) return;
         if (py::isinstance<py::str>(asked) || !py::isinstance<py::iterable>(asked))
-            throw py::type_error(refusal("fields", std::string(py::repr(asked)), "a list of names"));
+            throw py::type_error(invalid_value_message("fields", std::string(py::repr(asked)), "a list of names"));
         for (const py::handle name : asked) {
             const std::string text = py::str(name);
             if (std::find(known_.begin(), known_.end(), text) == known_.end())
-                throw std::invalid_argument(refusal("fields", text, list_of(known_)));
+                throw std::invalid_argument(invalid_value_message("fields", text, list_of(known_)));
             wanted_.insert(text);
         }
     }
@@ -212,9 +212,9 @@ class AnswerArrays {
 
 SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolation) {
     if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
-        throw std::invalid_argument(refusal("tolerance_m", tolerance_m, "[1e-6, 1000]"));
+        throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const std::optional<Interpolation> named = interpolation_named(interpolation);
-    if (!named) throw std::invalid_argument(refusal("interpolation", interpolation, "linear or cubic"));
+    if (!named) throw std::invalid_argument(invalid_value_message("interpolation", interpolation, "linear or cubic"));
     return {.tolerance_m = tolerance_m, .interpolation = *named};
 }
 
@@ -268,10 +268,10 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
     const SurfaceQueryOptions options = options_of(tolerance_m, interpolation);
     const Places places = places_of(points, py::none());
     const Doubles moments = doubles_of(times, "times");
-    if (moments.ndim() != 1) throw std::invalid_argument(refusal("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
+    if (moments.ndim() != 1) throw std::invalid_argument(invalid_value_message("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
     const std::vector<double> times_s(moments.data(), moments.data() + moments.size());
     for (const double time_s : times_s)
-        if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("times", time_s, "finite numbers of seconds"));
+        if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("times", time_s, "finite numbers of seconds"));
     const auto facts = [&] {
         const py::gil_scoped_release others_run;
         return ocean.facts();
@@ -297,7 +297,7 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
 py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach, double tolerance_m) {
     const auto reader = handle.read();
     if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
-        throw std::invalid_argument(refusal("tolerance_m", tolerance_m, "[1e-6, 1000]"));
+        throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const SurfaceQuery surface(handle.frame, tolerance_m);
     const py::object extended = doubles_of(reach, "reach").attr("__getitem__")(
         py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
@@ -347,7 +347,7 @@ Places reference_places_of(py::handle points, py::handle z) {
     for (std::size_t i = 0; i < places.x.size(); ++i)
         for (const double at : {places.x[i], places.z[i]})
             if (!(std::fabs(at) <= most_m))
-                throw std::invalid_argument("point " + number_text(i) + ": " + refusal("a coordinate", at, "[-1e9, 1e9]"));
+                throw std::invalid_argument("point " + number_text(i) + ": " + invalid_value_message("a coordinate", at, "[-1e9, 1e9]"));
     return places;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
@@ -89,7 +89,7 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
         const std::vector<ReferenceCascade> cascades(handle.frame.cascades.begin(), handle.frame.cascades.end());
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
-                throw std::invalid_argument(refusal("points[" + number_text(point) + "]",
+                throw std::invalid_argument(invalid_value_message("points[" + number_text(point) + "]",
                                                     number_text(at[0]) + ", " + number_text(at[1]), "metres in [-1e9, 1e9]"));
             double sum[3] = {}, speed[3] = {}, most_foam = 0;
             for (const ReferenceCascade& cascade : cascades) {

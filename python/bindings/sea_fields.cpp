@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pelagic/message/near_names.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace py = pybind11;
@@ -27,11 +27,11 @@ template <class Value, class Named, class All>
 Value named_in(py::handle sea, const char* field, Named named, const All& all) {
     const py::object value = sea.attr(field);
     if (!py::isinstance<py::str>(value))
-        throw py::type_error(refusal(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
+        throw py::type_error(invalid_value_message(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
     const auto name = value.cast<std::string>();
     if (const std::optional<Value> found = named(name)) return *found;
     const std::vector<std::string> names = names_of(all);
-    throw std::invalid_argument(refusal(field, name, list_of(names)) + nearest_hint(name, names));
+    throw std::invalid_argument(invalid_value_message(field, name, list_of(names)) + nearest_hint(name, names));
 }
 
 double number_in(py::handle sea, const SeaStateField& field) {
@@ -47,14 +47,14 @@ double number_in(py::handle sea, const SeaStateField& field) {
     if (!converted) {
         PyErr_Clear();
         throw py::type_error(
-            refusal(name, std::string(py::repr(value)), is_whole ? "a whole number" : "a number"));
+            invalid_value_message(name, std::string(py::repr(value)), is_whole ? "a whole number" : "a number"));
     }
     const double number = PyFloat_AsDouble(py::reinterpret_steal<py::object>(converted).ptr());
     if (PyErr_Occurred()) {  // a whole number beyond all doubles
         PyErr_Clear();
-        throw std::invalid_argument(refusal(name, std::string(py::str(value)), field.accepted));
+        throw std::invalid_argument(invalid_value_message(name, std::string(py::str(value)), field.accepted));
     }
-    if (!field.accepts(number)) throw std::invalid_argument(refusal(name, number, field.accepted));
+    if (!field.accepts(number)) throw std::invalid_argument(invalid_value_message(name, number, field.accepted));
     return number;
 }
 
@@ -101,7 +101,7 @@ py::array_t<double> densities(py::handle sea, const Doubles& at, const char* nam
                               std::vector<double> (*model)(const SeaState&, std::span<const double>)) {
     const std::span<const double> places(at.data(), static_cast<std::size_t>(at.size()));
     for (const double place : places)
-        if (!(place > 0 && place < 1e9)) throw std::invalid_argument(refusal(name, place, "(0, 1e9)"));
+        if (!(place > 0 && place < 1e9)) throw std::invalid_argument(invalid_value_message(name, place, "(0, 1e9)"));
     const std::vector<double> found = model(checked_sea(sea), places);
     return py::array_t<double>(std::vector<py::ssize_t>(at.shape(), at.shape() + at.ndim()), found.data());
 }
@@ -110,7 +110,7 @@ py::array_t<double> densities(py::handle sea, const Doubles& at, const char* nam
 
 SeaState sea_state_of(py::handle sea) {
     if (!py::hasattr(sea, "wind_speed_mps"))
-        throw py::type_error(refusal("sea", std::string(py::repr(sea)), "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
+        throw py::type_error(invalid_value_message("sea", std::string(py::repr(sea)), "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
     SeaState state;
     state.waves = named_in<WaveModel>(sea, "waves", wave_model_named, wave_models());
     state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_model_named, spectrum_models());

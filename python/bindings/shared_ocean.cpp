@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::python {
 namespace {
 
 void need_finite(double time_s) {
-    if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("time_s", time_s, "a finite number"));
+    if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -47,7 +47,7 @@ std::uint64_t digest_of(const DynamicWavesOptions& options) {
 void check_place(double x_m, double z_m) {
     for (const double at : {x_m, z_m})
         if (!(at >= -1e8 && at <= 1e8))
-            throw std::invalid_argument(refusal("the place to follow", at, "[-1e8, 1e8]"));
+            throw std::invalid_argument(invalid_value_message("the place to follow", at, "[-1e8, 1e8]"));
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void DynamicWaveFrames::enqueue(const Command& command) { commands_.push_back(co
 void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
     if (grid_.sources().settled() + new_disturbances_ == DynamicWaveSources::most)
-        throw std::invalid_argument(refusal("the number of disturbances of a tick", DynamicWaveSources::most + 1,
+        throw std::invalid_argument(invalid_value_message("the number of disturbances of a tick", DynamicWaveSources::most + 1,
                                             "at most " + number_text(DynamicWaveSources::most)));
     ++new_disturbances_;
     enqueue({Command::Kind::disturb, 0, disturbance});
@@ -91,7 +91,7 @@ std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     if (numbers_.size() == DynamicWaveSources::most)
         throw std::invalid_argument(
-            refusal("the number of sources", DynamicWaveSources::most + 1, "at most " + number_text(DynamicWaveSources::most)));
+            invalid_value_message("the number of sources", DynamicWaveSources::most + 1, "at most " + number_text(DynamicWaveSources::most)));
     const std::uint32_t number = grid_.sources().new_number();
     numbers_.push_back(number);
     enqueue({Command::Kind::add, number, source});
@@ -232,14 +232,14 @@ std::vector<std::uint8_t> DynamicWaveFrames::saved() const {
 void DynamicWaveFrames::restore(std::span<const std::uint8_t> saved) {
     SavedClock clock{};
     if (saved.size() < sizeof clock)
-        throw std::invalid_argument(refusal("the saved water", number_text(saved.size()) + " bytes", "more"));
+        throw std::invalid_argument(invalid_value_message("the saved water", number_text(saved.size()) + " bytes", "more"));
     std::memcpy(&clock, saved.data(), sizeof clock);
     if (clock.options != digest_of(grid_.options()))
         throw std::invalid_argument("the saved water is of other options, needs those of this ocean's water");
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
-        throw std::invalid_argument(refusal("the saved water's clock", clock.last_tick, "a tick within 2^50"));
+        throw std::invalid_argument(invalid_value_message("the saved water's clock", clock.last_tick, "a tick within 2^50"));
     if (!std::isfinite(clock.last_time_s))
-        throw std::invalid_argument(refusal("the saved water's time", clock.last_time_s, "a finite one"));
+        throw std::invalid_argument(invalid_value_message("the saved water's time", clock.last_time_s, "a finite one"));
     grid_.restore(saved.subspan(sizeof clock));
     has_clock_ = clock.has_clock != 0;
     last_tick_ = clock.last_tick;

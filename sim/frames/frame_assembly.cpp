@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/sources/spectral_cascade.hpp"
 #include "pelagic/sim/sources/pond.hpp"
@@ -151,11 +151,11 @@ void FrameAssembly::restore_history(std::span<const std::uint8_t> saved) {
     const std::size_t needed = foam_ ? sizeof *newest_tick_ + foam_->saved_bytes() : 0;
     if (saved.size() != needed)
         throw std::invalid_argument(
-            refusal("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
+            invalid_value_message("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
     std::int64_t number;
     std::memcpy(&number, saved.data(), sizeof number);
     if (number < -most_ticks || number > most_ticks)
-        throw std::invalid_argument(refusal("history's tick", number, "one of a clock"));
+        throw std::invalid_argument(invalid_value_message("history's tick", number, "one of a clock"));
     newest_tick_ = number;
     foam_->restore(saved.subspan(sizeof *newest_tick_));
 }
@@ -181,8 +181,8 @@ void FrameAssembly::adopt_other_weather() {
     forget();
 }
 
-void FrameAssembly::set_sea_aside() {
-    for (const auto& source : sources_) source->set_aside();
+void FrameAssembly::stage_sea() {
+    for (const auto& source : sources_) source->stage_spectrum();
 }
 
 void FrameAssembly::drop_sea() {

@@ -60,7 +60,7 @@ class FrameAssembly {
     void adopt_sea();
     void begin_other_weather(const SeaState& sea);
     void adopt_other_weather();
-    void set_sea_aside();
+    void stage_sea();
     void drop_sea();
 
     Weather& weather() { return weather_; }

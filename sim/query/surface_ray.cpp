@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -147,12 +147,12 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
     constexpr double far_m = 1e9, most_texels = 1e6;
     const auto is_within = [](double value, double least, double most) { return value >= least && value <= most; };
     for (const double along : ray.origin_m)
-        if (!is_within(along, -far_m, far_m)) return refusal("origin_m", along, "[-1e9, 1e9]");
+        if (!is_within(along, -far_m, far_m)) return invalid_value_message("origin_m", along, "[-1e9, 1e9]");
     const auto& d = ray.direction;
     const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    if (!is_within(length, 1e-100, 1e100)) return refusal("direction's length", length, "[1e-100, 1e100]");
+    if (!is_within(length, 1e-100, 1e100)) return invalid_value_message("direction's length", length, "[1e-100, 1e100]");
     if (!is_within(ray.reach_m, 0, most_texels * frame.cascades.front().texel_m()))
-        return refusal("reach_m", ray.reach_m, "0 to a million texels of the coarsest cascade");
+        return invalid_value_message("reach_m", ray.reach_m, "0 to a million texels of the coarsest cascade");
     return {};
 }
 

@@ -8,7 +8,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -198,7 +198,7 @@ void DynamicWaveGrid::follow(double x_m, double z_m) {
     const DefaultFloatEnvironment environment;
     for (const double at : {x_m, z_m})
         if (!(at >= -farthest_m && at <= farthest_m))
-            throw std::invalid_argument(refusal("the grid's middle", at, "[-1e8, 1e8]"));
+            throw std::invalid_argument(invalid_value_message("the grid's middle", at, "[-1e8, 1e8]"));
     const std::array<std::int64_t, 2> moved = placement_.first_around(x_m, z_m);
     if (moved == placement_.first()) return;
     const std::int64_t side = options_.resolution;
@@ -320,21 +320,21 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     const std::size_t row_bytes = n() * sizeof(float);
     if (saved.size() < sizeof header + saved_texel_bytes())
         throw std::invalid_argument(
-            refusal("the saved water", number_text(saved.size()) + " bytes",
+            invalid_value_message("the saved water", number_text(saved.size()) + " bytes",
                     number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
     std::memcpy(&header, saved.data(), sizeof header);
     const double most_texels = farthest_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= most_texels))
-            throw std::invalid_argument(refusal("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
+            throw std::invalid_argument(invalid_value_message("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
     if (header.ticks < 0 || header.ticks > most_ticks)
-        throw std::invalid_argument(refusal("the saved water's ticks", header.ticks, "[0, 2^50]"));
+        throw std::invalid_argument(invalid_value_message("the saved water's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
     for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {
         float texel;
         std::memcpy(&texel, from + i * sizeof texel, sizeof texel);
         if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
-            throw std::invalid_argument(refusal("a saved texel of the water", texel, "[-1e6, 1e6]"));
+            throw std::invalid_argument(invalid_value_message("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
     sources_ = DynamicWaveSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
 

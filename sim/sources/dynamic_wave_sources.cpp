@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -57,9 +57,9 @@ SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturb
 
 Disturbance disturbance_of(const SavedSource& saved) {
     if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
-        throw std::invalid_argument(refusal("a saved source's shape", saved.shape, "0 or 1"));
+        throw std::invalid_argument(invalid_value_message("a saved source's shape", saved.shape, "0 or 1"));
     if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::impulse))
-        throw std::invalid_argument(refusal("a saved source's mode", saved.mode, "0, 1 or 2"));
+        throw std::invalid_argument(invalid_value_message("a saved source's mode", saved.mode, "0, 1 or 2"));
     const Disturbance source = {.shape = static_cast<Disturbance::Shape>(saved.shape),
                                 .mode = static_cast<Disturbance::Mode>(saved.mode),
                                 .x_m = saved.x,
@@ -77,14 +77,14 @@ Disturbance disturbance_of(const SavedSource& saved) {
 
 RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& water) {
     if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
-        throw std::invalid_argument(refusal("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
+        throw std::invalid_argument(invalid_value_message("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
     const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
     return {{saved.rain_drops, saved.rain_radius, saved.rain_height, seed}, water};
 }
 
 void need_room(const char* what, std::size_t count) {
     if (count == DynamicWaveSources::most)
-        throw std::invalid_argument(refusal(what, count + 1, "at most " + number_text(DynamicWaveSources::most)));
+        throw std::invalid_argument(invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::most)));
 }
 
 }  // namespace
@@ -287,9 +287,9 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
         bytes.size() !=
             sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
         throw std::invalid_argument(
-            refusal("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
+            invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
-        throw std::invalid_argument(refusal("the saved water's next source", header.next_number, "[1, 2^32)"));
+        throw std::invalid_argument(invalid_value_message("the saved water's next source", header.next_number, "[1, 2^32)"));
     DynamicWaveSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
@@ -303,9 +303,9 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
     for (std::int64_t i = 0, last = 0; i < header.lasting; ++i) {
         const SavedSource saved = next();
         if (saved.number <= last || saved.number >= header.next_number)
-            throw std::invalid_argument(refusal("a saved source's number", saved.number, "more than the one before"));
+            throw std::invalid_argument(invalid_value_message("a saved source's number", saved.number, "more than the one before"));
         if (saved.since < 0 || saved.since > ticks)
-            throw std::invalid_argument(refusal("a saved source's tick", saved.since, "one of the water's"));
+            throw std::invalid_argument(invalid_value_message("a saved source's tick", saved.since, "one of the water's"));
         sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }

@@ -37,7 +37,7 @@ class Pond final : public SeaSource {
     LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
     const CascadeGrid& grid() const override { return waves_.plan.grid; }
     void drop_spectrum() override { bake_.reset(); }
-    void set_aside() override { bake_.swap(aside_); }
+    void stage_spectrum() override { bake_.swap(staged_); }
     void forget_seas() override {}
 
    private:
@@ -64,7 +64,7 @@ class Pond final : public SeaSource {
     std::vector<double> columns_;  ///< 0, 1, ..., N - 1
 
     Waves waves_;  ///< of the frames to come
-    std::optional<Waves> bake_, aside_;
+    std::optional<Waves> bake_, staged_;
     OfEachPass<std::vector<double>> starts_;  ///< of each octave, turns in [-1/2, 1/2)
     std::vector<RowBounds> row_bounds_;
 };

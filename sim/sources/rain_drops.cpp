@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/sim/spectrum/split_mix.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -51,11 +51,11 @@ std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
     const double widest = water.side_m / 16;
     if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
-        return refusal("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
-    if (!(rain.height_m >= -10 && rain.height_m <= 10)) return refusal("height_m", rain.height_m, "[-10, 10]");
+        return invalid_value_message("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
+    if (!(rain.height_m >= -10 && rain.height_m <= 10)) return invalid_value_message("height_m", rain.height_m, "[-10, 10]");
     const double most = most_drops(rain, water);
     if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= most))
-        return refusal("drops_per_m2_s", rain.drops_per_m2_s,
+        return invalid_value_message("drops_per_m2_s", rain.drops_per_m2_s,
                        "[0, " + rounded_text(most, 6) + "] for drops so wide in such a grid");
     return {};
 }

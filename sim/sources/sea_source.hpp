@@ -17,14 +17,14 @@ class SeaSource : public WaveSource {
     /// \param whitecap_cover  part of the sea that is to be white with what the cascade folds, 0 for none
     virtual void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) = 0;
     /// Says what the new waves add to the sea, whose number moments name. What was in that place is gone; all seas that are kept
-    /// have the same grid and loop. \pre place < SeaShelf::places, and no pass in flight takes what is there
+    /// have the same grid and loop. \pre place < SpectrumCache::places, and no pass in flight takes what is there
     virtual LineStatistics adopt_spectrum(std::size_t number, std::size_t place) = 0;
     /// The same by bands of frequency; null where no sea turns into another. \pre the place holds a sea
     virtual const StatisticsByBand* statistics_by_band(std::size_t) const { return nullptr; }
     virtual const CascadeGrid& grid() const = 0;  ///< of the frames to come
     virtual void drop_spectrum() = 0;                ///< keeps the waves as they are
     /// Keeps what was baked for later, and makes room for another one; and the other way round.
-    virtual void set_aside() = 0;
+    virtual void stage_spectrum() = 0;
     virtual void forget_seas() = 0;
 };
 

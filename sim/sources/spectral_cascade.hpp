@@ -17,7 +17,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/spectrum_cache.hpp"
 #include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
@@ -44,7 +44,7 @@ class SpectralCascade final : public SeaSource {
     const StatisticsByBand* statistics_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
     const CascadeGrid& grid() const override { return grid_; }
     void drop_spectrum() override { bake_.reset(); }
-    void set_aside() override { bake_.swap(aside_); }
+    void stage_spectrum() override { bake_.swap(staged_); }
     void forget_seas() override { seas_ = {}; }
 
    private:
@@ -80,7 +80,7 @@ class SpectralCascade final : public SeaSource {
         Look look;
     };
     const Waves& waves_of(std::size_t number) const;
-    std::array<std::optional<Waves>, SeaShelf::places> seas_;
+    std::array<std::optional<Waves>, SpectrumCache::places> seas_;
     CascadeGrid grid_;       ///< of frames to come, and so is
     double loop_period_s_ = 1;  ///< this: a pass in flight has its own
 
@@ -111,7 +111,7 @@ class SpectralCascade final : public SeaSource {
         std::vector<LineStatistics> lines;
         std::vector<StatisticsByBand> lines_by_band;
     };
-    std::optional<Bake> bake_, aside_;
+    std::optional<Bake> bake_, staged_;
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
@@ -33,12 +33,12 @@ constexpr std::size_t inputs_stack_bytes = 2 * sizeof(Rows) + stack_margin;
 std::string name_of_input(std::size_t number) { return "inputs[" + std::to_string(number) + "]"; }
 
 /// The field and the value for which add_rows() returned false.
-[[noreturn]] void refuse_rows(std::size_t number, const Rows& rows, std::size_t texels,
+[[noreturn]] void reject_rows(std::size_t number, const Rows& rows, std::size_t texels,
                               const std::array<const char*, input_fields>& names) {
     for (std::size_t field = 0; field < input_fields; ++field)
         for (std::size_t i = 0; i < texels; ++i)
             if (const float value = rows.fields[field][i]; !(std::fabs(value) <= WaveInput::most))
-                throw std::invalid_argument(refusal(name_of_input(number) + "'s " + names[field], value,
+                throw std::invalid_argument(invalid_value_message(name_of_input(number) + "'s " + names[field], value,
                                                     "[-1000, 1000], metres or metres a second"));
     throw std::logic_error("an input is refused, and nothing is wrong with it");
 }
@@ -92,7 +92,7 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
         if (!inputs_[i]->adds_to(cascade)) continue;
         const double slope = inputs_[i]->largest_slope(cascade);
         if (!(slope >= 0 && slope <= largest_slopes))
-            throw std::invalid_argument(refusal(name_of_input(i) + "'s largest_slope", slope, "[0, 100]"));
+            throw std::invalid_argument(invalid_value_message(name_of_input(i) + "'s largest_slope", slope, "[0, 100]"));
         steeper += overstated * slope;
         adds = 1;
     }
@@ -123,7 +123,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
                                 .block_stride = column_block_floats(slots_.resolution(), kernels_.lanes),
                                 .most = WaveInput::most,
                                 .bounds = &extremes}))
-            refuse_rows(number, rows, texels, names);
+            reject_rows(number, rows, texels, names);
     };
     for (std::size_t number = 0; number < inputs_.size(); ++number) {
         const WaveInput& input = *inputs_[number];

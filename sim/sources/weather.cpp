@@ -47,7 +47,7 @@ void Weather::add(const SeaChange& change) {
     next.plans.push_back(plan_cascades(change.sea, reach_));
     next.find_arrivals();
     std::swap(next_, next);
-    if (shelf_.needs_any() && !in_flight_) in_flight_ = std::move(next);
+    if (cache_.needs_any() && !in_flight_) in_flight_ = std::move(next);
 }
 
 Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const {
@@ -84,7 +84,7 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
 }
 
 SeaStatistics Weather::statistics_at(const SeaMoment& moment) const {
-    const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
+    const Baked &before = baked_[*cache_.find(moment.before)], &after = baked_[*cache_.find(moment.after)];
     if (moment.is_steady()) return before.statistics;
     const Sums sums =
         moment.arrival ? arriving(before, after, moment) : Sums::between(before.sums, after.sums, moment.part);
@@ -162,7 +162,7 @@ void Weather::begin(std::size_t number, Sources sources) {
 
 void Weather::adopt(Sources sources) {
     const SeaState& baked = sea(baked_number_);
-    const std::size_t place = shelf_.put(baked_number_);
+    const std::size_t place = cache_.put(baked_number_);
     Sums sums;
     std::vector<Sums> by_band;
     for (const auto& source : sources) {
@@ -192,7 +192,7 @@ void Weather::restart(Sources sources) {
     reach_ = other_->reach;
     next_.forecast.largest_peak_m = reach_.peak_m;
     other_.reset();
-    shelf_.clear();
+    cache_.clear();
     for (const auto& source : sources) source->forget_seas();
     baked_number_ = next_.first_number;
     adopt(sources);

@@ -13,7 +13,7 @@
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sources/arrival.hpp"
-#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/spectrum_cache.hpp"
 #include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
@@ -45,14 +45,14 @@ class Weather {
     SeaStatistics statistics_at(const SeaMoment& moment) const;
 
     /// The next run of the pass takes what the moment needs.
-    void need(Pass pass, const SeaMoment& moment) { shelf_.need(pass, moment.before, moment.after); }
+    void need(Pass pass, const SeaMoment& moment) { cache_.need(pass, moment.before, moment.after); }
     /// No frame is in flight.
     void need_nothing() {
-        shelf_.need_nothing();
+        cache_.need_nothing();
         in_flight_.reset();
     }
     std::size_t number_of_last() const { return next_.first_number + next_.forecast.changes.size(); }
-    bool has(std::size_t number) const { return shelf_.holds(number); }
+    bool has(std::size_t number) const { return cache_.holds(number); }
     /// A sea that is not at hand, and that frames around this one will need.
     std::optional<std::size_t> wanted_soon(double time_s) const;
 
@@ -113,8 +113,8 @@ class Weather {
     WaveReach reach_;
     Outlook next_;                      ///< of frames to come
     std::optional<Outlook> in_flight_;  ///< of the frame in flight, if changes were added since it was scheduled
-    SeaShelf shelf_;
-    std::array<Baked, SeaShelf::places> baked_;
+    SpectrumCache cache_;
+    std::array<Baked, SpectrumCache::places> baked_;
     std::size_t baked_number_ = 0;
     std::optional<Other> other_;
 };

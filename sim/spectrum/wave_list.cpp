@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -42,12 +42,12 @@ double turns_of(double rad) {
 std::string check_pond(const SeaState& sea) {
     const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
-        return refusal("wave_count", asked.octaves,
+        return invalid_value_message("wave_count", asked.octaves,
                        "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
                            " to shortest_wave_m " + rounded_text(shortest_wave_of(sea), 4) +
                            ": each at least a quarter of the one before");
     if (asked.height_m > 10)
-        return refusal("wave_height_m", sea.wave_height_m,
+        return invalid_value_message("wave_height_m", sea.wave_height_m,
                        "at most " + rounded_text(sea.wave_height_m * 10 / asked.height_m, 3) +
                            " where waves is pond with so many octaves");
     return one_line(check(asked));
@@ -56,9 +56,9 @@ std::string check_pond(const SeaState& sea) {
 std::string check_analytic(const SeaState& sea) {
     const PlaneWaves held = waves_of_cascades(sea);
     if (held.waves.empty())
-        return refusal("longest_wave_m", longest_wave_of(sea), "longer waves: the cascades' texels hold none of these");
+        return invalid_value_message("longest_wave_m", longest_wave_of(sea), "longer waves: the cascades' texels hold none of these");
     if (const double steepness = steepness_of(held); steepness > most_steepness)
-        return refusal(
+        return invalid_value_message(
             "steepness", rounded_text(steepness, 4),
             "at most " + number_text(most_steepness) +
                 ", the sum of k A of the waves on their cascades: ask for less wave_height_m or wave_strength");
@@ -206,12 +206,12 @@ SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> oct
 
 std::string check_wave_list(const SeaState& sea) {
     const std::string waves = " where waves is " + std::string(name_of(sea.waves));
-    if (sea.swell_height_m != 0) return refusal("swell_height_m", sea.swell_height_m, "0" + waves);
+    if (sea.swell_height_m != 0) return invalid_value_message("swell_height_m", sea.swell_height_m, "0" + waves);
     const double longest_m = longest_wave_of(sea);
     if (sea.shortest_wave_m > longest_m)
-        return refusal("shortest_wave_m", sea.shortest_wave_m, "at most longest_wave_m, " + number_text(longest_m));
+        return invalid_value_message("shortest_wave_m", sea.shortest_wave_m, "at most longest_wave_m, " + number_text(longest_m));
     if (sea.patch_size_m > 0 && sea.patch_size_m < longest_m)
-        return refusal("patch_size_m", sea.patch_size_m,
+        return invalid_value_message("patch_size_m", sea.patch_size_m,
                        "at least longest_wave_m, " + number_text(longest_m) + "," + waves);
     return is_pond(sea) ? check_pond(sea) : check_analytic(sea);
 }

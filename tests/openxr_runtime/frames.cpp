@@ -77,15 +77,15 @@ XrTime display_time(std::uint32_t n) {
 XrResult WaitFrame(XrSession handle, const XrFrameWaitInfo*, XrFrameState* state) {
     constexpr const char* call = "xrWaitFrame";
     std::unique_lock lock(mutex());
-    if (const XrResult wanted = wanted_refusal(call); wanted != XR_SUCCESS) return refuse(call, wanted);
+    if (const XrResult wanted = wanted_message(call); wanted != XR_SUCCESS) return reject(call, wanted);
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(state, XR_TYPE_FRAME_STATE)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (!session->is_running) return refuse(call, XR_ERROR_SESSION_NOT_RUNNING);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(state, XR_TYPE_FRAME_STATE)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
     // It blocks until the frame before was begun; whoever never begins one shall not hang a test.
     if (!frame_was_begun().wait_for(lock, std::chrono::seconds(20),
                                     [&] { return session->frames_waited == session->frames_begun; }))
-        return refuse(call, XR_ERROR_RUNTIME_FAILURE);
+        return reject(call, XR_ERROR_RUNTIME_FAILURE);
     state->predictedDisplayTime = display_time(session->frames_waited++);
     state->predictedDisplayPeriod = display_period_ns;
     state->shouldRender = is_seen(*session) ? XR_TRUE : XR_FALSE;
@@ -97,34 +97,34 @@ XrResult BeginFrame(XrSession handle, const XrFrameBeginInfo*) {
     constexpr const char* call = "xrBeginFrame";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!session->is_running) return refuse(call, XR_ERROR_SESSION_NOT_RUNNING);
-    if (session->frames_begun == session->frames_waited) return refuse(call, XR_ERROR_CALL_ORDER_INVALID);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
+    if (session->frames_begun == session->frames_waited) return reject(call, XR_ERROR_CALL_ORDER_INVALID);
     ++session->frames_begun;
     frame_was_begun().notify_all();
     const bool discards_one = session->is_in_frame;
     session->is_in_frame = true;
-    return discards_one ? refuse(call, XR_FRAME_DISCARDED) : XR_SUCCESS;
+    return discards_one ? reject(call, XR_FRAME_DISCARDED) : XR_SUCCESS;
 }
 
 XrResult EndFrame(XrSession handle, const XrFrameEndInfo* info) {
     constexpr const char* call = "xrEndFrame";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_FRAME_END_INFO)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (!session->is_running) return refuse(call, XR_ERROR_SESSION_NOT_RUNNING);
-    if (!session->is_in_frame) return refuse(call, XR_ERROR_CALL_ORDER_INVALID);
-    if (info->displayTime <= 0) return refuse(call, XR_ERROR_TIME_INVALID);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_FRAME_END_INFO)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
+    if (!session->is_in_frame) return reject(call, XR_ERROR_CALL_ORDER_INVALID);
+    if (info->displayTime <= 0) return reject(call, XR_ERROR_TIME_INVALID);
     if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
-        return refuse(call, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
-    if (info->layerCount > XR_MIN_COMPOSITION_LAYERS_SUPPORTED) return refuse(call, XR_ERROR_LAYER_LIMIT_EXCEEDED);
-    if (info->layerCount > 0 && !info->layers) return refuse(call, XR_ERROR_LAYER_INVALID);
+        return reject(call, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
+    if (info->layerCount > XR_MIN_COMPOSITION_LAYERS_SUPPORTED) return reject(call, XR_ERROR_LAYER_LIMIT_EXCEEDED);
+    if (info->layerCount > 0 && !info->layers) return reject(call, XR_ERROR_LAYER_INVALID);
     std::array<const Swapchain*, views> swapchains{};
     for (std::uint32_t i = 0; i < info->layerCount; ++i) {
-        if (!info->layers[i]) return refuse(call, XR_ERROR_LAYER_INVALID);
+        if (!info->layers[i]) return reject(call, XR_ERROR_LAYER_INVALID);
         if (const XrResult result = check_layer(info->layers[i], swapchains); result != XR_SUCCESS)
-            return refuse(call, result);
+            return reject(call, result);
     }
     if (info->layerCount > 0)
         record_layer(*session,

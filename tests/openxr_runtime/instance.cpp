@@ -25,14 +25,14 @@ bool is_stereo(XrViewConfigurationType type) { return type == XR_VIEW_CONFIGURAT
 
 /// Whether instance and system are those that there are.
 XrResult check(const char* call, XrInstance instance, XrSystemId system) {
-    if (!find(instance)) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (system != the_system) return refuse(call, XR_ERROR_SYSTEM_INVALID);
+    if (!find(instance)) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (system != the_system) return reject(call, XR_ERROR_SYSTEM_INVALID);
     return XR_SUCCESS;
 }
 
 XrResult check(const char* call, XrInstance instance, XrSystemId system, XrViewConfigurationType type) {
     if (const XrResult result = check(call, instance, system); result != XR_SUCCESS) return result;
-    return is_stereo(type) ? XR_SUCCESS : refuse(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
+    return is_stereo(type) ? XR_SUCCESS : reject(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
 }
 
 }  // namespace
@@ -52,13 +52,13 @@ Instance* find(XrInstance handle) {
     return reinterpret_cast<Instance*>(handle) == instance ? instance : nullptr;
 }
 
-XrResult refuse(const char* call, XrResult why) {
+XrResult reject(const char* call, XrResult why) {
     if (Instance* instance = the_instance().get())
         instance->record.refusals.push_back(std::string(call) + ": " + std::to_string(why));
     return why;
 }
 
-XrResult wanted_refusal(const char* call) {
+XrResult wanted_message(const char* call) {
     const char* wanted = std::getenv("PELAGIC_STAND_IN_REFUSES");
     const std::size_t length = std::strlen(call);
     if (!wanted || std::strncmp(wanted, call, length) != 0 || wanted[length] != ':') return XR_SUCCESS;
@@ -69,7 +69,7 @@ XrResult EnumerateInstanceExtensionProperties(const char* layer, std::uint32_t c
                                               XrExtensionProperties* to) {
     constexpr const char* call = "xrEnumerateInstanceExtensionProperties";
     const std::lock_guard lock(mutex());
-    if (layer) return refuse(call, XR_ERROR_API_LAYER_NOT_PRESENT);
+    if (layer) return reject(call, XR_ERROR_API_LAYER_NOT_PRESENT);
     std::vector<XrExtensionProperties> list;
     for (const char* name : known_extensions) {
         XrExtensionProperties properties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 1};
@@ -82,9 +82,9 @@ XrResult EnumerateInstanceExtensionProperties(const char* layer, std::uint32_t c
 XrResult CreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) {
     constexpr const char* call = "xrCreateInstance";
     const std::lock_guard lock(mutex());
-    if (const XrResult wanted = wanted_refusal(call); wanted != XR_SUCCESS) return wanted;
+    if (const XrResult wanted = wanted_message(call); wanted != XR_SUCCESS) return wanted;
     if (!is(info, XR_TYPE_INSTANCE_CREATE_INFO) || !instance) return XR_ERROR_VALIDATION_FAILURE;
-    if (the_instance()) return refuse(call, XR_ERROR_LIMIT_REACHED);
+    if (the_instance()) return reject(call, XR_ERROR_LIMIT_REACHED);
     if (info->applicationInfo.applicationName[0] == '\0') return XR_ERROR_NAME_INVALID;
     if (XR_VERSION_MAJOR(info->applicationInfo.apiVersion) != 1 ||
         XR_VERSION_MINOR(info->applicationInfo.apiVersion) != 0)
@@ -104,7 +104,7 @@ XrResult CreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) 
 
 XrResult DestroyInstance(XrInstance instance) {
     const std::lock_guard lock(mutex());
-    if (!find(instance)) return refuse("xrDestroyInstance", XR_ERROR_HANDLE_INVALID);
+    if (!find(instance)) return reject("xrDestroyInstance", XR_ERROR_HANDLE_INVALID);
     the_instance()->record.write();
     the_instance().reset();
     return XR_SUCCESS;
@@ -113,8 +113,8 @@ XrResult DestroyInstance(XrInstance instance) {
 XrResult GetInstanceProperties(XrInstance instance, XrInstanceProperties* properties) {
     constexpr const char* call = "xrGetInstanceProperties";
     const std::lock_guard lock(mutex());
-    if (!find(instance)) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(properties, XR_TYPE_INSTANCE_PROPERTIES)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!find(instance)) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(properties, XR_TYPE_INSTANCE_PROPERTIES)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     properties->runtimeVersion = XR_MAKE_VERSION(0, 1, 0);
     std::strncpy(properties->runtimeName, "stand-in for tests", XR_MAX_RUNTIME_NAME_SIZE);
     return XR_SUCCESS;
@@ -122,7 +122,7 @@ XrResult GetInstanceProperties(XrInstance instance, XrInstanceProperties* proper
 
 XrResult ResultToString(XrInstance instance, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
     const std::lock_guard lock(mutex());
-    if (!find(instance)) return refuse("xrResultToString", XR_ERROR_HANDLE_INVALID);
+    if (!find(instance)) return reject("xrResultToString", XR_ERROR_HANDLE_INVALID);
     switch (value) {
 #define PELAGIC_STAND_IN_NAME(name, number) \
     case name: std::strncpy(buffer, #name, XR_MAX_RESULT_STRING_SIZE); return XR_SUCCESS;
@@ -135,7 +135,7 @@ XrResult ResultToString(XrInstance instance, XrResult value, char buffer[XR_MAX_
 
 XrResult StructureTypeToString(XrInstance instance, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
     const std::lock_guard lock(mutex());
-    if (!find(instance)) return refuse("xrStructureTypeToString", XR_ERROR_HANDLE_INVALID);
+    if (!find(instance)) return reject("xrStructureTypeToString", XR_ERROR_HANDLE_INVALID);
     switch (value) {
 #define PELAGIC_STAND_IN_NAME(name, number) \
     case name: std::strncpy(buffer, #name, XR_MAX_STRUCTURE_NAME_SIZE); return XR_SUCCESS;
@@ -150,8 +150,8 @@ XrResult PollEvent(XrInstance handle, XrEventDataBuffer* event) {
     constexpr const char* call = "xrPollEvent";
     const std::lock_guard lock(mutex());
     Instance* instance = find(handle);
-    if (!instance) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(event, XR_TYPE_EVENT_DATA_BUFFER)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!instance) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(event, XR_TYPE_EVENT_DATA_BUFFER)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (instance->events.empty()) return XR_EVENT_UNAVAILABLE;
     *event = instance->events.front();
     instance->events.pop_front();
@@ -161,11 +161,11 @@ XrResult PollEvent(XrInstance handle, XrEventDataBuffer* event) {
 XrResult GetSystem(XrInstance instance, const XrSystemGetInfo* info, XrSystemId* system) {
     constexpr const char* call = "xrGetSystem";
     const std::lock_guard lock(mutex());
-    if (const XrResult wanted = wanted_refusal(call); wanted != XR_SUCCESS) return refuse(call, wanted);
-    if (!find(instance)) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_SYSTEM_GET_INFO) || !system) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (const XrResult wanted = wanted_message(call); wanted != XR_SUCCESS) return reject(call, wanted);
+    if (!find(instance)) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_SYSTEM_GET_INFO) || !system) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (info->formFactor != XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY)
-        return refuse(call, XR_ERROR_FORM_FACTOR_UNSUPPORTED);
+        return reject(call, XR_ERROR_FORM_FACTOR_UNSUPPORTED);
     *system = the_system;
     return XR_SUCCESS;
 }
@@ -174,7 +174,7 @@ XrResult GetSystemProperties(XrInstance instance, XrSystemId system, XrSystemPro
     constexpr const char* call = "xrGetSystemProperties";
     const std::lock_guard lock(mutex());
     if (const XrResult result = check(call, instance, system); result != XR_SUCCESS) return result;
-    if (!is(properties, XR_TYPE_SYSTEM_PROPERTIES)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!is(properties, XR_TYPE_SYSTEM_PROPERTIES)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     properties->systemId = system;
     properties->vendorId = 0;
     std::strncpy(properties->systemName, "stand-in for tests", XR_MAX_SYSTEM_NAME_SIZE);
@@ -206,7 +206,7 @@ XrResult GetViewConfigurationProperties(XrInstance instance, XrSystemId system, 
     constexpr const char* call = "xrGetViewConfigurationProperties";
     const std::lock_guard lock(mutex());
     if (const XrResult result = check(call, instance, system, type); result != XR_SUCCESS) return result;
-    if (!is(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!is(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     properties->viewConfigurationType = type;
     properties->fovMutable = XR_FALSE;
     return XR_SUCCESS;
@@ -230,7 +230,7 @@ XrResult GetOpenGLESGraphicsRequirementsKHR(XrInstance instance, XrSystemId syst
     const std::lock_guard lock(mutex());
     if (const XrResult result = check(call, instance, system); result != XR_SUCCESS) return result;
     if (!is(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_ES_KHR))
-        return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+        return reject(call, XR_ERROR_VALIDATION_FAILURE);
     requirements->minApiVersionSupported = XR_MAKE_VERSION(3, 0, 0);
     requirements->maxApiVersionSupported = XR_MAKE_VERSION(3, 2, 0);
     the_instance()->told_graphics_requirements = true;

@@ -101,10 +101,10 @@ Session* find(XrSession handle);
 Space* find(XrSpace handle);
 Swapchain* find(XrSwapchain handle);
 
-/// Writes the refusal down, so that a test sees it even where the application goes on.
-XrResult refuse(const char* call, XrResult why);
+/// Writes the invalid_value_message down, so that a test sees it even where the application goes on.
+XrResult reject(const char* call, XrResult why);
 /// What PELAGIC_STAND_IN_REFUSES says about this call, or XR_SUCCESS.
-XrResult wanted_refusal(const char* call);
+XrResult wanted_message(const char* call);
 
 /// The session goes on to `state`, and the application is told.
 void enter(Session& session, XrSessionState state);
@@ -118,11 +118,11 @@ constexpr XrDuration display_period_ns = 1'000'000'000 / 72;
 /// The way in which OpenXR hands out lists: a capacity of 0 asks for the count.
 template <class T>
 XrResult hand_out(const char* call, std::span<const T> values, std::uint32_t capacity, std::uint32_t* count, T* to) {
-    if (!count) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!count) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     *count = static_cast<std::uint32_t>(values.size());
     if (capacity == 0) return XR_SUCCESS;
-    if (!to) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (capacity < values.size()) return refuse(call, XR_ERROR_SIZE_INSUFFICIENT);
+    if (!to) return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (capacity < values.size()) return reject(call, XR_ERROR_SIZE_INSUFFICIENT);
     for (const T& value : values) *to++ = value;
     return XR_SUCCESS;
 }

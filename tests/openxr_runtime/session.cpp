@@ -100,21 +100,21 @@ void let_events_happen(Session& session) {
 XrResult CreateSession(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session) {
     constexpr const char* call = "xrCreateSession";
     const std::lock_guard lock(mutex());
-    if (const XrResult wanted = wanted_refusal(call); wanted != XR_SUCCESS) return refuse(call, wanted);
+    if (const XrResult wanted = wanted_message(call); wanted != XR_SUCCESS) return reject(call, wanted);
     Instance* instance = find(handle);
-    if (!instance) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!instance) return reject(call, XR_ERROR_HANDLE_INVALID);
     if (!is(info, XR_TYPE_SESSION_CREATE_INFO) || !session || info->createFlags != 0)
-        return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (info->systemId != the_system) return refuse(call, XR_ERROR_SYSTEM_INVALID);
-    if (instance->session) return refuse(call, XR_ERROR_LIMIT_REACHED);
-    if (!instance->told_graphics_requirements) return refuse(call, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING);
+        return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (info->systemId != the_system) return reject(call, XR_ERROR_SYSTEM_INVALID);
+    if (instance->session) return reject(call, XR_ERROR_LIMIT_REACHED);
+    if (!instance->told_graphics_requirements) return reject(call, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING);
     const auto* binding = binding_of(*info);
     auto made = std::make_unique<Session>();
     if (!is(binding, XR_TYPE_GRAPHICS_BINDING_EGL_MNDX) ||
         std::ranges::count(instance->extensions, XR_MNDX_EGL_ENABLE_EXTENSION_NAME) == 0 ||
         std::ranges::count(instance->extensions, XR_KHR_OPENGL_ES_ENABLE_EXTENSION_NAME) == 0 ||
         !made->graphics.take(*binding))
-        return refuse(call, XR_ERROR_GRAPHICS_DEVICE_INVALID);
+        return reject(call, XR_ERROR_GRAPHICS_DEVICE_INVALID);
     *session = reinterpret_cast<XrSession>(made.get());
     instance->session = std::move(made);
     enter(*instance->session, XR_SESSION_STATE_IDLE);
@@ -125,9 +125,9 @@ XrResult CreateSession(XrInstance handle, const XrSessionCreateInfo* info, XrSes
 XrResult DestroySession(XrSession handle) {
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse("xrDestroySession", XR_ERROR_HANDLE_INVALID);
+    if (!session) return reject("xrDestroySession", XR_ERROR_HANDLE_INVALID);
     // Not a code of this call's: an application that destroyed its context before is wrong without being told so.
-    if (!session->graphics.is_there()) refuse("xrDestroySession", XR_ERROR_GRAPHICS_DEVICE_INVALID);
+    if (!session->graphics.is_there()) reject("xrDestroySession", XR_ERROR_GRAPHICS_DEVICE_INVALID);
     for (const auto& swapchain : session->swapchains) session->graphics.delete_textures(swapchain->textures);
     std::erase_if(the_instance()->events, [](const XrEventDataBuffer& event) {
         return event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
@@ -140,12 +140,12 @@ XrResult BeginSession(XrSession handle, const XrSessionBeginInfo* info) {
     constexpr const char* call = "xrBeginSession";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_SESSION_BEGIN_INFO)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (session->is_running) return refuse(call, XR_ERROR_SESSION_RUNNING);
-    if (session->state != XR_SESSION_STATE_READY) return refuse(call, XR_ERROR_SESSION_NOT_READY);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_SESSION_BEGIN_INFO)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (session->is_running) return reject(call, XR_ERROR_SESSION_RUNNING);
+    if (session->state != XR_SESSION_STATE_READY) return reject(call, XR_ERROR_SESSION_NOT_READY);
     if (info->primaryViewConfigurationType != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
-        return refuse(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
+        return reject(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
     session->is_running = true;
     return XR_SUCCESS;
 }
@@ -154,9 +154,9 @@ XrResult EndSession(XrSession handle) {
     constexpr const char* call = "xrEndSession";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!session->is_running) return refuse(call, XR_ERROR_SESSION_NOT_RUNNING);
-    if (session->state != XR_SESSION_STATE_STOPPING) return refuse(call, XR_ERROR_SESSION_NOT_STOPPING);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
+    if (session->state != XR_SESSION_STATE_STOPPING) return reject(call, XR_ERROR_SESSION_NOT_STOPPING);
     session->is_running = false;
     session->is_in_frame = false;
     session->frames_begun = session->frames_waited;
@@ -169,8 +169,8 @@ XrResult RequestExitSession(XrSession handle) {
     constexpr const char* call = "xrRequestExitSession";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!session->is_running) return refuse(call, XR_ERROR_SESSION_NOT_RUNNING);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
     if (session->state != XR_SESSION_STATE_STOPPING) stop(*session, true);
     session->ends_for_good = true;
     return XR_SUCCESS;

@@ -23,7 +23,7 @@ XrResult EnumerateReferenceSpaces(XrSession session, std::uint32_t capacity, std
                                   XrReferenceSpaceType* to) {
     constexpr const char* call = "xrEnumerateReferenceSpaces";
     const std::lock_guard lock(mutex());
-    if (!find(session)) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!find(session)) return reject(call, XR_ERROR_HANDLE_INVALID);
     const XrReferenceSpaceType types[] = {XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
     return hand_out<XrReferenceSpaceType>(call, types, capacity, count, to);
 }
@@ -32,12 +32,12 @@ XrResult CreateReferenceSpace(XrSession handle, const XrReferenceSpaceCreateInfo
     constexpr const char* call = "xrCreateReferenceSpace";
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO) || !space) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO) || !space) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     const bool is_view = info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW;
     if (!is_view && info->referenceSpaceType != XR_REFERENCE_SPACE_TYPE_LOCAL)
-        return refuse(call, XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
-    if (!is_unit(info->poseInReferenceSpace.orientation)) return refuse(call, XR_ERROR_POSE_INVALID);
+        return reject(call, XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
+    if (!is_unit(info->poseInReferenceSpace.orientation)) return reject(call, XR_ERROR_POSE_INVALID);
     session->spaces.push_back(std::make_unique<Space>(Space{is_view, pose_of(info->poseInReferenceSpace)}));
     *space = reinterpret_cast<XrSpace>(session->spaces.back().get());
     return XR_SUCCESS;
@@ -46,7 +46,7 @@ XrResult CreateReferenceSpace(XrSession handle, const XrReferenceSpaceCreateInfo
 XrResult DestroySpace(XrSpace handle) {
     const std::lock_guard lock(mutex());
     const Space* space = find(handle);
-    if (!space) return refuse("xrDestroySpace", XR_ERROR_HANDLE_INVALID);
+    if (!space) return reject("xrDestroySpace", XR_ERROR_HANDLE_INVALID);
     std::erase_if(the_instance()->session->spaces, [&](const auto& owned) { return owned.get() == space; });
     return XR_SUCCESS;
 }
@@ -55,15 +55,15 @@ XrResult LocateViews(XrSession session, const XrViewLocateInfo* info, XrViewStat
                      std::uint32_t* count, XrView* to) {
     constexpr const char* call = "xrLocateViews";
     const std::lock_guard lock(mutex());
-    if (!find(session)) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!find(session)) return reject(call, XR_ERROR_HANDLE_INVALID);
     const bool knows_head = find(session)->knows_head;
     if (!is(info, XR_TYPE_VIEW_LOCATE_INFO) || !is(state, XR_TYPE_VIEW_STATE))
-        return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+        return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (info->viewConfigurationType != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
-        return refuse(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
-    if (info->displayTime <= 0) return refuse(call, XR_ERROR_TIME_INVALID);
+        return reject(call, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
+    if (info->displayTime <= 0) return reject(call, XR_ERROR_TIME_INVALID);
     const Space* space = find(info->space);
-    if (!space) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!space) return reject(call, XR_ERROR_HANDLE_INVALID);
 
     const Pose head = head_at(info->displayTime);
     const Pose space_in_local = space->moves_with_head ? head * space->pose : space->pose;

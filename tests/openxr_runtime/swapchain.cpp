@@ -23,25 +23,25 @@ XrResult EnumerateSwapchainFormats(XrSession session, std::uint32_t capacity, st
                                    std::int64_t* to) {
     constexpr const char* call = "xrEnumerateSwapchainFormats";
     const std::lock_guard lock(mutex());
-    if (!find(session)) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!find(session)) return reject(call, XR_ERROR_HANDLE_INVALID);
     return hand_out<std::int64_t>(call, formats, capacity, count, to);
 }
 
 XrResult CreateSwapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
     constexpr const char* call = "xrCreateSwapchain";
     const std::lock_guard lock(mutex());
-    if (const XrResult wanted = wanted_refusal(call); wanted != XR_SUCCESS) return refuse(call, wanted);
+    if (const XrResult wanted = wanted_message(call); wanted != XR_SUCCESS) return reject(call, wanted);
     Session* session = find(handle);
-    if (!session) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_SWAPCHAIN_CREATE_INFO) || !swapchain) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_SWAPCHAIN_CREATE_INFO) || !swapchain) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (std::ranges::find(formats, info->format) == std::end(formats))
-        return refuse(call, XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
+        return reject(call, XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
     if (info->createFlags != 0 || info->sampleCount != 1 || info->faceCount != 1 || info->mipCount != 1 ||
         info->arraySize > 2)
-        return refuse(call, XR_ERROR_FEATURE_UNSUPPORTED);
+        return reject(call, XR_ERROR_FEATURE_UNSUPPORTED);
     if (info->width == 0 || info->height == 0 || info->width > largest_side || info->height > largest_side ||
         info->arraySize == 0)
-        return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+        return reject(call, XR_ERROR_VALIDATION_FAILURE);
     auto made = std::make_unique<Swapchain>();
     made->width = static_cast<int>(info->width);
     made->height = static_cast<int>(info->height);
@@ -56,7 +56,7 @@ XrResult CreateSwapchain(XrSession handle, const XrSwapchainCreateInfo* info, Xr
 XrResult DestroySwapchain(XrSwapchain handle) {
     const std::lock_guard lock(mutex());
     const Swapchain* swapchain = find(handle);
-    if (!swapchain) return refuse("xrDestroySwapchain", XR_ERROR_HANDLE_INVALID);
+    if (!swapchain) return reject("xrDestroySwapchain", XR_ERROR_HANDLE_INVALID);
     Session& session = *the_instance()->session;
     session.graphics.delete_textures(swapchain->textures);
     std::erase_if(session.swapchains, [&](const auto& owned) { return owned.get() == swapchain; });
@@ -68,9 +68,9 @@ XrResult EnumerateSwapchainImages(XrSwapchain handle, std::uint32_t capacity, st
     constexpr const char* call = "xrEnumerateSwapchainImages";
     const std::lock_guard lock(mutex());
     const Swapchain* swapchain = find(handle);
-    if (!swapchain) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    if (!swapchain) return reject(call, XR_ERROR_HANDLE_INVALID);
     if (capacity > 0 && !is(to, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_ES_KHR) && !is(to, image_for_layer))
-        return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+        return reject(call, XR_ERROR_VALIDATION_FAILURE);
     const XrStructureType type = capacity > 0 ? to->type : XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_ES_KHR;
     std::vector<XrSwapchainImageOpenGLESKHR> list;
     for (const GLuint texture : swapchain->textures) list.push_back({type, nullptr, texture});
@@ -82,9 +82,9 @@ XrResult AcquireSwapchainImage(XrSwapchain handle, const XrSwapchainImageAcquire
     constexpr const char* call = "xrAcquireSwapchainImage";
     const std::lock_guard lock(mutex());
     Swapchain* swapchain = find(handle);
-    if (!swapchain) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!index) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
-    if (swapchain->acquired.size() == images) return refuse(call, XR_ERROR_CALL_ORDER_INVALID);
+    if (!swapchain) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!index) return reject(call, XR_ERROR_VALIDATION_FAILURE);
+    if (swapchain->acquired.size() == images) return reject(call, XR_ERROR_CALL_ORDER_INVALID);
     *index = swapchain->next;
     swapchain->acquired.push_back(*index);
     swapchain->next = (swapchain->next + 1) % images;
@@ -95,10 +95,10 @@ XrResult WaitSwapchainImage(XrSwapchain handle, const XrSwapchainImageWaitInfo* 
     constexpr const char* call = "xrWaitSwapchainImage";
     const std::lock_guard lock(mutex());
     Swapchain* swapchain = find(handle);
-    if (!swapchain) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!is(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO)) return refuse(call, XR_ERROR_VALIDATION_FAILURE);
+    if (!swapchain) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!is(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (swapchain->acquired.empty() || swapchain->first_is_waited_for)
-        return refuse(call, XR_ERROR_CALL_ORDER_INVALID);
+        return reject(call, XR_ERROR_CALL_ORDER_INVALID);
     swapchain->first_is_waited_for = true;
     return XR_SUCCESS;
 }
@@ -107,8 +107,8 @@ XrResult ReleaseSwapchainImage(XrSwapchain handle, const XrSwapchainImageRelease
     constexpr const char* call = "xrReleaseSwapchainImage";
     const std::lock_guard lock(mutex());
     Swapchain* swapchain = find(handle);
-    if (!swapchain) return refuse(call, XR_ERROR_HANDLE_INVALID);
-    if (!swapchain->first_is_waited_for) return refuse(call, XR_ERROR_CALL_ORDER_INVALID);
+    if (!swapchain) return reject(call, XR_ERROR_HANDLE_INVALID);
+    if (!swapchain->first_is_waited_for) return reject(call, XR_ERROR_CALL_ORDER_INVALID);
     swapchain->last_released = static_cast<int>(swapchain->acquired.front());
     swapchain->acquired.pop_front();
     swapchain->first_is_waited_for = false;

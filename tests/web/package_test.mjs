@@ -188,7 +188,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
   askable.dispose();
 });
 
-test('after a refusal all goes on', async () => {
+test('after a invalid_value_message all goes on', async () => {
   const ocean = await createOcean(small);
   const expected = ocean.frameAt(5).hash();
   assert.throws(() => ocean.schedule(NaN));

@@ -221,7 +221,7 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
     const InstructionCounter counter;
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return ms_since(start) / 1000; };
-    Timings timings{.frames = {}, .no_counter = counter.refusal()};
+    Timings timings{.frames = {}, .no_counter = counter.invalid_value_message()};
     const std::vector<Round> rounds = rounds_of(plan);
     for (std::size_t i = 0; i < rounds.size(); ++i) {
         const double until_s = seconds() + (plan.seconds - seconds()) / static_cast<double>(rounds.size() - i);

@@ -16,7 +16,7 @@ class InstructionCounter {
     InstructionCounter();
 
     /// Why there is no counter; empty if there is one.
-    const std::string& refusal() const { return refusal_; }
+    const std::string& invalid_value_message() const { return message_; }
 
     /// What has been counted since construction. None without a counter, and none if the counter was lent to others for a part
     /// of the time, or counted on some of the processor's cores only.
@@ -24,7 +24,7 @@ class InstructionCounter {
 
    private:
     Descriptor event_;
-    std::string refusal_;
+    std::string message_;
 };
 
 }  // namespace pelagic::tools

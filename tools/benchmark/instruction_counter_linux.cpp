@@ -23,7 +23,7 @@ int open_event() {
         ::syscall(SYS_perf_event_open, &event, this_thread, any_cpu, no_group, PERF_FLAG_FD_CLOEXEC));
 }
 
-std::string refusal_text(int reason) {
+std::string invalid_value_text(int reason) {
     switch (reason) {
         case EACCES:
         case EPERM: return "/proc/sys/kernel/perf_event_paranoid forbids it";
@@ -37,7 +37,7 @@ std::string refusal_text(int reason) {
 }  // namespace
 
 InstructionCounter::InstructionCounter() : event_(open_event()) {
-    if (!event_.is_open()) refusal_ = refusal_text(errno);
+    if (!event_.is_open()) message_ = invalid_value_text(errno);
 }
 
 std::optional<std::uint64_t> InstructionCounter::count() const {

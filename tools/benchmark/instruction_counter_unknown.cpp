@@ -3,7 +3,7 @@
 
 namespace pelagic::tools {
 
-InstructionCounter::InstructionCounter() : refusal_("this system lends no counter") {}
+InstructionCounter::InstructionCounter() : message_("this system lends no counter") {}
 
 std::optional<std::uint64_t> InstructionCounter::count() const { return {}; }
 

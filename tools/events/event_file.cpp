@@ -70,20 +70,20 @@ class EventReader {
         if (columns_.empty()) return take_header(line);
         const std::vector<std::string> cells = cells_in(line);
         if (cells.size() != columns_.size())
-            refuse("the number of columns", number_text(cells.size()),
+            reject("the number of columns", number_text(cells.size()),
                    number_text(columns_.size()) + ", as in the first line");
         if (file_.events.size() == EventFile::most_events)
-            refuse("the number of events", "more", "at most " + number_text(EventFile::most_events));
+            reject("the number of events", "more", "at most " + number_text(EventFile::most_events));
         take_row(cells);
     }
 
     bool has_header() const { return !columns_.empty(); }
 
    private:
-    [[noreturn]] void refuse(std::string_view what, const std::string& value, const std::string& accepted) const {
+    [[noreturn]] void reject(std::string_view what, const std::string& value, const std::string& accepted) const {
         constexpr std::size_t longest = 40;
         throw InputError(name_ + ":" + number_text(line_number_) + ": " +
-                         refusal(std::string(what), value.substr(0, longest), accepted));
+                         invalid_value_message(std::string(what), value.substr(0, longest), accepted));
     }
 
     static std::vector<std::string> cells_in(std::string_view line) {
@@ -96,14 +96,14 @@ class EventReader {
         for (const std::string& cell : cells_in(line)) {
             const auto* rule = std::find_if(rules.begin(), rules.end(), [&](auto& one) { return one.name == cell; });
             if (rule == rules.end())
-                refuse("a column's name", cell, names_of_columns() + "; the first line names columns");
+                reject("a column's name", cell, names_of_columns() + "; the first line names columns");
             if (std::find(columns_.begin(), columns_.end(), rule) != columns_.end())
-                refuse("a column's name", cell, "each column once");
+                reject("a column's name", cell, "each column once");
             columns_.push_back(rule);
         }
         for (const ColumnRule& rule : rules)
             if (rule.is_needed && std::find(columns_.begin(), columns_.end(), &rule) == columns_.end())
-                refuse("the first line", std::string(line),
+                reject("the first line", std::string(line),
                        "a column " + std::string(rule.name) + ": time, x, z, radius and strength are needed");
     }
 
@@ -111,7 +111,7 @@ class EventReader {
         const auto value = parse_number(cell);
         const bool is_round = value && *value == 0 && rule.column == Column::length;
         if (!value || !(is_round || (*value >= rule.least && *value <= rule.most)))
-            refuse(rule.name, cell, rule.accepted);
+            reject(rule.name, cell, rule.accepted);
         return *value;
     }
 
@@ -126,7 +126,7 @@ class EventReader {
             if (rule.column == Column::mode) {
                 if (cells[i].empty()) continue;
                 mode = value_in(mode_names, cells[i]);
-                if (!mode) refuse(rule.name, cells[i], rule.accepted);
+                if (!mode) reject(rule.name, cells[i], rule.accepted);
                 continue;
             }
             if (!rule.is_needed && cells[i].empty()) continue;
@@ -146,10 +146,10 @@ class EventReader {
         }
         const bool lasts = event.duration_s > 0;
         if (velocity_mps != 0 && !lasts)
-            refuse("velocity", number_text(velocity_mps), "0, or a duration: what is pushed once doesn't move");
+            reject("velocity", number_text(velocity_mps), "0, or a duration: what is pushed once doesn't move");
         push.mode = mode.value_or(lasts ? Disturbance::Mode::pressure : Disturbance::Mode::impulse);
         if (lasts && push.mode == Disturbance::Mode::impulse)
-            refuse("mode", "impulse", "pressure or relaxation with a duration: an impulse acts at once");
+            reject("mode", "impulse", "pressure or relaxation with a duration: an impulse acts at once");
         if (push.length_m > 0)
             push.shape = Disturbance::Shape::hull;
         else

@@ -18,11 +18,11 @@ constexpr double border_part = 0.1875;
 std::array<double, 2> place_in(const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
     std::array<double, 2> place{};
-    const auto refuse = [&] { throw bad_value("--events-at", text, "X,Z: two numbers of metres in [-1e8, 1e8]"); };
-    if (parts.size() != 2) refuse();
+    const auto reject = [&] { throw bad_value("--events-at", text, "X,Z: two numbers of metres in [-1e8, 1e8]"); };
+    if (parts.size() != 2) reject();
     for (std::size_t i = 0; i < 2; ++i) {
         const auto value = parse_number(parts[i]);
-        if (!value || std::fabs(*value) > 1e8) refuse();
+        if (!value || std::fabs(*value) > 1e8) reject();
         place[i] = *value;
     }
     return place;

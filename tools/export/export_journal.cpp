@@ -54,7 +54,7 @@ std::optional<EarlierExport> ExportJournal::read_record_or_journal() const {
 }
 
 void ExportJournal::require_nothing_finished() const {
-    const auto refuse = [&](const std::string& what) {
+    const auto reject = [&](const std::string& what) {
         throw InputError("--out " + folder_.path().string() + " already holds " + what);
     };
     std::size_t frames = 0;
@@ -67,15 +67,15 @@ void ExportJournal::require_nothing_finished() const {
     for (const std::string& name : {record_name({}), std::string(sea_json_name)}) try {
             frames = 0;
             if (read_record(folder_, name, count))
-                refuse("a finished export of " + number_text(frames) + (frames == 1 ? " frame" : " frames") +
+                reject("a finished export of " + number_text(frames) + (frames == 1 ? " frame" : " frames") +
                        ": --resume keeps what is whole of it, --overwrite replaces it");
         } catch (const DamagedRecord&) {
-            refuse("an export whose " + name + " is damaged: --overwrite replaces it");
+            reject("an export whose " + name + " is damaged: --overwrite replaces it");
         }
     std::size_t shards = 0;
     folder_.for_each_name([&](const std::string& name) { shards += shard_of_record(name) ? 1 : 0; });
     if (shards > 0)
-        refuse(number_text(shards) + (shards == 1 ? " shard" : " shards") +
+        reject(number_text(shards) + (shards == 1 ? " shard" : " shards") +
                " of an export: pelagic merge joins all of them, --overwrite replaces them");
 }
 

@@ -20,14 +20,14 @@ InputFile::InputFile(std::string option, const std::filesystem::path& file, std:
         return;
     }
     descriptor_ = open_to_read(file).release();
-    if (descriptor_ < 0) refuse(", which can't be read", errno);
+    if (descriptor_ < 0) reject(", which can't be read", errno);
 }
 
 InputFile::~InputFile() {
     if (is_ours_) ::close(descriptor_);
 }
 
-void InputFile::refuse(const std::string& what, int reason) const {
+void InputFile::reject(const std::string& what, int reason) const {
     const std::string why = reason == 0 ? "" : std::string(" (") + std::strerror(reason) + ")";
     throw bad_value(option_, name_ + (reason == EISDIR ? ", a folder" : what), accepted_ + why);
 }
@@ -36,7 +36,7 @@ std::size_t InputFile::read(std::span<char> bytes) {
     for (;;) {
         const std::ptrdiff_t got = read_some(descriptor_, bytes);
         if (got >= 0) return static_cast<std::size_t>(got);
-        if (errno != EINTR) refuse(", which can't be read", errno);
+        if (errno != EINTR) reject(", which can't be read", errno);
     }
 }
 
@@ -49,7 +49,7 @@ std::string InputFile::read_all(std::size_t most_bytes) {
         const std::size_t got = read({text.data() + size, step});
         text.resize(size + got);
         if (got == 0) return text;
-        if (text.size() > most_bytes) refuse(", which has more than " + number_text(most_bytes >> 20) + " MiB", 0);
+        if (text.size() > most_bytes) reject(", which has more than " + number_text(most_bytes >> 20) + " MiB", 0);
     }
 }
 

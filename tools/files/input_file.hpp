@@ -31,7 +31,7 @@ class InputFile {
     const std::string& name() const { return name_; }
 
    private:
-    [[noreturn]] void refuse(const std::string& what, int reason) const;
+    [[noreturn]] void reject(const std::string& what, int reason) const;
 
     std::string option_, name_, accepted_;
     int descriptor_ = -1;

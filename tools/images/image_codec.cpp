@@ -58,17 +58,17 @@ std::string lack_of_room() {
 
 const ImageCodec& opened() {
     const std::filesystem::path file = library_path();
-    const auto refuse = [&](const std::string& reason) {
+    const auto reject = [&](const std::string& reason) {
         throw FileError("can't load " + file.string() + ", which writes and reads images: " + reason);
     };
-    if (const std::string lack = lack_of_room(); !lack.empty()) refuse(lack);
+    if (const std::string lack = lack_of_room(); !lack.empty()) reject(lack);
     // Never closed: OpenImageIO's threads and static objects live to the end.
     void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library) refuse(::dlerror());
+    if (!library) reject(::dlerror());
     const auto* codec = static_cast<const ImageCodec*>(::dlsym(library, "pelagic_image_codec"));
-    if (!codec) refuse("it holds no pelagic_image_codec");
+    if (!codec) reject("it holds no pelagic_image_codec");
     if (std::string_view(codec->version) != PELAGIC_VERSION)
-        refuse("it is of version " + std::string(codec->version) + ", needs " PELAGIC_VERSION);
+        reject("it is of version " + std::string(codec->version) + ", needs " PELAGIC_VERSION);
     return *codec;
 }
 

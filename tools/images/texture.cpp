@@ -16,7 +16,7 @@ std::size_t bytes_of_level(const Texture& texture, int level) {
 }
 
 std::string check(const Texture& texture) {
-    const auto refuse = [](const std::string& what, std::size_t found, const std::string& needed) {
+    const auto reject = [](const std::string& what, std::size_t found, const std::string& needed) {
         return what + " " + std::to_string(found) + ", needs " + needed;
     };
     if (texture.width < 1) return "width is " + std::to_string(texture.width) + ", needs at least 1";
@@ -26,11 +26,11 @@ std::string check(const Texture& texture) {
     const auto most =
         static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(std::max(texture.width, texture.height))));
     if (texture.levels.empty() || texture.levels.size() > most)
-        return refuse("levels are", texture.levels.size(), "1 to " + std::to_string(most));
+        return reject("levels are", texture.levels.size(), "1 to " + std::to_string(most));
     for (std::size_t level = 0; level < texture.levels.size(); ++level)
         if (const std::size_t needed = bytes_of_level(texture, static_cast<int>(level));
             texture.levels[level].size() != needed)
-            return refuse("the bytes of level " + std::to_string(level) + " are", texture.levels[level].size(),
+            return reject("the bytes of level " + std::to_string(level) + " are", texture.levels[level].size(),
                           std::to_string(needed));
     return {};
 }

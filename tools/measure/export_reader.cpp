@@ -78,9 +78,9 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
 /// From what the record says of pixels. Exports without displacement say nothing, and are refused elsewhere.
 StoredHeights stored_heights(const Json& record, const std::filesystem::path& place) {
     StoredHeights stored;
-    const auto refuse = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
+    const auto reject = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
     if (const Json& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
-        if (rows != "top" && rows != "bottom") throw refuse("export's rows are neither top nor bottom");
+        if (rows != "top" && rows != "bottom") throw reject("export's rows are neither top nor bottom");
         stored.overturned_rows = rows == "bottom";
     }
     const Json& channels = value_of(value_of(record, "channels"), "displacement");
@@ -93,12 +93,12 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
         // Metres and centimetres.
         if (number > 2 || letter.get<std::string>().size() != 1 || !scale.is_number() ||
             !(scale == 1 || scale == 0.01) || value_of(channel, "offset") != 0)
-            throw refuse("the channel of heights is none that pelagic export writes");
+            throw reject("the channel of heights is none that pelagic export writes");
         stored.channel = number;
         stored.metres = scale.get<float>();
         return stored;
     }
-    throw refuse("displacement has no channel of heights");
+    throw reject("displacement has no channel of heights");
 }
 
 /// What decides the names of images. Those of a record with others are not found.

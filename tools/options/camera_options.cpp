@@ -15,13 +15,13 @@ constexpr glm::dvec3 usual_position_m{0, 8, 0}, usual_target_m{60, 0, 60};
 constexpr double usual_fov_deg = 60;
 
 glm::dvec3 point(const std::string& option, const std::string& text) {
-    const auto refuse = [&] { return bad_value(option, text, "X,Y,Z in metres, each in [-1e7, 1e7]"); };
+    const auto reject = [&] { return bad_value(option, text, "X,Y,Z in metres, each in [-1e7, 1e7]"); };
     const std::vector<std::string> parts = split_at_commas(text);
-    if (parts.size() != 3) throw refuse();
+    if (parts.size() != 3) throw reject();
     glm::dvec3 all;
     for (int axis = 0; axis < 3; ++axis) {
         const auto number = parse_number(parts[static_cast<std::size_t>(axis)]);
-        if (!number || std::abs(*number) > furthest_m) throw refuse();
+        if (!number || std::abs(*number) > furthest_m) throw reject();
         all[axis] = *number;
     }
     return all;

@@ -47,18 +47,18 @@ void require_few_levels(std::string_view text, const std::filesystem::path& file
     constexpr std::size_t most_bytes = std::size_t{1} << 20;
     constexpr std::size_t most_line = 4096;
     constexpr std::ptrdiff_t most_dots = 16;
-    const auto refuse = [&](std::size_t line, const std::string& what) {
+    const auto reject = [&](std::size_t line, const std::string& what) {
         throw InputError(file.string() + ":" + number_text(line) + ": " + what +
                          ", needs lines such as wind_speed = 9.0");
     };
-    if (text.size() > most_bytes) refuse(1, "TOML of more than 1 MiB");
+    if (text.size() > most_bytes) reject(1, "TOML of more than 1 MiB");
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         const std::string_view data = without_comment(line);
-        if (line.size() > most_line) refuse(number, "a line of more than " + number_text(most_line) + " bytes");
+        if (line.size() > most_line) reject(number, "a line of more than " + number_text(most_line) + " bytes");
         if (std::count(data.begin(), data.end(), '.') > most_dots)
-            refuse(number, "a line with more than " + number_text(most_dots) + " dots");
+            reject(number, "a line with more than " + number_text(most_dots) + " dots");
     }
 }
 

@@ -30,11 +30,11 @@ std::filesystem::path checked_file(const std::string& option, const std::optiona
 
 glm::dvec2 rock_place(const std::string& option, const std::string& text) {
     constexpr double furthest_m = 1e4;
-    const auto refuse = [&] { return bad_value(option, text, "X,Z in metres, each in [-10000, 10000]"); };
+    const auto reject = [&] { return bad_value(option, text, "X,Z in metres, each in [-10000, 10000]"); };
     const std::vector<std::string> parts = split_at_commas(text);
-    if (parts.size() != 2) throw refuse();
+    if (parts.size() != 2) throw reject();
     const auto x = parse_number(parts[0]), z = parse_number(parts[1]);
-    if (!x || !z || std::abs(*x) > furthest_m || std::abs(*z) > furthest_m) throw refuse();
+    if (!x || !z || std::abs(*x) > furthest_m || std::abs(*z) > furthest_m) throw reject();
     return {*x, *z};
 }
 

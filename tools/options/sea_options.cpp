@@ -134,7 +134,7 @@ std::string help_of_presets() {
     return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
 }
 
-[[noreturn]] void refuse_name(const std::string& option, const std::string& value,
+[[noreturn]] void reject_name(const std::string& option, const std::string& value,
                               const std::vector<std::string>& names) {
     throw bad_value(option, value, list_of(names) + nearest_hint(value, names));
 }
@@ -185,19 +185,19 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option) {
     if (name == "waves") {
         const auto waves = wave_model_named(text);
-        if (!waves) refuse_name(option, text, names_of_waves());
+        if (!waves) reject_name(option, text, names_of_waves());
         resolved.sea.waves = *waves;
         return;
     }
     if (name == "spectrum") {
         const auto model = spectrum_model_named(text);
-        if (!model) refuse_name(option, text, names_of_spectra());
+        if (!model) reject_name(option, text, names_of_spectra());
         resolved.sea.spectrum = *model;
         return;
     }
     if (name == "spreading") {
         const auto model = spreading_model_named(text);
-        if (!model) refuse_name(option, text, names_of_spreadings());
+        if (!model) reject_name(option, text, names_of_spreadings());
         resolved.sea.spreading = *model;
         return;
     }

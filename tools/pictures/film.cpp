@@ -14,7 +14,7 @@
 #include <sstream>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 extern char** environ;

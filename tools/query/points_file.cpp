@@ -71,7 +71,7 @@ std::string cell_value(std::string_view cell) {
 PointReader::PointReader(std::string name, std::function<std::size_t(std::span<char>)> read)
     : name_(std::move(name)), read_(std::move(read)), buffer_(buffer_size) {}
 
-void PointReader::refuse(std::string_view line, const std::string& needs) const {
+void PointReader::reject(std::string_view line, const std::string& needs) const {
     throw InputError(name_ + ":" + number_text(line_number_) + ": the line is " + std::string(line.substr(0, 80)) +
                      ", needs " + needs);
 }
@@ -118,11 +118,11 @@ void PointReader::take_header() {
 void PointReader::take_point(std::string_view line, PointBlock& block) {
     if (cells_.size() != columns_.size()) {
         if (columns_.size() == 2 && cells_.size() > 2)
-            refuse(line, std::string(a_point) + ", or a first line that names columns, x and z among them");
-        refuse(line, columns_.size() == 2 ? a_point : number_text(columns_.size()) + " columns, as the first line");
+            reject(line, std::string(a_point) + ", or a first line that names columns, x and z among them");
+        reject(line, columns_.size() == 2 ? a_point : number_text(columns_.size()) + " columns, as the first line");
     }
     const auto x = coordinate(cells_[x_column_]), z = coordinate(cells_[z_column_]);
-    if (!x || !z) refuse(line, a_point);
+    if (!x || !z) reject(line, a_point);
     block.x.push_back(*x);
     block.z.push_back(*z);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -142,14 +142,14 @@ bool PointReader::read_block(PointBlock& block, std::size_t most_points) {
         line = trimmed(line);
         if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);  // a byte order mark
         if (line.empty()) continue;
-        if (std::count(line.begin(), line.end(), '"') % 2 != 0) refuse(line, "an end of its quotes");
+        if (std::count(line.begin(), line.end(), '"') % 2 != 0) reject(line, "an end of its quotes");
         split_cells(line, cells_);
         if (!std::exchange(has_begun_, true)) {
             const auto times = [&](const char* name) {
                 return std::count_if(cells_.begin(), cells_.end(),
                                      [&](std::string_view cell) { return cell_value(cell) == name; });
             };
-            if (times("x") > 1 || times("z") > 1) refuse(line, "one column x and one column z");
+            if (times("x") > 1 || times("z") > 1) reject(line, "one column x and one column z");
             if (times("x") == 1 && times("z") == 1) {
                 take_header();
                 continue;

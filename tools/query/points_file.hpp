@@ -49,7 +49,7 @@ class PointReader {
     bool next_line(std::string_view& line);
     void take_header();
     void take_point(std::string_view line, PointBlock& block);
-    [[noreturn]] void refuse(std::string_view line, const std::string& needs) const;
+    [[noreturn]] void reject(std::string_view line, const std::string& needs) const;
 
     std::string name_;
     std::function<std::size_t(std::span<char>)> read_;

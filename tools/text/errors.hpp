@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::tools {
 
@@ -20,7 +20,7 @@ struct FileError : std::runtime_error {
 
 /// "--wind-speed is -3, needs (0, 60]".
 inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
-    return InputError(refusal(option, value, accepted));
+    return InputError(invalid_value_message(option, value, accepted));
 }
 
 }  // namespace pelagic::tools

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/gl/light_presets.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 
 using emscripten::val;
@@ -40,7 +40,7 @@ void set_option(Light& light, const std::string& name, const val& value) {
             name, value, [](double any) { return std::isfinite(any); }, field.accepted);
         const bool is_whole = std::holds_alternative<std::uint32_t gl::SkyOptions::*>(field.member);
         if (!field.accepts(number) || (is_whole && std::trunc(number) != number))
-            throw std::invalid_argument(refusal(name, number, field.accepted));
+            throw std::invalid_argument(invalid_value_message(name, number, field.accepted));
         field.set(light.sky, number);
         return;
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/message/near_names.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -53,16 +53,16 @@ std::vector<std::string> preset_names() {
     return names;
 }
 
-[[noreturn]] void refuse(std::string_view name, const val& value, std::string_view accepted) {
-    throw std::invalid_argument(refusal(name, text_of(value), accepted));
+[[noreturn]] void reject(std::string_view name, const val& value, std::string_view accepted) {
+    throw std::invalid_argument(invalid_value_message(name, text_of(value), accepted));
 }
 
 void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
     const std::string name = camel_case(field.name);
-    if (!is_of_type(value, "number")) refuse(name, value, "a number: " + std::string(field.accepted));
+    if (!is_of_type(value, "number")) reject(name, value, "a number: " + std::string(field.accepted));
     const double number = value.as<double>();
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member);
-    if (!field.accepts(number) || (is_whole && std::trunc(number) != number)) refuse(name, value, field.accepted);
+    if (!field.accepts(number) || (is_whole && std::trunc(number) != number)) reject(name, value, field.accepted);
     field.set(sea, number);
 }
 
@@ -96,7 +96,7 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
     return false;
 }
 
-[[noreturn]] void refuse_name(const std::string& name, std::span<const std::string_view> others) {
+[[noreturn]] void reject_name(const std::string& name, std::span<const std::string_view> others) {
     std::vector<std::string> known(others.begin(), others.end());
     known.emplace_back("preset");
     for (const WordOption& option : word_options()) known.push_back(option.name);
@@ -141,27 +141,27 @@ std::string text_of(const val& value) {
 }
 
 bool flag_of(const std::string& name, const val& value) {
-    if (!value.isTrue() && !value.isFalse()) refuse(name, value, "true or false");
+    if (!value.isTrue() && !value.isFalse()) reject(name, value, "true or false");
     return value.isTrue();
 }
 
 std::string word_of(std::string_view name, const val& value, const std::vector<std::string>& words) {
-    if (!is_of_type(value, "string")) refuse(name, value, list_of(words));
+    if (!is_of_type(value, "string")) reject(name, value, list_of(words));
     const auto word = value.as<std::string>();
     if (std::find(words.begin(), words.end(), word) == words.end())
-        throw std::invalid_argument(refusal(name, text_of(value), list_of(words) + nearest_hint(word, words)));
+        throw std::invalid_argument(invalid_value_message(name, text_of(value), list_of(words) + nearest_hint(word, words)));
     return word;
 }
 
 double number_of(std::string_view name, const val& value, bool (*accepts)(double), std::string_view accepted) {
-    if (!is_of_type(value, "number") || !accepts(value.as<double>())) refuse(name, value, accepted);
+    if (!is_of_type(value, "number") || !accepts(value.as<double>())) reject(name, value, accepted);
     return value.as<double>();
 }
 
 SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::string_view> others) {
     if (options.isUndefined()) return sea;
     if (options.isNull() || options.isArray() || !is_of_type(options, "object"))
-        refuse("options", options, "an object such as {windSpeedMps: 9}");
+        reject("options", options, "an object such as {windSpeedMps: 9}");
 
     SeaState changed = sea;
     if (const val preset = options["preset"]; !preset.isUndefined())
@@ -172,7 +172,7 @@ SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::
         const val value = options[name];
         if (value.isUndefined() || name == "preset" || std::find(others.begin(), others.end(), name) != others.end())
             continue;
-        if (!set_option(changed, name, value)) refuse_name(name, others);
+        if (!set_option(changed, name, value)) reject_name(name, others);
     }
     // Each has been looked at alone.
     if (const std::string reason = check(changed); !reason.empty()) throw std::invalid_argument(camel_case(reason));

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -190,7 +190,7 @@ std::array<double, 3> vector_of(const std::string& name, const val& value) {
     constexpr const char* accepted = "three numbers, [x, y, z]";
     const val length = value.isUndefined() || value.isNull() ? val::undefined() : value["length"];
     if (!length.isNumber() || length.as<double>() != 3)
-        throw std::invalid_argument(refusal(name, text_of(value), accepted));
+        throw std::invalid_argument(invalid_value_message(name, text_of(value), accepted));
     for (int i = 0; i < 3; ++i)
         vector[static_cast<std::size_t>(i)] =
             number_of(name + "[" + number_text(i) + "]", value[i], is_finite, "a finite number");
@@ -271,7 +271,7 @@ class OceanOfPage {
                                                            ? interpolation_named(interpolation.as<std::string>())
                                                            : std::nullopt;
             if (!named)
-                throw std::invalid_argument(refusal("interpolation", text_of(interpolation), "linear or cubic"));
+                throw std::invalid_argument(invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
             const SurfaceQuery query(frames_[slot], {.tolerance_m = tolerance, .interpolation = *named});
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::size_t count = pairs.size() / 2;

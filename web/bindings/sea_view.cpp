@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -19,7 +19,7 @@ QuadtreeOptions quadtree_of(const ViewOptions& options) {
     if (!preset) {
         std::string names;
         for (const QuadtreePreset& one : quadtree_presets()) names.append(names.empty() ? "" : ", ").append(one.name);
-        throw std::invalid_argument(refusal("quality", options.quality, "one of " + names));
+        throw std::invalid_argument(invalid_value_message("quality", options.quality, "one of " + names));
     }
     return preset->options(options.size_m);
 }
@@ -142,7 +142,7 @@ void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> exposure)
     }
     const DrawList& list = s.selection.select({.viewer_m = viewer, .views = views, .bounds = s.frame->bounds});
     {
-        const gl::KeptState keep(s.gl);  // which opens all masks
+        const gl::GlStateGuard keep(s.gl);  // which opens all masks
         s.gl.ClearColor(0, 0, 0, 1);
         s.gl.ClearDepthf(1);
         s.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -152,7 +152,7 @@ void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> exposure)
                       .list = &list,
                       .lod_scale = s.selection.options().lod_scale,
                       .exposure = exposure.value_or(light().exposure),
-                      .water_at_lens = gl::water_at_lens(SurfaceQuery(*s.frame), viewer)});
+                      .camera_water_plane = gl::camera_water_plane(SurfaceQuery(*s.frame), viewer)});
 }
 
 }  // namespace pelagic::web

@@ -48,7 +48,7 @@
 #include <vector>
 
 #include "pelagic/gl/errors.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/web/bindings/errors.hpp"
 #include "pelagic/web/bindings/light_options.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
@@ -192,7 +192,7 @@ class BoundView {
     }
     bool has_sky() { return view_->has_sky(); }
     void simulate(double time_s) {
-        if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("timeS", time_s, "a finite number"));
+        if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("timeS", time_s, "a finite number"));
         context_.make_current();
         view_->simulate(time_s);
         is_simulated_ = true;
@@ -218,7 +218,7 @@ class BoundView {
         context_.make_current();
         const val eyes = request["eyes"];
         const int count = eyes.isUndefined() ? 0 : eyes["length"].as<int>();
-        if (count < 1 || count > 2) throw std::invalid_argument(refusal("eyes", count, "one or two"));
+        if (count < 1 || count > 2) throw std::invalid_argument(invalid_value_message("eyes", count, "one or two"));
         const glm::dvec3 origin = request["origin"].isUndefined() ? glm::dvec3(0) : vector_of(request["origin"]);
         std::vector<gl::Eye> seen;
         for (int i = 0; i < count; ++i) seen.push_back(eye_of(eyes[i], origin));

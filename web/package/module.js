@@ -89,7 +89,7 @@ export async function makeInstance(threads) {
   return { module, isShared: hasThreads, end: () => workers().forEach((worker) => worker.terminate()) };
 }
 
-/** What a binding answered, or its refusal as an Error. */
+/** What a binding answered, or its invalid_value_message as an Error. */
 export function valueOf(answer) {
   if (answer.error !== undefined) throw new Error(answer.error);
   return answer.value;

@@ -31,7 +31,7 @@ def picture_name(frame):
     return f"foam_{frame:04d}.png"
 
 
-def refuse_keys(object):
+def reject_keys(object):
     """Time Offset may be keyed; what else makes the sea stands still in a bake."""
     animation = object.animation_data
     if not animation:
@@ -60,7 +60,7 @@ def run(object, scene):
         raise BakeError(library.problem)
     if settings.bake_end < settings.bake_start:
         raise BakeError(f"Bake End is {settings.bake_end}, needs {settings.bake_start} or more, where it starts")
-    refuse_keys(object)
+    reject_keys(object)
     folder = folder_of(object)
     try:
         baked = what_is_baked(object, scene)

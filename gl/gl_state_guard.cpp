@@ -1,8 +1,8 @@
-#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
 
 namespace pelagic::gl {
 
-KeptState::KeptState(const Functions& gl) : gl_(gl) {
+GlStateGuard::GlStateGuard(const Functions& gl) : gl_(gl) {
     gl.GetIntegerv(GL_CURRENT_PROGRAM, &program_);
     gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
     gl.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &array_buffer_);
@@ -47,7 +47,7 @@ KeptState::KeptState(const Functions& gl) : gl_(gl) {
     gl.BindVertexArray(0);
 }
 
-KeptState::~KeptState() {
+GlStateGuard::~GlStateGuard() {
     for (std::size_t i = 0; i < units_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(units_[i].flat));
@@ -85,7 +85,7 @@ KeptState::~KeptState() {
     gl_.UseProgram(static_cast<GLuint>(program_));
 }
 
-KeptTargets::KeptTargets(const Functions& gl) : gl_(gl) {
+GlTargetsGuard::GlTargetsGuard(const Functions& gl) : gl_(gl) {
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
     gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
     gl.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &pack_buffer_);
@@ -96,7 +96,7 @@ KeptTargets::KeptTargets(const Functions& gl) : gl_(gl) {
     }
 }
 
-KeptTargets::~KeptTargets() {
+GlTargetsGuard::~GlTargetsGuard() {
     for (std::size_t i = 0; i < packing.size(); ++i) gl_.PixelStorei(packing[i], packing_[i]);
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(pack_buffer_));
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));

@@ -11,7 +11,7 @@
 
 namespace pelagic {
 
-class SeaShelf {
+class SpectrumCache {
    public:
     /// Two seas for the tick in flight, two for the frame, which may lie in another change, and one that is put there meanwhile.
     static constexpr std::size_t places = 2 * passes + 1;
@@ -36,7 +36,7 @@ class SeaShelf {
     void need_nothing() { needed_ = nothing; }
     bool needs_any() const { return needed_.values != nothing.values; }
 
-    /// A place for a sea that the shelf doesn't hold. What was there is given up; no pass needs it.
+    /// A place for a sea that the cache doesn't hold. What was there is given up; no pass needs it.
     std::size_t put(std::size_t number) {
         std::size_t best = places;
         std::uint64_t oldest = ~std::uint64_t{0};

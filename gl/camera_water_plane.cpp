@@ -1,10 +1,10 @@
-#include "pelagic/gl/water_at_lens.hpp"
+#include "pelagic/gl/camera_water_plane.hpp"
 
 #include <array>
 
 namespace pelagic::gl {
 
-WaterAtLens water_at_lens(const SurfaceQuery& query, glm::dvec3 viewer_m, double apart_m) {
+CameraWaterPlane camera_water_plane(const SurfaceQuery& query, glm::dvec3 viewer_m, double apart_m) {
     const double half = apart_m / 2;
     const std::array<double, 5> x{viewer_m.x, viewer_m.x - half, viewer_m.x + half, viewer_m.x, viewer_m.x};
     const std::array<double, 5> z{viewer_m.z, viewer_m.z, viewer_m.z, viewer_m.z - half, viewer_m.z + half};

@@ -13,12 +13,12 @@ namespace pelagic::gl {
 /// Texture units that the sea's shaders use, from 0 on.
 inline constexpr int texture_units = 16;
 
-class KeptState {
+class GlStateGuard {
    public:
-    explicit KeptState(const Functions& gl);
-    ~KeptState();
-    KeptState(const KeptState&) = delete;
-    KeptState& operator=(const KeptState&) = delete;
+    explicit GlStateGuard(const Functions& gl);
+    ~GlStateGuard();
+    GlStateGuard(const GlStateGuard&) = delete;
+    GlStateGuard& operator=(const GlStateGuard&) = delete;
 
    private:
     /// Off at the start of a scope, where there is such a switch: the last one only Functions::can_disable_primitive_restart.
@@ -58,13 +58,13 @@ class KeptState {
     std::array<Unit, texture_units> units_;
 };
 
-/// The framebuffers that the display pass changes, and where pixels are read to. \pre a KeptState stands around it
-class KeptTargets {
+/// The framebuffers that the display pass changes, and where pixels are read to. \pre a GlStateGuard stands around it
+class GlTargetsGuard {
    public:
-    explicit KeptTargets(const Functions& gl);
-    ~KeptTargets();
-    KeptTargets(const KeptTargets&) = delete;
-    KeptTargets& operator=(const KeptTargets&) = delete;
+    explicit GlTargetsGuard(const Functions& gl);
+    ~GlTargetsGuard();
+    GlTargetsGuard(const GlTargetsGuard&) = delete;
+    GlTargetsGuard& operator=(const GlTargetsGuard&) = delete;
     /// Draws go there again, where the host's did.
     void bind_drawn() const { gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_)); }
 

@@ -16,7 +16,7 @@ namespace pelagic {
 /// \param accepted  a range or a list
 /// One line of at most most_line_bytes, whatever is in the parts.
 template <class Value>
-std::string refusal(std::string_view name, const Value& value, std::string_view accepted) {
+std::string invalid_value_message(std::string_view name, const Value& value, std::string_view accepted) {
     std::string text(name);
     text += " is ";
     if constexpr (std::is_arithmetic_v<Value>)
@@ -26,12 +26,12 @@ std::string refusal(std::string_view name, const Value& value, std::string_view 
     return one_line(text.append(", needs ").append(accepted));
 }
 
-/// Empty if every field accepts its value, else the refusal of the first that doesn't. The table's order is that of checks.
+/// Empty if every field accepts its value, else the invalid_value_message of the first that doesn't. The table's order is that of checks.
 template <class Options, class Fields>
 std::string check_fields(const Options& options, const Fields& fields) {
     for (const NumericField<Options>& field : fields) {
         if (field.accepts(field.value_in(options))) continue;
-        return std::visit([&](auto at) { return refusal(field.name, options.*at, field.accepted); }, field.member);
+        return std::visit([&](auto at) { return invalid_value_message(field.name, options.*at, field.accepted); }, field.member);
     }
     return {};
 }
