@@ -3,7 +3,7 @@
 #
 #   ./test.sh quick     as released, without soak, sweeps and slow pictures: two minutes after the build
 #   ./test.sh           all that guards a landing
-#   ./test.sh hosts     what needs large packages of other hosts: browsers, their compilers
+#   ./test.sh hosts     what needs large packages of other programs: browsers, their compilers
 #   ./test.sh night     what takes hours: a long soak, full sweeps, ten minutes of each fuzzer
 #   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them ("workflowPresets"), each with its tier
 #

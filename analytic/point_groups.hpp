@@ -1,4 +1,4 @@
-// Points of a host cut into what kernels take: whole groups, and a room for every answer.
+// Points of an application cut into what kernels take: whole groups, and a room for every answer.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace pelagic {
 
 inline constexpr double furthest_analytic_point_m = 1e9;
 
-/// The host's arrays, empty where he wants none.
+/// The application's arrays, empty where he wants none.
 template <std::size_t Kinds>
 struct AnswerArrays {
     std::array<std::span<float>, Kinds> of;
@@ -31,7 +31,7 @@ struct AnswerArrays {
 template <std::size_t Kinds>
 struct PointGroup {
     std::size_t first;
-    std::size_t count;  ///< past the host's points there are copies of his last
+    std::size_t count;  ///< past the application's points there are copies of his last
     const double *x, *z;
     std::array<float*, Kinds> answers;  ///< never null
 };

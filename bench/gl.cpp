@@ -1,4 +1,4 @@
-// The host's own share of a drawn frame, without the driver: upload() and draw() of the OpenGL ES front end.
+// The application's own share of a drawn frame, without the driver: upload() and draw() of the OpenGL ES front end.
 //
 //   taskset -c 1 build/release/bin/pelagic_gl_bench
 //

@@ -1,4 +1,4 @@
-// What waves that hosts add cost a frame, on one thread: oceans with and without them by turns.
+// What waves that applications add cost a frame, on one thread: oceans with and without them by turns.
 //
 //   taskset -c 1 build/release/bin/pelagic_inputs_bench [instruction set]
 //

@@ -21,7 +21,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
             reject("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
 #endif
         case PELAGIC_EXECUTOR_HOST:
-            return make_host_executor({.user = options.user,
+            return make_callback_executor({.user = options.user,
                                        .parallel_for = options.parallel_for,
                                        .submit = options.submit,
                                        .threads = options.threads == 0 ? 1 : options.threads});

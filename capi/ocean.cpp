@@ -199,7 +199,7 @@ TextureTargets ours_of(const pelagic_texture_targets& targets) {
             .moments_rgba8 = std::to_array(targets.moments_rgba8)};
 }
 
-/// What a host says of each cascade of a frame: his structs, one after the other, each of the size that the first states.
+/// What an application says of each cascade of a frame: his structs, one after the other, each of the size that the first states.
 template <class Theirs, class Ours>
 class OfEachCascade {
    public:
@@ -208,7 +208,7 @@ class OfEachCascade {
         const std::size_t bytes = struct_bytes(first, name.c_str());
         if (count_ > 1 && bytes % alignof(Theirs) != 0)
             reject(invalid_value_message(name + ".struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
-        // Before anybody looks behind the first: a host that knows one cascade has one struct.
+        // Before anybody looks behind the first: an application that knows one cascade has one struct.
         if (std::max(first->cascade_count, 1u) != count_)
             reject(invalid_value_message(name + ".cascade_count", first->cascade_count,
                            number_text(count_) + ", with as many structs one after the other"));
@@ -230,8 +230,8 @@ class OfEachCascade {
     std::size_t count_;
 };
 
-using HostBuffers = OfEachCascade<pelagic_frame_buffers, FrameBuffers>;
-using HostTargets = OfEachCascade<pelagic_texture_targets, TextureTargets>;
+using ApplicationBuffers = OfEachCascade<pelagic_frame_buffers, FrameBuffers>;
+using ApplicationTargets = OfEachCascade<pelagic_texture_targets, TextureTargets>;
 
 }  // namespace
 
@@ -270,7 +270,7 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
         out.threads = sea.executor().thread_limit();
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
-        out.executor = sea.executor().name().data();  // ours alone: a host's is named "host" here
+        out.executor = sea.executor().name().data();  // ours alone: an application's is named "application" here
         write_struct(out, info);
     });
 }
@@ -291,7 +291,7 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const HostTargets to(targets, "targets", sea.cascade_count());
+        const ApplicationTargets to(targets, "targets", sea.cascade_count());
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             reject("targets: " + reason);
@@ -334,7 +334,7 @@ pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, 
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, HostBuffers(buffers, "buffers", ocean->shown->cascades.size()).all());
+        copy_frame(*ocean->shown, ApplicationBuffers(buffers, "buffers", ocean->shown->cascades.size()).all());
     });
 }
 
@@ -344,7 +344,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const HostBuffers to(buffers, "buffers", sea.cascade_count());
+        const ApplicationBuffers to(buffers, "buffers", sea.cascade_count());
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             reject(reason);

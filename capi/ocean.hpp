@@ -76,7 +76,7 @@ struct pelagic_ocean {
 
 namespace pelagic::capi {
 
-/// The host's options of dynamic waves. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
+/// The application's options of dynamic waves. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
 DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options);
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
 

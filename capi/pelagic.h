@@ -31,7 +31,7 @@
  * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later versions add fields at
  * the end only, never into padding, and any size from that of a struct's first version to 4096 bytes is taken. Of an older, smaller
  * struct what is missing counts as 0 and is not written; of a newer, larger one what this library doesn't know has to be 0
- * where it is read, which tells that the host can do without it, and is set to 0 where it is written. Any other size is
+ * where it is read, which tells that the application can do without it, and is set to 0 where it is written. Any other size is
  * PELAGIC_INVALID_ARGUMENT, and so is anything but 0 in a reserved field that the library reads.
  *
  * Threads. One thread at a time uses an ocean, and different oceans may be used side by side. Exceptions are the queries
@@ -51,7 +51,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What the shared library exports. PELAGIC_STATIC is for hosts that link libpelagic.a; PELAGIC_BUILDING is Pelagic's own. */
+/* What the shared library exports. PELAGIC_STATIC is for applications that link libpelagic.a; PELAGIC_BUILDING is Pelagic's own. */
 #if defined(PELAGIC_STATIC)
 #define PELAGIC_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
@@ -85,7 +85,7 @@ enum {
     PELAGIC_OUT_OF_MEMORY = 3,
     PELAGIC_SYSTEM_ERROR = 4,   /* the system has no more threads to give */
     PELAGIC_INTERNAL_ERROR = 5, /* a mistake of Pelagic's: please report the message */
-    PELAGIC_HOST_ERROR = 6      /* a callback of the host threw, or returned too early; the message says which */
+    PELAGIC_HOST_ERROR = 6      /* a callback of the application threw, or returned too early; the message says which */
 };
 
 /* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]", less than 300 bytes
@@ -147,7 +147,7 @@ typedef struct pelagic_sea {
     double swell_direction_rad; /* where they run towards, as wind_direction_rad */
     double swell_spread_rad;    /* standard deviation of their directions; 0: 15 degrees, else [pi/180, 4 pi/9] */
     /* How many cascades hold the waves, each a band of them; 1 to 4. 0: chosen, four, or one where patch_size_m is set, where the
-     * resolution is 16 or the spectrum phillips-paper. More than one takes no patch_size_m. A host whose struct ends before
+     * resolution is 16 or the spectrum phillips-paper. More than one takes no patch_size_m. An application whose struct ends before
      * it has one cascade. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
@@ -162,12 +162,12 @@ typedef struct pelagic_sea {
     double wave_drag;       /* how far a pond's long waves move its short ones; [0, 1] */
 } pelagic_sea;
 
-/* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. A host whose struct ends before
+/* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. An application whose struct ends before
  * `cascades` draws one cascade only and gets one: 256 texels on 250 m. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
 /* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
- * "beaufort-0" to "beaufort-12". The one cascade of an older host has 256 texels on a quarter of the side that the coarsest of the
+ * "beaufort-0" to "beaufort-12". The one cascade of an older application has 256 texels on a quarter of the side that the coarsest of the
  * sea's cascades would have. */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
@@ -218,7 +218,7 @@ enum {
     PELAGIC_EXECUTOR_SERIAL = 1,  /* no threads: complete() does the work */
     PELAGIC_EXECUTOR_THREADS = 2, /* a pool of its own */
     PELAGIC_EXECUTOR_TBB = 3,     /* PELAGIC_INVALID_ARGUMENT if built without */
-    PELAGIC_EXECUTOR_HOST = 4     /* the host's job system, through the callbacks below */
+    PELAGIC_EXECUTOR_HOST = 4     /* the application's job system, through the callbacks below */
 };
 
 /* Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are done.
@@ -237,7 +237,7 @@ typedef struct pelagic_executor_options {
     uint32_t struct_size;
     int32_t kind; /* PELAGIC_EXECUTOR_... */
     /* Most threads at work on a frame, the completing one included; 1 leaves all work to complete(). 0: one per core (for
-     * threads with a mask, one per core of the mask; for a host, 1). [0, 1024] */
+     * threads with a mask, one per core of the mask; for an application, 1). [0, 1024] */
     int32_t threads;
     uint32_t reserved; /* 0 */
     /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Grids: bit i allows CPU i to the pool's threads; 0 allows all. */
@@ -313,7 +313,7 @@ typedef struct pelagic_ocean_info {
     uint32_t reserved;
     uint64_t memory_bytes; /* all that the ocean allocated, two frames and the spectrum included */
     const char* isa;
-    const char* executor; /* "serial", "thread", "tbb" or "host" */
+    const char* executor; /* "serial", "thread", "tbb" or "application" */
     /* Newer than the fields above. */
     int32_t cascade_count; /* of every frame */
     uint32_t reserved_1;
@@ -436,7 +436,7 @@ typedef struct pelagic_cascade {
  * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
-/* Where pelagic_ocean_schedule_into writes the textures of a cascade: memory of the host's own, a mapped pixel buffer for instance.
+/* Where pelagic_ocean_schedule_into writes the textures of a cascade: memory of the application's own, a mapped pixel buffer for instance.
  * Pointers may be NULL: that map is in the frame then. Each byte is written once, in rows of whole registers, and none is read,
  * so memory may be write-combined. For a frame of several cascades there is an array of them, as of pelagic_frame_buffers. */
 typedef struct pelagic_texture_targets {
@@ -448,7 +448,7 @@ typedef struct pelagic_texture_targets {
     uint32_t *slopes_rgba8[12], *moments_rgba8[12];
 } pelagic_texture_targets;
 
-/* pelagic_ocean_schedule, with textures in memory of the host's, which must stay until complete() returns. In the frame and
+/* pelagic_ocean_schedule, with textures in memory of the application's, which must stay until complete() returns. In the frame and
  * its cascades what is written there is NULL, and pelagic_ocean_hash tells nothing of it. PELAGIC_INVALID_ARGUMENT for parts that
  * the ocean was made without. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
@@ -509,7 +509,7 @@ PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64
  * pelagic_ocean_options.foam. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* What frames remember, for a host that wants to go on from there without the warm-up of a jump in time: writes it to `bytes`,
+/* What frames remember, for an application that wants to go on from there without the warm-up of a jump in time: writes it to `bytes`,
  * which has room for `room` of them, and how many there are to *count. With `bytes` NULL only the count: N^2 a cascade and some, or
  * 0 before the first frame and without pelagic_ocean_options.foam. PELAGIC_INVALID_ARGUMENT if there is less room;
  * PELAGIC_WRONG_ORDER if a frame is in flight. */
@@ -578,7 +578,7 @@ enum {
     PELAGIC_DYNAMIC_WAVES_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
 };
 
-/* A grid of the sea in which the host makes waves; queries and bounds have them, and pelagic_ocean_dynamic_waves shows them. It moves
+/* A grid of the sea in which the application makes waves; queries and bounds have them, and pelagic_ocean_dynamic_waves shows them. It moves
  * in ticks of its own, whatever the frames are: the same words between frames of the same times give the same bits on every
  * machine. */
 typedef struct pelagic_dynamic_waves_options {
@@ -680,7 +680,7 @@ PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocea
 PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* All that the water of frames to come depends on, sources included, but for what was said since the last schedule; as
- * pelagic_ocean_save_history. For a host that goes back to a moment: 17 N^2 bytes and some. */
+ * pelagic_ocean_save_history. For an application that goes back to a moment: 17 N^2 bytes and some. */
 PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
 
 /* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.dynamic_waves on any machine of the same byte order, as if one had
@@ -736,10 +736,10 @@ PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelag
 /* The 64-bit hash of all that pelagic_ocean_shore tells of the frame completed last, which pelagic_ocean_hash leaves out. */
 PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* ---- Waves that the host adds ----------------------------------------------------------------------------------- */
+/* ---- Waves that the application adds ----------------------------------------------------------------------------------- */
 
 /* Waves in the cascades themselves, so that all that is made of cascades has them: normals, bounds, foam, queries, textures. They repeat
- * with their cascade. What pelagic_ocean_hash says is then of the host's sea; of one without inputs it is as ever. An input belongs to one
+ * with their cascade. What pelagic_ocean_hash says is then of the application's sea; of one without inputs it is as ever. An input belongs to one
  * ocean. It is set on the thread that calls the ocean's functions, and what it is then counts from the next schedule on. */
 typedef struct pelagic_input pelagic_input;
 

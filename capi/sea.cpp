@@ -23,7 +23,7 @@ static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::co
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
 static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
 
-/// An older host's struct has 0 where a range has none.
+/// An older application's struct has 0 where a range has none.
 double or_default(double value, double SeaState::*member) { return value == 0 ? SeaState{}.*member : value; }
 
 pelagic_sea c_sea_of(const SeaState& from) {
@@ -57,17 +57,17 @@ pelagic_sea c_sea_of(const SeaState& from) {
     return to;
 }
 
-/// A host whose struct ends before it was compiled when a frame was one cascade, and draws one.
+/// An application whose struct ends before it was compiled when a frame was one cascade, and draws one.
 bool knows_cascades(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
 }
 
-/// A host whose struct ends before it gets no sea of other waves than a spectrum's.
+/// An application whose struct ends before it gets no sea of other waves than a spectrum's.
 bool knows_waves(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, wave_drag) + sizeof sea.wave_drag;
 }
 
-/// For a host that doesn't know cascades: as it was, 256 texels on this side.
+/// For an application that doesn't know cascades: as it was, 256 texels on this side.
 SeaState one_cascade(SeaState sea, double side_m) {
     sea.resolution = 256;
     sea.patch_size_m = side_m;

@@ -1,4 +1,4 @@
-// Structs that say their size: those of older hosts are smaller than ours, those of newer hosts larger.
+// Structs that say their size: those of older applications are smaller than ours, those of newer applications larger.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ray, reach_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_hit, position_m);
 #undef PELAGIC_LAST_FIELD_AT_FIRST
 
-/// The size that the host states. Throws std::invalid_argument for null and a size that no struct has.
+/// The size that the application states. Throws std::invalid_argument for null and a size that no struct has.
 template <class T>
 std::size_t struct_bytes(const T* pointer, const char* name) {
     static_assert(least_struct_bytes<T> > 0, "say which field was its last at first");
@@ -58,7 +58,7 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
     return bytes;
 }
 
-/// The host's struct as ours: 0 where his is shorter. Throws as above, and for what is set and not known.
+/// The application's struct as ours: 0 where his is shorter. Throws as above, and for what is set and not known.
 template <class T>
 T read_struct(const T* pointer, const char* name) {
     const std::size_t bytes = struct_bytes(pointer, name);
@@ -74,7 +74,7 @@ T read_struct(const T* pointer, const char* name) {
     return ours;
 }
 
-/// Fills the host's struct with ours, but for struct_size: as much as he has room for, and 0 in what we don't know.
+/// Fills the application's struct with ours, but for struct_size: as much as he has room for, and 0 in what we don't know.
 /// \pre struct_bytes() took it
 template <class T>
 void write_struct(const T& ours, T* pointer) {

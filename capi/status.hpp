@@ -14,14 +14,14 @@
 
 namespace pelagic::capi {
 
-/// Keeps the reason for pelagic_last_error() as one_line() does, and tells the host's callback: no memory is needed to say
+/// Keeps the reason for pelagic_last_error() as one_line() does, and tells the application's callback: no memory is needed to say
 /// that there is none.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
 /// "ocean is NULL, needs an ocean".
 [[noreturn]] void reject(const std::string& reason);
 
-/// What the host asked for at the wrong moment.
+/// What the application asked for at the wrong moment.
 struct WrongOrder : std::logic_error {
     using std::logic_error::logic_error;
 };
@@ -34,7 +34,7 @@ pelagic_status guarded(Body body) noexcept {
         return PELAGIC_OK;
     } catch (const WrongOrder& error) {
         return failure(PELAGIC_WRONG_ORDER, error.what());
-    } catch (const HostJobsError& error) {
+    } catch (const ApplicationJobsError& error) {
         return failure(PELAGIC_HOST_ERROR, error.what());
     } catch (const std::invalid_argument& error) {
         return failure(PELAGIC_INVALID_ARGUMENT, error.what());

@@ -1,4 +1,4 @@
-// Waves that hosts add, as C spells them.
+// Waves that applications add, as C spells them.
 #include "pelagic/capi/wave_input.hpp"
 
 #include <string>
@@ -127,7 +127,7 @@ pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callb
             try {
                 from.add(from.user, &theirs);
             } catch (...) {
-                throw HostJobsError("an input's callback threw");
+                throw ApplicationJobsError("an input's callback threw");
             }
         };
         const std::uint32_t cascades = from.cascades == 0 ? CallbackInput::all_cascades : from.cascades;

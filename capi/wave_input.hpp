@@ -20,7 +20,7 @@ struct pelagic_input {
 
 namespace pelagic::capi {
 
-/// The host's list. Throws std::invalid_argument for null and for inputs of other oceans.
+/// The application's list. Throws std::invalid_argument for null and for inputs of other oceans.
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count);
 
 }  // namespace pelagic::capi

@@ -12,7 +12,7 @@ pelagic_packages=(
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
   libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: letters of a preview
-  libopenxr-dev            # OpenXR: examples/openxr_host
+  libopenxr-dev            # OpenXR: examples/openxr_application
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
@@ -25,7 +25,7 @@ pelagic_packages=(
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
-# What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it; the reference compiler of GLSL,
+# What only tests need: an X server with a mouse, for the window's; pkg-config, as applications use it; the reference compiler of GLSL,
 # for shaders that no driver here compiles; strace, to see that files are synced before they count; valgrind and Python, to
 # count instructions; a validation layer for OpenXR.
 pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3
@@ -41,7 +41,7 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
-# What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser; an engine, with
+# What only the tests inside other programs need: a compiler to WebAssembly and node, which runs what it makes, and a browser; an engine, with
 # a window (for xvfb-run, which wants xauth) and without; pybind11 and Python's headers to build its package, NumPy, which it needs,
 # matplotlib, which its example does, pytest and mypy; Blender; a compiler to Windows, and wine.
 pelagic_hosts_packages=(emscripten chromium)

@@ -1,10 +1,10 @@
-# cmake --install: libraries, the headers that hosts include, package files for CMake and pkg-config, and the tool.
+# cmake --install: libraries, the headers that applications include, package files for CMake and pkg-config, and the tool.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelagic)
 
-# A file of targets for each component, so that a host needs the packages of what it asks for and no others.
+# A file of targets for each component, so that an application needs the packages of what it asks for and no others.
 function(pelagic_install_component component target)
   install(TARGETS ${target} EXPORT pelagic_${component})
   install(EXPORT pelagic_${component} NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagic_${component}_targets.cmake)
@@ -54,11 +54,11 @@ endforeach()
 set(message_headers numeric_field)
 set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plane_waves)
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
-set(simd_headers host_memory isa)
+set(simd_headers allocator isa)
 set(sim_headers analytic_cascades disturbance foam_report forecast frame frame_buffers gerstner_input dynamic_waves_view dynamic_waves ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance statistics surface_query
                 surface_query_jobs surface_ray texture_targets tick_clock cascade cascade_plan wave_input)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
-set(gl_headers caustics display errors exposure frame_textures functions headless_context host_scene light_meter light_presets objects pixel_ring render_target sea_floor
+set(gl_headers caustics display errors exposure frame_textures functions headless_context application_scene light_meter light_presets objects pixel_ring render_target sea_floor
                sea_renderer shading sky sky_baker small_water views camera_water_plane water_optics)
 set(folders message analytic jobs simd sim)
 if(PELAGIC_QUADTREE)

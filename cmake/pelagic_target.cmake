@@ -1,6 +1,6 @@
 # One include root: every include reads "pelagic/sim/ocean.hpp", here and in an installed tree, and no folder name of ours
-# stands on anybody's path, where a host's own sim/frame.hpp could take its place. The top-level folders are linked below
-# it; pelagic.h, which C hosts include as <pelagic/pelagic.h>, stands beside them.
+# stands on anybody's path, where an application's own sim/frame.hpp could take its place. The top-level folders are linked below
+# it; pelagic.h, which C applications include as <pelagic/pelagic.h>, stands beside them.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
 foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web python bench tests examples)
@@ -10,7 +10,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pe
 
 # What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
 function(pelagic_target target)
-  # A host may build all it has with -ffast-math or a part of it. Target options come behind his, so these win.
+  # An application may build all it has with -ffast-math or a part of it. Target options come behind his, so these win.
   set(strict_floats -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math
                     -fno-finite-math-only -fsigned-zeros)
   target_compile_features(${target} PUBLIC cxx_std_20)

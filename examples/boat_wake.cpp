@@ -1,4 +1,4 @@
-// A host of dynamic waves, without a window: a boat goes its way, stones fall beside it, and what they leave behind is drawn.
+// An application of dynamic waves, without a window: a boat goes its way, stones fall beside it, and what they leave behind is drawn.
 // Writes wake.ppm, or the file that it is told.
 //
 // A boat presses on the water as long as it is there and says where it goes; a stone adds to it once. The grid of such water follows the
@@ -144,7 +144,7 @@ void draw_voyage(const char* name) {
                    .exposure = exposure,
                    .weighs_samples = true,
                    .camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m),
-                   .host_scene = model.picture(eye, pose)});
+                   .application_scene = model.picture(eye, pose)});
     gl::Display display(functions);
     gl::RenderTarget screen(functions, width, height, 0);
     const gl::TexturePart radiance = target.resolved();

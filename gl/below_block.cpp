@@ -44,7 +44,7 @@ double pixel_of(const Eye& eye) {
     return 2 * std::max(w, 1e-9) / (y * std::max(eye.viewport.height, 1));
 }
 
-/// Rows of crests that stand for caustics where a host hands in none: of 0.8 to 1.3 m, down the wind and to both sides of it,
+/// Rows of crests that stand for caustics where an application hands in none: of 0.8 to 1.3 m, down the wind and to both sides of it,
 /// as fast as ripples drift. Whole turns in a loop.
 void place_crests(SceneBlock& block, const SeaFacts& sea, glm::dvec2 viewer) {
     constexpr double lengths_m[] = {1.27, 0.93, 0.81}, turns_rad[] = {0.35, 2.31, -1.52}, drift_mps = 0.3;

@@ -19,7 +19,7 @@ class Boat {
     void draw(const Eye& eye, const glm::dmat4& world_from_boat, float weighing_exposure) {
         mesh_.draw(eye, world_from_boat, weighing_exposure);
     }
-    HostScene picture(const Eye& eye, const glm::dmat4& world_from_boat) {
+    ApplicationScene picture(const Eye& eye, const glm::dmat4& world_from_boat) {
         return mesh_.picture(eye, world_from_boat);
     }
 

@@ -1,9 +1,9 @@
 // From radiance to the screen, as a camera does it: bloom, exposure, the tone curve, sRGB, dithering. One full-screen pass, and
-// a few small ones where there is bloom. A host that tone-maps in the sea's own pass (RendererOptions::writes) does not need it.
+// a few small ones where there is bloom. An application that tone-maps in the sea's own pass (RendererOptions::writes) does not need it.
 //
 //   target.bind();                                                   // a RenderTarget that holds radiance
 //   renderer.draw({..., .exposure = exposure, .weighs_samples = true});
-//   display.show(target.resolved(), {.exposure = exposure}, {0, 0, width, height});  // into the host's framebuffer
+//   display.show(target.resolved(), {.exposure = exposure}, {0, 0, width, height});  // into the application's framebuffer
 #pragma once
 
 #include <memory>

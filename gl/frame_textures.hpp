@@ -22,7 +22,7 @@ class FrameTextures {
     FrameTextures& operator=(const FrameTextures&) = delete;
 
     /// Copies the frame into the next pixel buffer and starts its way into the next set of textures; the frame's
-    /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
+    /// views may go stale afterwards. Call it at the start of an application's frame, with the frame that complete() gave.
     /// Waits only if the GPU is three frames behind. GL state ends as it was.
     /// Mips of the displacement are the driver's (box filter), those of the slopes and of foam are the frame's.
     /// Throws std::invalid_argument, before it touches anything, for a frame without slopes, of another

@@ -1,5 +1,5 @@
 // OpenGL ES 3.0 as a table of functions, loaded at run time: a program that links Pelagic starts on a machine without
-// any GL, and a host with a loader of its own passes that one.
+// any GL, and an application with a loader of its own passes that one.
 #pragma once
 
 #include <GLES3/gl3.h>

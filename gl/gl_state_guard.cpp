@@ -39,7 +39,7 @@ GlStateGuard::GlStateGuard(const Functions& gl) : gl_(gl) {
         gl.GetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &units_[i].array);
         gl.GetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &units_[i].cube);
         gl.GetIntegerv(GL_SAMPLER_BINDING, &units_[i].sampler);
-        // A sampler of the host's would override how our textures are filtered.
+        // A sampler of the application's would override how our textures are filtered.
         gl.BindSampler(static_cast<GLuint>(i), 0);
     }
     gl.ActiveTexture(GL_TEXTURE0);

@@ -1,5 +1,5 @@
-// All GL state that the front end changes, or that a host may have left in its way. A scope begins with OpenGL's own
-// defaults and ends with what the host had. This is the only place that knows either. In WebGL "what the host had" is nothing
+// All GL state that the front end changes, or that an application may have left in its way. A scope begins with OpenGL's own
+// defaults and ends with what the application had. This is the only place that knows either. In WebGL "what the application had" is nothing
 // where a page's own script bound an object, which has no name here.
 #pragma once
 
@@ -65,7 +65,7 @@ class GlTargetsGuard {
     ~GlTargetsGuard();
     GlTargetsGuard(const GlTargetsGuard&) = delete;
     GlTargetsGuard& operator=(const GlTargetsGuard&) = delete;
-    /// Draws go there again, where the host's did.
+    /// Draws go there again, where the application's did.
     void bind_drawn() const { gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_)); }
 
    private:

@@ -91,7 +91,7 @@ void LitMesh::make_picture(int width, int height) {
     height_ = height;
 }
 
-HostScene LitMesh::picture(const Eye& eye, const glm::dmat4& world_from_mesh) {
+ApplicationScene LitMesh::picture(const Eye& eye, const glm::dmat4& world_from_mesh) {
     const GlStateGuard keep(gl_);
     const GlTargetsGuard targets(gl_);
     const int width = eye.viewport.width, height = eye.viewport.height;

@@ -1,4 +1,4 @@
-// A mesh in the light of a sky, drawn before the sea and handed in to be mirrored, as a host would do it with its own.
+// A mesh in the light of a sky, drawn before the sea and handed in to be mirrored, as an application would do it with its own.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "pelagic/gl/host_scene.hpp"
+#include "pelagic/gl/application_scene.hpp"
 #include "pelagic/gl/objects.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/gl/sky_baker.hpp"
@@ -34,7 +34,7 @@ class LitMesh {
     void draw(const Eye& eye, const glm::dmat4& world_from_mesh, float weighing_exposure);
     /// What the eye sees of it without the sea, in textures that the next call overwrites. Throws GlError where the driver
     /// can't draw half floats.
-    HostScene picture(const Eye& eye, const glm::dmat4& world_from_mesh);
+    ApplicationScene picture(const Eye& eye, const glm::dmat4& world_from_mesh);
 
    private:
     void make_picture(int width, int height);

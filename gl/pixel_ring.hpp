@@ -1,4 +1,4 @@
-// Where texels wait for their way into textures: a ring of pixel buffers that the driver maps, so that neither the host nor the
+// Where texels wait for their way into textures: a ring of pixel buffers that the driver maps, so that neither the application nor the
 // GPU waits for the other. Where buffers can't be mapped (WebGL) it is plain memory, of which GL takes a copy at once.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A rock in the sea: an example of what a host draws before the sea, and hands in to be mirrored.
+// A rock in the sea: an example of what an application draws before the sea, and hands in to be mirrored.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -15,7 +15,7 @@ class Rock {
 
     void set_light(const Sky& sky) { mesh_.set_light(sky); }
     void draw(const Eye& eye, float weighing_exposure) { mesh_.draw(eye, world_from_rock_, weighing_exposure); }
-    HostScene picture(const Eye& eye) { return mesh_.picture(eye, world_from_rock_); }
+    ApplicationScene picture(const Eye& eye) { return mesh_.picture(eye, world_from_rock_); }
 
    private:
     LitMesh mesh_;

@@ -4,7 +4,7 @@
 
 namespace pelagic::gl {
 
-static_assert(unit_count == texture_units, "a host gets back what it had in each of them");
+static_assert(unit_count == texture_units, "an application gets back what it had in each of them");
 
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
@@ -37,8 +37,8 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
     gl.Uniform1i(program.uniform("foam_maps"), foam_maps_unit);
     gl.Uniform1i(program.uniform("flow"), flow_unit);
-    gl.Uniform1i(program.uniform("host_radiance"), host_radiance_unit);
-    gl.Uniform1i(program.uniform("host_depth"), host_depth_unit);
+    gl.Uniform1i(program.uniform("scene_radiance"), scene_radiance_unit);
+    gl.Uniform1i(program.uniform("scene_depth"), scene_depth_unit);
     gl.Uniform1i(program.uniform("shore_parts"), shore_parts_unit);
     gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
     gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);

@@ -22,8 +22,8 @@ enum Unit : GLint {
     foam_unit,
     foam_maps_unit,
     flow_unit,
-    host_radiance_unit,
-    host_depth_unit,
+    scene_radiance_unit,
+    scene_depth_unit,
     shore_parts_unit,
     shore_water_unit,
     shore_reach_unit,
@@ -44,7 +44,7 @@ struct SeaVariant {
     Surface surface = Surface::open;
     bool multiview = false;
     bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
-    bool mirrors_scene = false;  ///< what a host drew, too
+    bool mirrors_scene = false;  ///< what an application drew, too
     bool dynamic_waves = false;          ///< the frame has a dynamic-wave grid
     bool shore = false;          ///< of an open sea: cascades are held back there, and its waves add to them
 };

@@ -87,7 +87,7 @@ struct SeaRenderer::State {
         gl.BufferData(GL_UNIFORM_BUFFER, sizeof(SceneBlock), nullptr, GL_STREAM_DRAW);
     }
 
-    void bind_textures(const HostScene& host) {
+    void bind_textures(const ApplicationScene& application) {
         const auto bind = [&](Unit unit, GLenum kind, GLuint name) {
             gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
             gl.BindTexture(kind, name);
@@ -102,8 +102,8 @@ struct SeaRenderer::State {
         bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
         bind(foam_maps_unit, GL_TEXTURE_2D_ARRAY, textures.foam());
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
-        bind(host_radiance_unit, GL_TEXTURE_2D, host.radiance);
-        bind(host_depth_unit, GL_TEXTURE_2D, host.depth);
+        bind(scene_radiance_unit, GL_TEXTURE_2D, application.radiance);
+        bind(scene_depth_unit, GL_TEXTURE_2D, application.depth);
         bind(shore_parts_unit, GL_TEXTURE_2D, shore.parts());
         bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
         bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
@@ -351,7 +351,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     s.lens_is_wet = block.lens.w > 0;
     const bool mirrors_scene =
-        input.host_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
+        input.application_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
     s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
                        .mirrors_scene = mirrors_scene,
                        .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
@@ -360,7 +360,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     statistics.instance_bytes = s.buffers->upload(*input.list);
-    s.bind_textures(mirrors_scene ? *input.host_scene : HostScene{});
+    s.bind_textures(mirrors_scene ? *input.application_scene : ApplicationScene{});
     // The rest is as GlStateGuard begins. Crests that fold show their undersides: nothing is culled.
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);

@@ -12,8 +12,8 @@
 // A frame's shore is drawn with it, by programs that are compiled when the first such frame comes. Its sand is a floor like others:
 // renderer.set_floor(floor_of(shore)).
 //
-// It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
-// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the host has cleared
+// It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the application's too.
+// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the application has cleared
 // to 1. GL state may be anything before and is the same afterwards.
 #pragma once
 
@@ -25,7 +25,7 @@
 
 #include "pelagic/gl/caustics.hpp"
 #include "pelagic/gl/frame_textures.hpp"
-#include "pelagic/gl/host_scene.hpp"
+#include "pelagic/gl/application_scene.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/shading.hpp"
@@ -44,7 +44,7 @@ struct RendererOptions {
     std::size_t cascades = 1;    ///< of the frames, 1 to 4
     Shading shading = Shading::high;
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
-    PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
+    PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for an application that has its own camera
     Surface surface = Surface::open;       ///< small water is drawn in place of the frames' cascades
     std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
     bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
@@ -71,7 +71,7 @@ struct DrawInput {
     std::optional<CameraWaterPlane> camera_water_plane = {};
     /// What waves mirror besides the sky, where their rays meet it within the picture. Of one eye; not with two, with multiview or
     /// with Shading::headset, which mirror the sky alone.
-    std::optional<HostScene> host_scene = {};
+    std::optional<ApplicationScene> application_scene = {};
 };
 
 /// What the last draw() handed to the driver.
@@ -81,7 +81,7 @@ struct DrawStatistics {
     int floor_calls = 0;
     std::uint64_t triangles = 0;
     std::size_t instance_bytes = 0;
-    /// The host's time in draw() and in the last upload(), and the part of each inside calls in which the driver itself
+    /// The application's time in draw() and in the last upload(), and the part of each inside calls in which the driver itself
     /// transforms, rasterises or copies texels: a software driver does that at once.
     double draw_ms = 0, draw_driver_ms = 0;
     double upload_ms = 0, upload_driver_ms = 0;

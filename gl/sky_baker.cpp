@@ -36,7 +36,7 @@ float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f)
 
 // The stages, in order: `sky air` (lines of its tables), `sky light` (their sum) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level
 // 0, rows of each face), `sky averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`. No job takes longer than a
-// frame of a page, some 10 ms, so that a host with one thread can bake between frames (sliced_executor.hpp).
+// frame of a page, some 10 ms, so that an application with one thread can bake between frames (sliced_executor.hpp).
 struct SkyBaker::State {
     State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
         for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);

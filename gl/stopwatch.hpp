@@ -1,4 +1,4 @@
-// Where the host's time goes: its own work, and calls in which a driver may copy pixels or transform vertices.
+// Where the application's time goes: its own work, and calls in which a driver may copy pixels or transform vertices.
 #pragma once
 
 #include <chrono>

@@ -29,7 +29,7 @@ class ChromeTrace final : public TraceSink {
     /// comfortable with.
     static constexpr std::size_t default_most_spans = 1'000'000;
 
-    /// Times are counted from here, and the calling thread is named the host.
+    /// Times are counted from here, and the calling thread is named the application.
     /// \param most_spans  later ones are counted, but not kept
     explicit ChromeTrace(std::size_t most_spans = default_most_spans);
 

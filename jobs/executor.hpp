@@ -1,4 +1,4 @@
-// Where jobs run: the one interface behind which threads stand. A host may bring its own.
+// Where jobs run: the one interface behind which threads stand. An application may bring its own.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class GraphRun {
     virtual void schedule() = 0;
 
     /// Returns when every stage is done; the calling thread helps. Returns at once if nothing is scheduled. Throws if the
-    /// run failed, once it is over, so that the next one may be scheduled: HostJobsError, std::system_error if a thread
+    /// run failed, once it is over, so that the next one may be scheduled: ApplicationJobsError, std::system_error if a thread
     /// with the stack that a job needs could not be had, or what a body threw.
     virtual void complete() = 0;
 
@@ -59,21 +59,21 @@ std::shared_ptr<Executor> make_serial_executor();
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 
 /// The same on chosen cores: bit i of `cpu_mask` allows CPU i, and 0 means all. On a processor with large and small cores a
-/// job on a small one ends last and holds up the frame, and the host may want the largest for itself. The mask is for
-/// the pool's threads; the completing one is the host's and stays where it is. With 0 threads there are as many as cores
+/// job on a small one ends last and holds up the frame, and the application may want the largest for itself. The mask is for
+/// the pool's threads; the completing one is the application's and stays where it is. With 0 threads there are as many as cores
 /// in the mask. Linux, Android and Windows only; elsewhere, and where the mask names no CPU that the process may use,
 /// std::invalid_argument.
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
 
-/// What complete() throws if a host's function broke its promise. The run is over then, and every job was done.
-struct HostJobsError : std::runtime_error {
+/// What complete() throws if an application's function broke its promise. The run is over then, and every job was done.
+struct ApplicationJobsError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A host's own job system, as plain functions so that C can give them. Called from any thread. Should one of them throw,
-/// or return too early, Pelagic does what is left itself, and complete() throws HostJobsError. A job or task that is called
+/// An application's own job system, as plain functions so that C can give them. Called from any thread. Should one of them throw,
+/// or return too early, Pelagic does what is left itself, and complete() throws ApplicationJobsError. A job or task that is called
 /// twice, or after its run, does nothing.
-struct HostJobs {
+struct ApplicationJobs {
     void* user = nullptr;  ///< handed to both
 
     /// Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are
@@ -87,9 +87,9 @@ struct HostJobs {
     int threads = 1;  ///< what thread_limit() says; 1 to 1024
 };
 
-/// Stages one after the other, each a parallel_for of the host. Throws std::invalid_argument without parallel_for, and if
+/// Stages one after the other, each a parallel_for of the application. Throws std::invalid_argument without parallel_for, and if
 /// threads are out of range.
-std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs);
+std::shared_ptr<Executor> make_callback_executor(const ApplicationJobs& jobs);
 
 #if defined(PELAGIC_HAS_TBB)
 /// oneTBB: a flow graph with one node a stage, each a parallel loop. Every graph has an arena of `threads` slots, one

@@ -7,7 +7,7 @@
 
 namespace pelagic {
 
-/// The first exception of a run. An exception may leave neither a worker thread nor a host's job, and the other blocks
+/// The first exception of a run. An exception may leave neither a worker thread nor an application's job, and the other blocks
 /// of the run use the same memory: so it is kept, the run goes on to its end, and complete() throws it.
 class RunFailure {
    public:

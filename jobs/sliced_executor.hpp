@@ -1,4 +1,4 @@
-// The executor for a host whose only thread has to come back soon, as that of a page: work goes on in slices.
+// The executor for an application whose only thread has to come back soon, as that of a page: work goes on in slices.
 //
 //   auto executor = make_sliced_executor();
 //   SkyBaker baker(executor, 256);

@@ -1,4 +1,4 @@
-// What a number of threads means when a host asks for an executor.
+// What a number of threads means when an application asks for an executor.
 #pragma once
 
 #include <algorithm>

@@ -22,7 +22,7 @@ struct TraceArg {
 /// A piece of work or of waiting, and when it was.
 struct TraceSpan {
     std::string_view name;  ///< for jobs, the stage's
-    const char* category;   ///< a literal; "job", "flight" and what the host adds
+    const char* category;   ///< a literal; "job", "flight" and what the application adds
     std::array<TraceArg, 2> args = {};
     TraceClock::time_point start = {}, end = {};
 };

@@ -112,7 +112,7 @@ struct Cascade {
     /// The chain of mip_levels() levels of foam, one byte a texel, 0 none to 255 covered: what breaks now and what is left of
     /// earlier. Empty unless OceanOptions::foam. As a part of 1 it is the fourth of the half floats.
     std::span<const std::uint8_t> foam_r8;
-    /// Of h_x plus of h_z over the whole cascade, as the chains' last level has it, also where they are in memory of the host's
+    /// Of h_x plus of h_z over the whole cascade, as the chains' last level has it, also where they are in memory of the application's
     /// (texture_targets.hpp); 0 without slopes.
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates

@@ -1,4 +1,4 @@
-// Dynamic waves: a grid of the sea in which hosts make waves, beside those of the wind. It follows somebody, its texels rest
+// Dynamic waves: a grid of the sea in which applications make waves, beside those of the wind. It follows somebody, its texels rest
 // in the world, and its ticks are fixed, whatever frames do.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a host should know of a sea's foam before it asks for it: when it is remembered, how it drifts, how much of it there is.
+// What an application should know of a sea's foam before it asks for it: when it is remembered, how it drifts, how much of it there is.
 #pragma once
 
 #include <vector>

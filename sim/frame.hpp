@@ -38,7 +38,7 @@ struct Frame {
     std::span<const Cascade> cascades;  ///< at least one; the coarsest first
     /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose extremes need not meet.
     FrameBounds bounds;
-    /// What adds to the cascades where hosts move the water, with OceanOptions::dynamic_waves; within the bounds, too.
+    /// What adds to the cascades where applications move the water, with OceanOptions::dynamic_waves; within the bounds, too.
     DynamicWavesView dynamic_waves;
     /// Where the sea has a floor that waves feel, with OceanOptions::shore; within the bounds, too.
     ShoreSurface shore;
@@ -47,7 +47,7 @@ struct Frame {
 /// XXH3 of every output of the frame: of each cascade the rows of dx, height and dz, the half floats but for foam, the gradient chain (of
 /// several cascades the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
 /// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't.
-/// Textures that were written into memory of the host's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
+/// Textures that were written into memory of the application's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
 
 /// The same of the cascades' chains of foam, which belong to the sea and the time as everything else does, and are asked for by

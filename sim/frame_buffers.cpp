@@ -78,7 +78,7 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
         throw std::invalid_argument(reason);
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
-            throw std::invalid_argument("displacement_rgba16f is wanted, but was written into the host's own memory");
+            throw std::invalid_argument("displacement_rgba16f is wanted, but was written into the application's own memory");
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         const Cascade& from = frame.cascades[i];
         const FrameBuffers& to = cascades[i];

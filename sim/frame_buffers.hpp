@@ -1,4 +1,4 @@
-// A frame as plain arrays of the host's own, for whoever keeps frames: servers, replays, files.
+// A frame as plain arrays of the application's own, for whoever keeps frames: servers, replays, files.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/sim/wave_input.hpp"
-#include "pelagic/simd/host_memory.hpp"
+#include "pelagic/simd/allocator.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -38,7 +38,7 @@ namespace pelagic {
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
-    std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
+    std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the application's own profiler
     bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
     bool gradients = false;   ///< frames of several cascades have each cascade's own normals too; those of one always do
@@ -54,10 +54,10 @@ struct OceanOptions {
     /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
     /// cascades that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
-    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What cascades hold then is the host's sea, and so is
+    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What cascades hold then is the application's sea, and so is
     /// hash_of(); without inputs no bit, no job and no branch of a kernel is another.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
-    HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
+    Allocator memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 
 /// Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
@@ -82,7 +82,7 @@ class Ocean {
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
-    /// The same with textures in memory of the host's, by cascade. The frame has no views of what is written there, and
+    /// The same with textures in memory of the application's, by cascade. The frame has no views of what is written there, and
     /// hash_of() none of its bits; the memory must stay until complete() returns. Throws
     /// std::invalid_argument(check(targets, ...)) before it computes.
     void schedule(double time_s, std::span<const TextureTargets> cascades);
@@ -152,7 +152,7 @@ class Ocean {
     void follow(double x_m, double z_m);
     /// It rains so from the next tick on, until another rain is set: none, of 0 drops.
     void set_rain(const Rain& rain);
-    /// All that frames to come depend on, but for what was said since the last schedule(): for a host that goes back to a moment, or
+    /// All that frames to come depend on, but for what was said since the last schedule(): for an application that goes back to a moment, or
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;
     /// Takes that up, in an ocean of any sea with the same OceanOptions::dynamic_waves, on any machine of the same byte order: as if one had never

@@ -22,7 +22,7 @@ struct SurfaceHit {
     bool from_below;              ///< the ray comes out of the water
 };
 
-/// Empty if a host may ask that, which bounds the time that it takes, too; else what is bad first: "reach_m is nan, needs 0 to a million
+/// Empty if an application may ask that, which bounds the time that it takes, too; else what is bad first: "reach_m is nan, needs 0 to a million
 /// texels of the coarsest cascade". Coordinates are within 1e9, the direction's length within [1e-100, 1e100].
 std::string check(const SurfaceRay& ray, const Frame& frame);
 

@@ -1,4 +1,4 @@
-// Where a frame's textures go instead of into the ocean: memory of the host's own, a mapped pixel buffer for instance, which
+// Where a frame's textures go instead of into the ocean: memory of the application's own, a mapped pixel buffer for instance, which
 // spares a copy of them.
 #pragma once
 

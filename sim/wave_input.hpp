@@ -1,4 +1,4 @@
-// Waves that a host adds to those of the wind: into the cascades themselves, so that whatever is made of cascades has them, normals,
+// Waves that an application adds to those of the wind: into the cascades themselves, so that whatever is made of cascades has them, normals,
 // bounds, foam, queries, textures.
 //
 //   const auto waves = std::make_shared<GerstnerInput>(some_waves);
@@ -78,7 +78,7 @@ class WaveInput {
     virtual void add(const InputRows& rows) const = 0;
 };
 
-/// Calls a function of the host's.
+/// Calls a function of the application's.
 class CallbackInput final : public WaveInput {
    public:
     using Add = std::function<void(const InputRows&)>;

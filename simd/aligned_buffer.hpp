@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "pelagic/simd/host_memory.hpp"
+#include "pelagic/simd/allocator.hpp"
 
 namespace pelagic {
 
@@ -21,8 +21,8 @@ class AlignedBuffer {
     static constexpr std::size_t alignment = 64;
 
     AlignedBuffer() = default;
-    /// Throws std::bad_alloc if there is not so much memory, std::invalid_argument if the host's is not aligned.
-    explicit AlignedBuffer(std::size_t size, const HostMemory& memory = {}) : memory_(memory), size_(size) {
+    /// Throws std::bad_alloc if there is not so much memory, std::invalid_argument if the application's is not aligned.
+    explicit AlignedBuffer(std::size_t size, const Allocator& memory = {}) : memory_(memory), size_(size) {
         if (size == 0) return;
         data_ = static_cast<T*>(allocated());
         std::memset(static_cast<void*>(data_), 0, bytes());
@@ -59,7 +59,7 @@ class AlignedBuffer {
         if (!given) throw std::bad_alloc();
         if (reinterpret_cast<std::uintptr_t>(given) % alignment == 0) return given;
         memory_.release(memory_.user, given, bytes(), alignment);
-        throw std::invalid_argument("the host's memory is not aligned, needs multiples of 64");
+        throw std::invalid_argument("the application's memory is not aligned, needs multiples of 64");
     }
 
     void swap(AlignedBuffer& other) noexcept {
@@ -68,7 +68,7 @@ class AlignedBuffer {
         std::swap(size_, other.size_);
     }
 
-    HostMemory memory_;
+    Allocator memory_;
     T* data_ = nullptr;
     std::size_t size_ = 0;
 };

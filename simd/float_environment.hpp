@@ -1,7 +1,7 @@
 // The floating-point environment that every job runs in.
 //
 // Engines and audio libraries like to switch their threads to flush-to-zero or another rounding mode, and the threads
-// of a host's own executor may arrive like that. Either would change the sea's bits, so each job sets the IEEE 754
+// of an application's own executor may arrive like that. Either would change the sea's bits, so each job sets the IEEE 754
 // default (round to nearest even, denormals kept, no traps) and puts back what it found.
 #pragma once
 

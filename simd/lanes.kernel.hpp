@@ -1,6 +1,6 @@
 // Which of several versions of a piece an instruction set takes.
 //
-// By the lanes of Arch, never by what the compiler may use: a host that builds everything with -march=native compiles the
+// By the lanes of Arch, never by what the compiler may use: an application that builds everything with -march=native compiles the
 // SSE4.2 kernels too with AVX-512 switched on. The macros around a version only say that its instructions can be named.
 #pragma once
 

@@ -88,7 +88,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
     }
 }
 
-TEST(Allocation, WavesOfHostsAllocateNothingInFrames) {
+TEST(Allocation, WavesOfApplicationsAllocateNothingInFrames) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         const auto waves = std::make_shared<GerstnerInput>(), none = std::make_shared<GerstnerInput>();
         const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});

@@ -215,7 +215,7 @@ TEST_P(AnalyticOnEachIsa, APointsBitsAreItsOwn) {
     }
 }
 
-TEST_P(AnalyticOnEachIsa, HostsRoundingModeDoesNotMatter) {
+TEST_P(AnalyticOnEachIsa, ApplicationsRoundingModeDoesNotMatter) {
     const std::uint64_t hash = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();
     std::fesetround(FE_UPWARD);
     const std::uint64_t upwards = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();

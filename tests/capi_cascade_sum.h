@@ -1,4 +1,4 @@
-/* docs/library.md's way of adding cascades, as a host would write it in C. */
+/* docs/library.md's way of adding cascades, as an application would write it in C. */
 #ifndef PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 #define PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 

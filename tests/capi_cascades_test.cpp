@@ -1,4 +1,4 @@
-// Frames of several cascades through the C interface: which cascade is where, what its texels mean, what is written into a host's
+// Frames of several cascades through the C interface: which cascade is where, what its texels mean, what is written into an application's
 // memory. The truth is the surface that the planes themselves describe: their Fourier series, by a slow sum in double.
 #include <algorithm>
 #include <array>
@@ -48,8 +48,8 @@ class CInterfaceCascades : public testing::Test {
     }
 };
 
-/// A frame's textures of N = 32, in memory of the host's.
-struct HostTextures {
+/// A frame's textures of N = 32, in memory of the application's.
+struct ApplicationTextures {
     static constexpr std::size_t texels = 32 * 32, chain = (4 * texels - 1) / 3;
     alignas(64) std::uint16_t halves[4 * texels];
     std::uint32_t slopes[chain], moments[chain];
@@ -66,11 +66,11 @@ struct HostTextures {
     }
 };
 
-TEST_F(CInterfaceCascades, TexturesGoIntoMemoryOfTheHosts) {
+TEST_F(CInterfaceCascades, TexturesGoIntoMemoryOfTheApplications) {
     const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
     const pelagic_frame frame = complete(usual.get(), 4);
     const std::vector<pelagic_cascade> expected = cascades_of(usual.get(), frame);
-    std::vector<HostTextures> memory(3);
+    std::vector<ApplicationTextures> memory(3);
     std::vector<pelagic_texture_targets> targets;
     for (std::size_t i = 0; i < 3; ++i)
         targets.push_back(memory[i].targets(i == 0 ? 3 : 0, expected[i].level_offset));
@@ -424,7 +424,7 @@ TEST_F(CInterfaceCascades, AQueryFindsTheSumOfCascadesWhereItIsDrawn) {
     for (std::size_t p = 0; p < count; ++p) EXPECT_NEAR(found[p], heights[p], 1e-3) << "the query's tolerance";
 }
 
-// ---- A host's memory ---------------------------------------------------------------------------------------------
+// ---- An application's memory ---------------------------------------------------------------------------------------------
 
 /// All that a cascade of a stack has.
 struct StackArrays {

@@ -1,4 +1,4 @@
-// The C interface beside the C++ one that it is made of: the same cascades, and the same seas for hosts of any age.
+// The C interface beside the C++ one that it is made of: the same cascades, and the same seas for applications of any age.
 #include <gtest/gtest.h>
 #include <pelagic/pelagic.h>
 
@@ -155,16 +155,16 @@ TEST(CInterfaceInside, StatisticsAreThoseOfTheCppInterface) {
     EXPECT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_INVALID_ARGUMENT);
 }
 
-/// The sea of a host whose struct ends before `cascades`.
-pelagic_sea older_host() {
+/// The sea of an application whose struct ends before `cascades`.
+pelagic_sea older_application() {
     pelagic_sea sea{};
     sea.struct_size = offsetof(pelagic_sea, cascades);
     return sea;
 }
 
-TEST(CInterfaceInside, AnOlderHostHasOneCascadeOfAQuarterOfTheCoarsestSide) {
+TEST(CInterfaceInside, AnOlderApplicationHasOneCascadeOfAQuarterOfTheCoarsestSide) {
     for (const SeaPreset& preset : sea_presets()) {
-        pelagic_sea older = older_host(), today{};
+        pelagic_sea older = older_application(), today{};
         today.struct_size = sizeof today;
         ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &today), PELAGIC_OK);
         if (preset.sea.waves != WaveModel::spectrum) {
@@ -194,7 +194,7 @@ TEST(CInterfaceInside, AnOlderHostHasOneCascadeOfAQuarterOfTheCoarsestSide) {
     }
 }
 
-// As SurfaceQuery with that interpolation, to the bit; hosts with the older struct have the linear one.
+// As SurfaceQuery with that interpolation, to the bit; applications with the older struct have the linear one.
 TEST(CInterfaceInside, QueriesInterpolateAsTheyAreAsked) {
     const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
     auto frame = sized<pelagic_frame>();

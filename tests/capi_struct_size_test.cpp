@@ -1,5 +1,5 @@
-// Structs of older and newer hosts, as capi/pelagic.h promises: never more is read or written than struct_size says, what an
-// older host doesn't have counts as 0, and what a newer one asks for beyond this library is refused rather than ignored.
+// Structs of older and newer applications, as capi/pelagic.h promises: never more is read or written than struct_size says, what an
+// older application doesn't have counts as 0, and what a newer one asks for beyond this library is refused rather than ignored.
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -15,9 +15,9 @@ constexpr unsigned char untouched = 0xAB;
 
 /// A struct of `bytes` bytes at the front of memory that nobody may read or write.
 template <class T>
-class HostStruct {
+class CallerStruct {
    public:
-    explicit HostStruct(std::size_t bytes, const T& value = {}) : bytes_(bytes), memory_(8192, untouched) {
+    explicit CallerStruct(std::size_t bytes, const T& value = {}) : bytes_(bytes), memory_(8192, untouched) {
         std::memset(memory_.data(), 0, bytes);
         std::memcpy(memory_.data(), &value, std::min(bytes, sizeof value));
         get()->struct_size = static_cast<std::uint32_t>(bytes);
@@ -38,7 +38,7 @@ class HostStruct {
     std::vector<unsigned char> memory_;
 };
 
-/// Up to the last field of the first version: a host's compiler may or may not have padded it.
+/// Up to the last field of the first version: an application's compiler may or may not have padded it.
 template <class T, class Field>
 std::size_t size_at_first(Field T::*last) {
     static const T value{};
@@ -62,17 +62,17 @@ class StructSizes : public testing::Test {
 template <class T, class Field, class Call>
 void expect_read_in_every_size(const T& value, Field T::*last, Call call) {
     const std::size_t first = size_at_first(last);
-    EXPECT_EQ(call(HostStruct<T>(first, value).get()), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(call(HostStruct<T>(first - 1, value).get()), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(call(CallerStruct<T>(first, value).get()), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(call(CallerStruct<T>(first - 1, value).get()), PELAGIC_INVALID_ARGUMENT);
     for (const std::size_t bytes : {sizeof(T) + 8, std::size_t{4096}}) {
-        HostStruct<T> newer(bytes, value);
+        CallerStruct<T> newer(bytes, value);
         EXPECT_EQ(call(newer.get()), PELAGIC_OK) << bytes << ": " << pelagic_last_error();
         newer.byte(bytes - 1) = 1;
         EXPECT_EQ(call(newer.get()), PELAGIC_INVALID_ARGUMENT);
         EXPECT_NE(std::string(pelagic_last_error()).find("sets fields of a later version"), std::string::npos)
             << pelagic_last_error();
     }
-    EXPECT_EQ(call(HostStruct<T>(4097, value).get()), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(call(CallerStruct<T>(4097, value).get()), PELAGIC_INVALID_ARGUMENT);
 }
 
 TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
@@ -87,7 +87,7 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
         pelagic_executor_destroy(executor);
         return status;
     });
-    // Its first version ends before `allocate`: what stands there in an older host's memory is none of our business.
+    // Its first version ends before `allocate`: what stands there in an older application's memory is none of our business.
     expect_read_in_every_size(pelagic_ocean_options{}, &pelagic_ocean_options::query_tolerance_m,
                               [](pelagic_ocean_options* options) {
                                   const pelagic_sea sea = small_sea();
@@ -176,21 +176,21 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
 /// leaves the size and what lies behind it alone. Structs of less than `same_from` bytes get other values.
 template <class T, class Field, class Call>
 void expect_written_in_every_size(Field T::*last, Call call, std::size_t same_from = 0) {
-    HostStruct<T> today(sizeof(T));
+    CallerStruct<T> today(sizeof(T));
     ASSERT_EQ(call(today.get()), PELAGIC_OK) << pelagic_last_error();
     const std::size_t first = size_at_first(last);
     for (const std::size_t bytes : {first, sizeof(T), sizeof(T) + 8, std::size_t{4096}}) {
-        HostStruct<T> host(bytes);
-        if (bytes > sizeof(T)) host.byte(bytes - 1) = untouched;
-        ASSERT_EQ(call(host.get()), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(host.get()->struct_size, bytes);
+        CallerStruct<T> application(bytes);
+        if (bytes > sizeof(T)) application.byte(bytes - 1) = untouched;
+        ASSERT_EQ(call(application.get()), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(application.get()->struct_size, bytes);
         if (bytes >= same_from) {
-            EXPECT_EQ(std::memcmp(&host.byte(4), &today.byte(4), std::min(bytes, sizeof(T)) - 4), 0) << bytes;
+            EXPECT_EQ(std::memcmp(&application.byte(4), &today.byte(4), std::min(bytes, sizeof(T)) - 4), 0) << bytes;
         }
-        EXPECT_TRUE(host.is_untouched_behind()) << bytes;
-        EXPECT_TRUE(host.holds(0, std::min(sizeof(T), bytes), bytes)) << bytes;
+        EXPECT_TRUE(application.is_untouched_behind()) << bytes;
+        EXPECT_TRUE(application.holds(0, std::min(sizeof(T), bytes), bytes)) << bytes;
     }
-    HostStruct<T> smaller(first - 1);
+    CallerStruct<T> smaller(first - 1);
     EXPECT_EQ(call(smaller.get()), PELAGIC_INVALID_ARGUMENT);
     EXPECT_TRUE(smaller.is_untouched_behind());
 }
@@ -258,13 +258,13 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
                                  [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
 }
 
-// What stands in pelagic_sea before `cascades` is all that hosts of one cascade know: whatever they ask for is that cascade.
-TEST(StructSizesOfSeas, HostsThatKnowOneCascadeGetOne) {
+// What stands in pelagic_sea before `cascades` is all that applications of one cascade know: whatever they ask for is that cascade.
+TEST(StructSizesOfSeas, ApplicationsThatKnowOneCascadeGetOne) {
     const std::size_t at_first = size_at_first(&pelagic_sea::loop_period_s);
     const std::size_t before_cascades = offsetof(pelagic_sea, cascades);
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
     for (const std::size_t bytes : {at_first, before_cascades}) {
-        HostStruct<pelagic_sea> defaults(bytes), preset(bytes);
+        CallerStruct<pelagic_sea> defaults(bytes), preset(bytes);
         ASSERT_EQ(pelagic_sea_defaults(defaults.get()), PELAGIC_OK);
         ASSERT_EQ(pelagic_sea_preset("calm", preset.get()), PELAGIC_OK);
         EXPECT_EQ(defaults.get()->resolution, 256);
@@ -272,10 +272,10 @@ TEST(StructSizesOfSeas, HostsThatKnowOneCascadeGetOne) {
         EXPECT_EQ(preset.get()->resolution, 256);
         EXPECT_GT(preset.get()->patch_size_m, 0);
         EXPECT_LT(preset.get()->patch_size_m, 250) << "in light wind";
-        for (HostStruct<pelagic_sea>* sea : {&defaults, &preset}) {
+        for (CallerStruct<pelagic_sea>* sea : {&defaults, &preset}) {
             EXPECT_EQ(sea->get()->struct_size, bytes);
             EXPECT_TRUE(sea->is_untouched_behind()) << bytes;
-            // Also where a host sets what he likes, and 0.
+            // Also where an application sets what he likes, and 0.
             for (const double patch_size_m : {sea->get()->patch_size_m, 40.0, 0.0}) {
                 sea->get()->patch_size_m = patch_size_m;
                 sea->get()->resolution = 32;

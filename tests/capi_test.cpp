@@ -589,7 +589,7 @@ TEST(CInterface, ACopyHasTightRows) {
     expect_invalid(pelagic_ocean_copy(ocean.get(), &height_alone), "height has 5 elements, needs 4096");
 }
 
-// As a C++ host asks the frame that frame_at() hands out.
+// As a C++ application asks the frame that frame_at() hands out.
 TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
     const COcean ocean = make_ocean(64);
     auto points = sized<pelagic_points>();
@@ -653,15 +653,15 @@ TEST(CInterface, ARayMeetsTheWaterWhereAQueryFindsIt) {
     EXPECT_FALSE(hit.is_hit);
 }
 
-// ---- A host's job system -------------------------------------------------------------------------------------
+// ---- An application's job system -------------------------------------------------------------------------------------
 
 /// The least there is: a thread for each task, jobs in turn on two threads.
-struct Host {
+struct Application {
     std::atomic<int> submitted = 0, loops = 0;
     std::vector<std::thread> threads;
 
     static void parallel_for(void* user, std::size_t count, void (*job)(void*, std::size_t), void* work) {
-        ++static_cast<Host*>(user)->loops;
+        ++static_cast<Application*>(user)->loops;
         std::atomic<std::size_t> next = 0;
         const auto take = [&] {
             for (std::size_t i = next++; i < count; i = next++) job(work, i);
@@ -671,19 +671,19 @@ struct Host {
         other.join();
     }
     static void submit(void* user, void (*task)(void*), void* work) {
-        auto* host = static_cast<Host*>(user);
-        ++host->submitted;
-        host->threads.emplace_back(task, work);
+        auto* application = static_cast<Application*>(user);
+        ++application->submitted;
+        application->threads.emplace_back(task, work);
     }
     /// Tasks are called, but only when it is too late.
     static void submit_late(void* user, void (*task)(void*), void* work) {
-        auto* host = static_cast<Host*>(user);
-        ++host->submitted;
-        host->late.emplace_back(task, work);
+        auto* application = static_cast<Application*>(user);
+        ++application->submitted;
+        application->late.emplace_back(task, work);
     }
     std::vector<std::pair<void (*)(void*), void*>> late;
 
-    ~Host() {
+    ~Application() {
         for (std::thread& thread : threads) thread.join();
         for (const auto& [task, work] : late) task(work);
     }
@@ -700,37 +700,37 @@ std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
     return all;
 }
 
-void expect_the_same_bits_of_a_hosts_jobs(const pelagic_sea& sea) {
+void expect_the_same_bits_of_a_applications_jobs(const pelagic_sea& sea) {
     const std::uint64_t expected =
         hash_of_frames(ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get()).get(), 10);
     for (const pelagic_submit submit :
-         {pelagic_submit{}, pelagic_submit{Host::submit}, pelagic_submit{Host::submit_late}}) {
-        Host host;
+         {pelagic_submit{}, pelagic_submit{Application::submit}, pelagic_submit{Application::submit_late}}) {
+        Application application;
         auto options = sized<pelagic_executor_options>();
         options.kind = PELAGIC_EXECUTOR_HOST;
         options.threads = 2;
-        options.parallel_for = Host::parallel_for;
+        options.parallel_for = Application::parallel_for;
         options.submit = submit;
-        options.user = &host;
+        options.user = &application;
         pelagic_executor* executor = nullptr;
         ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
         COcean ocean = ocean_of(sea, executor);
         pelagic_executor_destroy(executor);  // the ocean keeps what it needs
         auto info = sized<pelagic_ocean_info>();
         EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
-        EXPECT_STREQ(info.executor, "host");
+        EXPECT_STREQ(info.executor, "application");
         EXPECT_EQ(info.threads, 2);
         EXPECT_EQ(hash_of_frames(ocean.get(), 10), expected);
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);  // destroyed in flight
         ocean.reset();
-        EXPECT_EQ(host.submitted > 0, submit != nullptr);
-        EXPECT_GT(host.loops, 0);
+        EXPECT_EQ(application.submitted > 0, submit != nullptr);
+        EXPECT_GT(application.loops, 0);
     }
 }
 
-TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
-    expect_the_same_bits_of_a_hosts_jobs(small_sea(128));
-    expect_the_same_bits_of_a_hosts_jobs(stack_sea(2, 128));
+TEST(CInterface, AApplicationsOwnJobsGiveTheSameBits) {
+    expect_the_same_bits_of_a_applications_jobs(small_sea(128));
+    expect_the_same_bits_of_a_applications_jobs(stack_sea(2, 128));
 }
 
 TEST(CInterface, AMaskOfCoresHoldsThePool) {

@@ -1,4 +1,4 @@
-// Waves that hosts add through the C interface: those that they ask for, a callback in C beside a batch, and what is refused.
+// Waves that applications add through the C interface: those that they ask for, a callback in C beside a batch, and what is refused.
 #include <cmath>
 #include <limits>
 #include <numbers>

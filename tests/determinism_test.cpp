@@ -16,7 +16,7 @@
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
-#include "pelagic/tests/host_jobs.hpp"
+#include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 #if defined(__x86_64__)
@@ -26,14 +26,14 @@
 namespace pelagic {
 namespace {
 
-struct Host {
+struct Application {
     std::string name;
     std::shared_ptr<Executor> executor;
 };
 
-std::vector<Host> hosts() {
-    static TestHost own;
-    std::vector<Host> all = {{"serial", make_serial_executor()}, {"host", make_host_executor(own.jobs())}};
+std::vector<Application> applications() {
+    static TestApplication own;
+    std::vector<Application> all = {{"serial", make_serial_executor()}, {"application", make_callback_executor(own.jobs())}};
     if (is_emulated) return all;
     for (const int threads : {1, 2, 3, 8}) {
         all.push_back({"thread_" + std::to_string(threads), make_thread_executor(threads)});
@@ -119,9 +119,9 @@ TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
                 .resolution = n, .patch_size_m = 250, .wind_direction_rad = 1, .choppiness = choppiness};
             const std::uint64_t expected = hash_at(sea, 12.34, isas_here().front());
             for (const Isa isa : isas_here())
-                for (const Host& host : hosts())
-                    EXPECT_EQ(hash_at(sea, 12.34, isa, host.executor), expected)
-                        << n << " " << name_of(isa) << " " << host.name;
+                for (const Application& application : applications())
+                    EXPECT_EQ(hash_at(sea, 12.34, isa, application.executor), expected)
+                        << n << " " << name_of(isa) << " " << application.name;
         }
     }
 }
@@ -135,9 +135,9 @@ TEST(Determinism, SeasOfFewWavesHaveTheSameBitsEverywhereToo) {
             ASSERT_EQ(check(sea), "");
             const std::uint64_t expected = hash_at(sea, 12.34, isas_here().front());
             for (const Isa isa : isas_here())
-                for (const Host& host : hosts())
-                    EXPECT_EQ(hash_at(sea, 12.34, isa, host.executor), expected)
-                        << name_of(sea.waves) << " " << n << " " << name_of(isa) << " " << host.name;
+                for (const Application& application : applications())
+                    EXPECT_EQ(hash_at(sea, 12.34, isa, application.executor), expected)
+                        << name_of(sea.waves) << " " << n << " " << name_of(isa) << " " << application.name;
         }
     }
 }
@@ -202,23 +202,23 @@ TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
     ocean.complete();
 }
 
-TEST(Determinism, AWindChangeWaitsForTheHostAndThenIsWholeInOneFrame) {
+TEST(Determinism, AWindChangeWaitsForTheApplicationAndThenIsWholeInOneFrame) {
     const SeaState before{.resolution = 128, .patch_size_m = 250},
         after{.resolution = 128, .patch_size_m = 250, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
-    for (const Host& host : hosts()) {
-        Ocean ocean(before, {.executor = host.executor});
+    for (const Application& application : applications()) {
+        Ocean ocean(before, {.executor = application.executor});
         ocean.schedule_sea(after);
-        EXPECT_EQ(hash_of(ocean.frame_at(2)), hash_at(before, 2)) << host.name;
+        EXPECT_EQ(hash_of(ocean.frame_at(2)), hash_at(before, 2)) << application.name;
         ocean.complete_sea();
         EXPECT_TRUE(ocean.sea_is_ready());
-        EXPECT_EQ(hash_of(ocean.frame_at(2)), hash_at(after, 2)) << host.name;
+        EXPECT_EQ(hash_of(ocean.frame_at(2)), hash_at(after, 2)) << application.name;
     }
 }
 
 TEST(Determinism, OceansMayBeDestroyedInFlight) {
-    for (const Host& host : hosts()) {
+    for (const Application& application : applications()) {
         for (int i = 0; i < 10; ++i) {
-            Ocean ocean({.resolution = 128, .patch_size_m = 250}, {.executor = host.executor});
+            Ocean ocean({.resolution = 128, .patch_size_m = 250}, {.executor = application.executor});
             ocean.schedule_sea({.resolution = 128, .patch_size_m = 250, .seed = 2});
             ocean.schedule(1);
         }
@@ -227,9 +227,9 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
     for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond})
-        for (const Host& host : hosts())
-            EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
-                << host.name;
+        for (const Application& application : applications())
+            EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), application.executor)->frame_at(7)), hash_at(sea, 7))
+                << application.name;
 }
 
 // After a jump, with a tick, and between two.
@@ -247,7 +247,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
     const auto expected = hashes(isas_here().front(), make_serial_executor());
     EXPECT_NE(expected[0], expected[1]);
     for (const Isa isa : isas_here()) EXPECT_EQ(hashes(isa, make_thread_executor(3)), expected) << name_of(isa);
-    for (const Host& host : hosts()) EXPECT_EQ(hashes(choose_isa(), host.executor), expected) << host.name;
+    for (const Application& application : applications()) EXPECT_EQ(hashes(choose_isa(), application.executor), expected) << application.name;
 }
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
@@ -304,12 +304,12 @@ TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
     const SurfaceQuery query(ocean->frame_at(3));
     Answers expected(points.x.size());
     query.sample(points.view(), expected.view());
-    for (const Host& host : hosts()) {
-        SurfaceQueryJobs jobs(host.executor);
+    for (const Application& application : applications()) {
+        SurfaceQueryJobs jobs(application.executor);
         for (int again = 0; again < 3; ++again) {
             Answers answers(points.x.size());
             jobs.sample(query, points.view(), answers.view());
-            EXPECT_EQ(answers.hash(), expected.hash()) << host.name;
+            EXPECT_EQ(answers.hash(), expected.hash()) << application.name;
         }
     }
 }
@@ -364,7 +364,7 @@ TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
 }
 
 // Engines switch threads to flush-to-zero or another rounding mode; the sea must not notice, and must put it back.
-TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
+TEST(Determinism, TheApplicationsFloatingPointEnvironmentDoesNotReachTheSea) {
     const SeaState sea{
         .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);

@@ -243,7 +243,7 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
                 const double light = scene.green(pixels, x, y);
                 const float* rgba = &pixels[4 * static_cast<std::size_t>(y * scene.width() + x)];
                 if (i % 2 == 0 || above < 0) holes += rgba[0] >= 999;
-                // The meniscus is a darker rim of 3 mm; holes where the host draws the sky are neither.
+                // The meniscus is a darker rim of 3 mm; holes where the application draws the sky are neither.
                 if (std::abs(above) < 0.003 || rgba[0] >= 999) continue;
                 (above < 0 ? wet : dry) += 1;
                 wrong += (above < 0) != (light < 0.3);

@@ -20,7 +20,7 @@ std::string all_of(const std::vector<std::string>& messages) {
 TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
     std::vector<std::uint8_t> before;
     for (int life = 0; life < 2; ++life) {
-        // The second scene is what a host builds after its context was lost: everything anew.
+        // The second scene is what an application builds after its context was lost: everything anew.
         GlScene scene({.quality = "low", .resolution = 64, .width = 96, .height = 64, .samples = 1, .size_m = 1024});
         ASSERT_TRUE(scene.context.has_debug());
         for (int frame = 0; frame < 100; ++frame) {

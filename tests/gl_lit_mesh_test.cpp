@@ -1,4 +1,4 @@
-// A host's mesh where it is placed, in the light that it turns to.
+// An application's mesh where it is placed, in the light that it turns to.
 #include <gtest/gtest.h>
 
 #include <array>

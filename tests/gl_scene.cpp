@@ -80,7 +80,7 @@ const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame
                            .lod_scale = quadtree.lod_scale,
                            .draws_sky = draws_sky,
                            .camera_water_plane = water,
-                           .host_scene = host_scene});
+                           .application_scene = application_scene});
 }
 
 std::vector<float> GlScene::light_from_above(const Frame& frame, int pixels, double side_m) {

@@ -71,7 +71,7 @@ class GlScene {
     Selection selection;
     std::optional<gl::RenderTarget> target;
     std::optional<gl::SeaRenderer> renderer;
-    std::optional<gl::HostScene> host_scene;  ///< of the picture, in all draws
+    std::optional<gl::ApplicationScene> application_scene;  ///< of the picture, in all draws
 
    private:
     int samples_;

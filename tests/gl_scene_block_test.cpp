@@ -101,8 +101,8 @@ TEST(SceneBlock, CountsTheCascadesThatMakeFoam) {
     }
 }
 
-// One pass: the sky's exposure, or the host's. Weights are for the display pass alone; stars are for the night.
-TEST(SceneBlock, TakesTheHostsExposureOrTheSkys) {
+// One pass: the sky's exposure, or the application's. Weights are for the display pass alone; stars are for the night.
+TEST(SceneBlock, TakesTheApplicationsExposureOrTheSkys) {
     Ocean ocean({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;

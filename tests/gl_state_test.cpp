@@ -1,4 +1,4 @@
-// A host may leave GL in any state: it gets it back after every call, and the picture is that of a fresh context.
+// An application may leave GL in any state: it gets it back after every call, and the picture is that of a fresh context.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ constexpr std::array integers = {GL_CURRENT_PROGRAM,
                                  GL_BLEND_SRC_RGB,
                                  GL_BLEND_DST_RGB};
 
-/// Everything that a host could have set and that drawing could touch, by name.
+/// Everything that an application could have set and that drawing could touch, by name.
 std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     std::map<std::string, std::vector<GLfloat>> state;
     for (const GLenum name : switches) state["switch " + std::to_string(name)] = {GLfloat(gl.IsEnabled(name))};
@@ -124,9 +124,9 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
 }
 
 /// State of which each piece alone would spoil the picture, or crash.
-class NastyHost {
+class NastyApplication {
    public:
-    explicit NastyHost(const gl::Functions& gl)
+    explicit NastyApplication(const gl::Functions& gl)
         : gl_(gl),
           buffer_(gl),
           small_(gl),
@@ -179,7 +179,7 @@ class NastyHost {
         gl.Viewport(5, 6, 7, 8);
         set_switches(true);
     }
-    /// As a host would before it clears or reads; `on` brings the nasty state back.
+    /// As an application would before it clears or reads; `on` brings the nasty state back.
     void set_switches(bool on) const {
         for (const GLenum name : switches) on ? gl_.Enable(name) : gl_.Disable(name);
     }
@@ -198,10 +198,10 @@ struct Look {
     const char* name;
     gl::DrawMode mode;
     std::optional<gl::CameraWaterPlane> camera_water_plane = {};
-    bool has_rock = false;  ///< which a host draws, and hands in to be mirrored
+    bool has_rock = false;  ///< which an application draws, and hands in to be mirrored
 };
 
-/// Into the first bytes, whatever the host's packing is.
+/// Into the first bytes, whatever the application's packing is.
 void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) gl.PixelStorei(name, 0);
@@ -235,12 +235,12 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
     const DrawList& list =
         selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
     std::optional<gl::Rock> rock;
-    std::optional<gl::HostScene> host_scene;
+    std::optional<gl::ApplicationScene> application_scene;
     if (look.has_rock) {
         rock.emplace(gl, glm::dvec3(60, 0, 40));
         after_each_call("rock's constructor");
         rock->set_light(test_sky());
-        host_scene = rock->picture(eye);
+        application_scene = rock->picture(eye);
         after_each_call("rock's picture");
         rock->draw(eye, 0);
         after_each_call("rock's draw");
@@ -251,7 +251,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
                    .lod_scale = quadtree.lod_scale,
                    .mode = look.mode,
                    .camera_water_plane = look.camera_water_plane,
-                   .host_scene = host_scene});
+                   .application_scene = application_scene});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
     read_target(gl, pixels);
@@ -260,7 +260,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
 
 class GlState : public testing::TestWithParam<Look> {};
 
-TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
+TEST_P(GlState, OfAApplicationIsKeptAndSpoilsNoPicture) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(2);
 
@@ -276,17 +276,17 @@ TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
     gl::HeadlessContext context;
     const gl::Functions& gl = context.functions();
     const Target target(gl);
-    const NastyHost host(gl);
+    const NastyApplication application(gl);
     const auto before = state_of(gl);
     const auto nasty = picture(gl, frame, GetParam(), [&](const char* call) {
         const auto after = state_of(gl);
         for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
     });
     EXPECT_EQ(nasty, clean);
-    host.set_switches(false);
+    application.set_switches(false);
 }
 
-TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
+TEST(GlStateOfDisplay, OfAApplicationIsKeptAndSpoilsNoPicture) {
     const auto picture_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
         gl::Display display(gl);
         check("display's constructor");
@@ -329,14 +329,14 @@ TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
     const gl::Functions& gl = context.functions();
     const gl::Texture texture = texture_of(gl);
     const Target target(gl);
-    const NastyHost host(gl);
+    const NastyApplication application(gl);
     const auto before = state_of(gl);
     const auto nasty = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [&](const char* call) {
         const auto after = state_of(gl);
         for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
     });
     EXPECT_EQ(nasty, clean);
-    host.set_switches(false);
+    application.set_switches(false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, GlState,

@@ -120,12 +120,12 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
         if (is_mapped) renderer.map_textures();  // of which the frame knows nothing
         ocean.schedule(0, {&elsewhere, 1});
         EXPECT_EQ(invalid_value_of(renderer, ocean.complete()),
-                  "the frame's textures are in memory of the host's; map() gives such that upload() knows");
+                  "the frame's textures are in memory of the application's; map() gives such that upload() knows");
     }
 }
 
 TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
-    // As a host changes the sea: the new one is there while the old one's last frame is still to be drawn.
+    // As an application changes the sea: the new one is there while the old one's last frame is still to be drawn.
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
     const SeaState storm = sea_named("storm", 128);
     GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});

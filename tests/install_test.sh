@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs into an empty prefix, then builds the example hosts in a place that sees nothing else, and runs them: both
+# Installs into an empty prefix, then builds the example applications in a place that sees nothing else, and runs them: both
 # print the same frames. Also with pkg-config; and each installed header stands alone and names nobody else's library.
 #
 # usage: install_test.sh BUILD_FOLDER EXAMPLES_FOLDER CMAKE C_COMPILER CXX_COMPILER
@@ -14,31 +14,31 @@ mv "$work/first" "$work/prefix"  # package files must not remember where they we
 
 diff -r "$examples/../presets" "$work/prefix/share/pelagic/presets"
 cp -r "$examples" "$work/examples"
-for host in cpp_host c_host; do
-  "$cmake" -S "$work/examples/$host" -B "$work/$host" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
+for application in cpp_application c_application; do
+  "$cmake" -S "$work/examples/$application" -B "$work/$application" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
-    "$cmake" --build "$work/$host" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  "$work/$host/$host" >"$work/$host.txt"
+    "$cmake" --build "$work/$application" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  "$work/$application/$application" >"$work/$application.txt"
 done
-diff "$work/cpp_host.txt" "$work/c_host.txt"
+diff "$work/cpp_application.txt" "$work/c_application.txt"
 # The page for Windows shows these lines, and a test there compares them too.
-sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/users/windows.md" | diff - "$work/c_host.txt"
+sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/users/windows.md" | diff - "$work/c_application.txt"
 
-# A C host needs nobody's packages, whether it asks for components or not; whoever asks for what is missing is told why.
-# usage: configure_c_host NAME WANTED [OPTION...]
-configure_c_host() {
+# A C application needs nobody's packages, whether it asks for components or not; whoever asks for what is missing is told why.
+# usage: configure_c_application NAME WANTED [OPTION...]
+configure_c_application() {
   mkdir -p "$work/$1"
-  sed "s/find_package(.*/find_package(pelagic REQUIRED $2)/" "$examples/c_host/CMakeLists.txt" >"$work/$1/CMakeLists.txt"
-  cp "$examples/c_host/main.c" "$work/$1"
+  sed "s/find_package(.*/find_package(pelagic REQUIRED $2)/" "$examples/c_application/CMakeLists.txt" >"$work/$1/CMakeLists.txt"
+  cp "$examples/c_application/main.c" "$work/$1"
   "$cmake" -S "$work/$1" -B "$work/$1/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_C_COMPILER="$cc" "${@:3}" \
     >"$work/log" 2>&1
 }
 without_packages=(-DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCMAKE_DISABLE_FIND_PACKAGE_glm=ON -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
 for wanted in "" "COMPONENTS c"; do
-  configure_c_host "bare${wanted: -1}" "$wanted" "${without_packages[@]}" || { cat "$work/log"; exit 1; }
+  configure_c_application "bare${wanted: -1}" "$wanted" "${without_packages[@]}" || { cat "$work/log"; exit 1; }
 done
 refused() {  # usage: refused COMPONENT REASON [OPTION...]
-  ! configure_c_host "without_$1" "COMPONENTS $1" "${@:3}" || { echo "$1 was found"; exit 1; }
+  ! configure_c_application "without_$1" "COMPONENTS $1" "${@:3}" || { echo "$1 was found"; exit 1; }
   tr -s '\n ' ' ' <"$work/log" | grep -qF "component $1 is missing: $2" || { cat "$work/log"; exit 1; }
 }
 refused python "there is no such component: c, cpp, gl and quadtree are"
@@ -52,15 +52,15 @@ refused quadtree "this Pelagic was built without it"
 mv "$work/hidden.cmake" "$(dirname "$(find "$work/prefix" -name pelagic_c_targets.cmake)")/pelagic_quadtree_targets.cmake"
 
 # The component that needs GLM, which no example uses.
-mkdir "$work/quadtree_host"
-cat >"$work/quadtree_host/CMakeLists.txt" <<'END'
+mkdir "$work/quadtree_application"
+cat >"$work/quadtree_application/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.16)
-project(quadtree_host LANGUAGES CXX)
+project(quadtree_application LANGUAGES CXX)
 find_package(pelagic REQUIRED COMPONENTS quadtree)
-add_executable(quadtree_host main.cpp)
-target_link_libraries(quadtree_host PRIVATE pelagic::quadtree)
+add_executable(quadtree_application main.cpp)
+target_link_libraries(quadtree_application PRIVATE pelagic::quadtree)
 END
-cat >"$work/quadtree_host/main.cpp" <<'END'
+cat >"$work/quadtree_application/main.cpp" <<'END'
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
 #include "pelagic/quadtree/selection.hpp"
@@ -71,35 +71,35 @@ int main() {
     return selection.select({.viewer_m = {1, 2, 3}}).instances.empty() ? 1 : 0;
 }
 END
-"$cmake" -S "$work/quadtree_host" -B "$work/quadtree_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+"$cmake" -S "$work/quadtree_application" -B "$work/quadtree_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
   -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
   "$cmake" --build "$work/quadtree_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-"$work/quadtree_build/quadtree_host"
+"$work/quadtree_build/quadtree_application"
 
-# The component that draws, by the example of a host with a context of its own.
+# The component that draws, by the example of an application with a context of its own.
 if [ -d "$work/prefix/include/pelagic/gl" ]; then
-  mkdir "$work/gl_host"
-  cat >"$work/gl_host/CMakeLists.txt" <<'END'
+  mkdir "$work/gl_application"
+  cat >"$work/gl_application/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.16)
-project(gl_host LANGUAGES CXX)
+project(gl_application LANGUAGES CXX)
 find_package(pelagic REQUIRED COMPONENTS gl)
-add_executable(gl_host main.cpp)
-target_link_libraries(gl_host PRIVATE pelagic::gl EGL GLESv2)
+add_executable(gl_application main.cpp)
+target_link_libraries(gl_application PRIVATE pelagic::gl EGL GLESv2)
 END
-  cp "$work/examples/gl_host.cpp" "$work/gl_host/main.cpp"
-  "$cmake" -S "$work/gl_host" -B "$work/gl_build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
+  cp "$work/examples/gl_application.cpp" "$work/gl_application/main.cpp"
+  "$cmake" -S "$work/gl_application" -B "$work/gl_build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
     "$cmake" --build "$work/gl_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  (cd "$work" && gl_build/gl_host)
+  (cd "$work" && gl_build/gl_application)
   [ "$(head -c 14 "$work/sea.ppm" | tr '\n' ' ')" = "P6 960 540 255" ]
 
   # And that of headsets, which says so in one line where there is none.
   if [ -e /usr/include/openxr/openxr.h ]; then
-    "$cmake" -S "$work/examples/openxr_host" -B "$work/openxr_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+    "$cmake" -S "$work/examples/openxr_application" -B "$work/openxr_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
       "$cmake" --build "$work/openxr_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-    XR_RUNTIME_JSON=/nowhere.json XR_LOADER_DEBUG=none "$work/openxr_build/openxr_host" 2>"$work/said" && exit 1
-    grep -q '^openxr_host: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE' "$work/said"
+    XR_RUNTIME_JSON=/nowhere.json XR_LOADER_DEBUG=none "$work/openxr_build/openxr_application" 2>"$work/said" && exit 1
+    grep -q '^openxr_application: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE' "$work/said"
   fi
 fi
 
@@ -107,20 +107,20 @@ PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pelagic_c.pc)")
 export PKG_CONFIG_PATH
 library_folder=$(dirname "$PKG_CONFIG_PATH")
 if command -v pkg-config >/dev/null; then
-  "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$examples/c_host/main.c" -o "$work/c_pc" \
+  "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$examples/c_application/main.c" -o "$work/c_pc" \
     $(pkg-config --cflags --libs pelagic_c)
-  LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_host.txt"
+  LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_application.txt"
   # The page's line, after which the program finds the library by itself.
   line=$(sed -n 's/^    \(cc main.c -o main .*\)/\1/p' "$examples/../docs/library.md")
   [ -n "$line" ] || { echo "docs/library.md has no line for pkg-config"; exit 1; }
-  cp "$examples/c_host/main.c" "$work/main.c"
-  (cd "$work" && cc() { command "$cc" "$@"; } && eval "$line" && env -u LD_LIBRARY_PATH ./main) | diff - "$work/c_host.txt"
-  "$cxx" -std=c++20 "$examples/cpp_host/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)
-  "$work/cpp_pc" | diff - "$work/c_host.txt"
+  cp "$examples/c_application/main.c" "$work/main.c"
+  (cd "$work" && cc() { command "$cc" "$@"; } && eval "$line" && env -u LD_LIBRARY_PATH ./main) | diff - "$work/c_application.txt"
+  "$cxx" -std=c++20 "$examples/cpp_application/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)
+  "$work/cpp_pc" | diff - "$work/c_application.txt"
   # The static library, linked by a C compiler.
-  "$cc" -std=c99 "$examples/c_host/main.c" -o "$work/c_static" $(pkg-config --static --cflags --libs pelagic)
-  env -u LD_LIBRARY_PATH "$work/c_static" | diff - "$work/c_host.txt"
-  "$cxx" -std=c++20 "$work/quadtree_host/main.cpp" -o "$work/quadtree_pc" $(pkg-config --cflags --libs pelagic_quadtree)
+  "$cc" -std=c99 "$examples/c_application/main.c" -o "$work/c_static" $(pkg-config --static --cflags --libs pelagic)
+  env -u LD_LIBRARY_PATH "$work/c_static" | diff - "$work/c_application.txt"
+  "$cxx" -std=c++20 "$work/quadtree_application/main.cpp" -o "$work/quadtree_pc" $(pkg-config --cflags --libs pelagic_quadtree)
   "$work/quadtree_pc"
 fi
 
@@ -140,15 +140,15 @@ if find . -name '*kernel*' | grep .; then
   exit 1
 fi
 
-# A host whose own folders have the same names, and come first on its path.
+# An application whose own folders have the same names, and come first on its path.
 mkdir -p "$work/clash/sim" "$work/clash/jobs" "$work/clash/simd" "$work/clash/message" "$work/clash/quadtree"
 for header in $(find message jobs simd sim -name '*.hpp'); do
-  echo '#error "a host file was taken for one of Pelagic"' >"$work/clash/$header"
+  echo '#error "an application file was taken for one of Pelagic"' >"$work/clash/$header"
 done
-"$cxx" -std=c++20 -fsyntax-only -I"$work/clash" -I.. "$examples/cpp_host/main.cpp"
+"$cxx" -std=c++20 -fsyntax-only -I"$work/clash" -I.. "$examples/cpp_application/main.cpp"
 if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' message jobs simd sim quadtree pelagic.h ||
   grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI)' .; then
-  echo "an installed header names a library that hosts need not have"
+  echo "an installed header names a library that applications need not have"
   exit 1
 fi
 if grep -rn '#include.*glm' message jobs simd sim pelagic.h; then

@@ -12,6 +12,6 @@ trap 'rm -rf "$work"' EXIT
   "$cmake" --build "$work/build" -j 2 >>"$work/log" 2>&1 || { tail -40 "$work/log"; exit 1; }
 "$source/tests/install_test.sh" "$work/build" "$source/examples" "$cmake" "$cc" "$cxx"
 if grep -rniE "tbb" "$work/build/package"/*.pc; then
-  echo "a host would look for oneTBB"
+  echo "an application would look for oneTBB"
   exit 1
 fi

@@ -21,7 +21,7 @@
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/platform.hpp"
 #include "pelagic/tests/each_executor.hpp"
-#include "pelagic/tests/host_jobs.hpp"
+#include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
@@ -343,8 +343,8 @@ TEST_P(EachExecutor, JobsFindTheStackThatTheyAskFor) {
                    },
                .stack_bytes = needed});
     const auto run = executor_->prepare(graph);
-    JobThread host([&] { run_once(*run); }, 128 * 1024);
-    host.join();
+    JobThread application([&] { run_once(*run); }, 128 * 1024);
+    application.join();
     EXPECT_EQ(done, 16);
 }
 
@@ -459,16 +459,16 @@ TEST(ThreadExecutor, ItsThreadsStayOnTheMasksCores) {
     EXPECT_EQ(elsewhere, 0);
 }
 
-TEST(ExecutorOptions, HostsJobsAreChecked) {
-    EXPECT_EQ(reason_of([] { make_host_executor({}); }), "parallel_for is null, needs the host's function");
-    TestHost host;
-    HostJobs jobs = host.jobs();
+TEST(ExecutorOptions, ApplicationsJobsAreChecked) {
+    EXPECT_EQ(reason_of([] { make_callback_executor({}); }), "parallel_for is null, needs the application's function");
+    TestApplication application;
+    ApplicationJobs jobs = application.jobs();
     jobs.threads = 0;
-    EXPECT_EQ(reason_of([&] { make_host_executor(jobs); }), "threads is 0, needs 1 to 1024");
+    EXPECT_EQ(reason_of([&] { make_callback_executor(jobs); }), "threads is 0, needs 1 to 1024");
 }
 
-TEST(HostExecutor, RunsStagesInOrderAThousandTimes) {
-    TestHost host;
+TEST(CallbackExecutor, RunsStagesInOrderAThousandTimes) {
+    TestApplication application;
     std::atomic<std::size_t> first_done = 0;
     std::atomic<int> too_early = 0, last_done = 0;
     JobGraph graph;
@@ -478,7 +478,7 @@ TEST(HostExecutor, RunsStagesInOrderAThousandTimes) {
                    if (first_done != 5) ++too_early;
                    ++last_done;
                }});
-    const auto run = make_host_executor(host.jobs())->prepare(graph);
+    const auto run = make_callback_executor(application.jobs())->prepare(graph);
     for (int round = 1; round <= 1000; ++round) {
         first_done = 0;
         run_once(*run);
@@ -488,12 +488,12 @@ TEST(HostExecutor, RunsStagesInOrderAThousandTimes) {
     EXPECT_EQ(too_early, 0);
 }
 
-TEST(HostExecutor, WorkIsDoneUnasked) {
-    TestHost host;
+TEST(CallbackExecutor, WorkIsDoneUnasked) {
+    TestApplication application;
     std::atomic<int> done = 0;
     JobGraph graph;
     graph.add({.name = "some", .count = 5, .body = [&](std::size_t, std::size_t) { ++done; }});
-    const auto run = make_host_executor(host.jobs())->prepare(graph);
+    const auto run = make_callback_executor(application.jobs())->prepare(graph);
     run->schedule();
     EXPECT_TRUE(wait_until([&] { return run->is_done(); }));
     EXPECT_EQ(done, 5);

@@ -94,7 +94,7 @@ TEST(OneLine, IsShortAndKeepsBothEnds) {
     }
 }
 
-TEST(OneLine, IsWhatAGraphSaysOfAHostsStage) {
+TEST(OneLine, IsWhatAGraphSaysOfAApplicationsStage) {
     JobGraph graph;
     try {
         graph.add({.name = std::string(1000, '\n'), .batch = 0, .body = {}});

@@ -1,4 +1,4 @@
-// What a C++ host must not do, each an assertion that names it. Only in builds with assertions: `asan` and `debug`, not
+// What a C++ application must not do, each an assertion that names it. Only in builds with assertions: `asan` and `debug`, not
 // `release`, which defines NDEBUG.
 #include <gtest/gtest.h>
 

@@ -22,8 +22,8 @@ while read -r line; do
   bash -e -c "$line" >out || { cat out; exit 1; }
   case $line in
     cmake*--list*) grep -q '"release"' out ;;
-    *openxr_host\ --frames*) grep -q '^20 frames shown' out ;;
-    *bin/openxr_host*) grep -q '^5 frames shown' out ;;
+    *openxr_application\ --frames*) grep -q '^20 frames shown' out ;;
+    *bin/openxr_application*) grep -q '^5 frames shown' out ;;
   esac
 done <lines
 # The last frame's pictures and a hash a frame, as the page says.

@@ -1,15 +1,15 @@
-// The stand-in refuses what the specification forbids, so that a host which passes does so by calling rightly. Each code is
+// The stand-in refuses what the specification forbids, so that an application which passes does so by calling rightly. Each code is
 // the one that the reference page of the call names.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "pelagic/examples/openxr_host/egl_context.hpp"
-#include "pelagic/examples/openxr_host/headset.hpp"
+#include "pelagic/examples/openxr_application/egl_context.hpp"
+#include "pelagic/examples/openxr_application/headset.hpp"
 
 namespace {
 
-using namespace openxr_host;
+using namespace openxr_application;
 
 class OpenXrStandIn : public testing::Test {
    protected:

@@ -55,7 +55,7 @@ TEST(CInterfaceQueryFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
     const QueryFrames::Reader of_the_newest(frames);
 
     std::atomic<bool> waits = false, is_free = false;
-    std::thread host([&] {
+    std::thread application([&] {
         waits = true;
         frames.wait_for_old_readers();
         is_free = true;
@@ -67,11 +67,11 @@ TEST(CInterfaceQueryFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
     std::this_thread::sleep_for(a_while);
     EXPECT_FALSE(is_free) << "one is left";
     second.reset();
-    host.join();
+    application.join();
     EXPECT_TRUE(is_free) << "whoever reads the newest frame holds up nobody";
 }
 
-// Readers that come while the host goes from frame to frame: what they hold never changes under them. The host's steps are
+// Readers that come while the application goes from frame to frame: what they hold never changes under them. The application's steps are
 // short, so that every order of the two comes up in a second.
 TEST(CInterfaceQueryFrames, WhatAReaderHoldsNeverChanges) {
     Shown shown;

@@ -1,4 +1,4 @@
-// Textures in memory of the host's: the bytes that the frame would have had, and not one beside them.
+// Textures in memory of the application's: the bytes that the frame would have had, and not one beside them.
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -17,7 +17,7 @@ namespace {
 constexpr int n = 32;
 constexpr std::uint32_t guard = 0xA5C3A5C3;
 
-/// A host's memory for one map of one cascade, with a guard on both sides of every piece of it.
+/// An application's memory for one map of one cascade, with a guard on both sides of every piece of it.
 class Guarded {
    public:
     explicit Guarded(std::vector<std::size_t> words) {

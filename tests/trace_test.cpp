@@ -54,7 +54,7 @@ class RecordingSink final : public TraceSink {
 constexpr SeaState small_sea{.resolution = 128, .patch_size_m = 250};
 constexpr int frames = 5;
 
-/// A few frames of a small sea, the next one scheduled before the last is looked at, as hosts do.
+/// A few frames of a small sea, the next one scheduled before the last is looked at, as applications do.
 class TraceOnEachExecutor : public testing::TestWithParam<ExecutorKind> {
    protected:
     std::shared_ptr<Executor> executor() const { return GetParam().make(GetParam().threads); }

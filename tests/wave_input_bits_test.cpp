@@ -1,4 +1,4 @@
-// Waves that hosts add to cascades, as bits: the same on every instruction set, executor and compiler.
+// Waves that applications add to cascades, as bits: the same on every instruction set, executor and compiler.
 #include <gtest/gtest.h>
 
 #include <bit>

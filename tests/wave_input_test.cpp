@@ -1,4 +1,4 @@
-// Waves that hosts add to cascades: against closed forms summed in double, through all that is made of cascades, and what is refused.
+// Waves that applications add to cascades: against closed forms summed in double, through all that is made of cascades, and what is refused.
 #include "pelagic/sim/wave_input.hpp"
 
 #include <gtest/gtest.h>

@@ -193,9 +193,9 @@ class OfflineRenderer {
                                        .sun = gl::sun_direction(options_.scene.sky)});
             renderer_.set_caustics(caustics_.complete());
         }
-        std::optional<gl::HostScene> host_scene;
+        std::optional<gl::ApplicationScene> application_scene;
         if (rock_) {
-            host_scene = rock_->picture(eyes[0]);
+            application_scene = rock_->picture(eyes[0]);
             rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
         }
         return renderer_.draw({.eyes = eyes,
@@ -206,7 +206,7 @@ class OfflineRenderer {
                                .exposure = exposure(),
                                .weighs_samples = weighs_samples,
                                .camera_water_plane = water,
-                               .host_scene = host_scene});
+                               .application_scene = application_scene});
     }
 
     void note(const gl::DrawStatistics& statistics) {

@@ -505,7 +505,7 @@ class Viewer {
                              .exposure = exposure,
                              .weighs_samples = true,
                              .camera_water_plane = camera_water_plane(frame),
-                             .host_scene = draw_boat(eye, exposure)});
+                             .application_scene = draw_boat(eye, exposure)});
         statistics_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         statistics_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         statistics_.draw_calls = drawn.sea_calls + drawn.sky_calls;
@@ -514,7 +514,7 @@ class Viewer {
     }
 
     /// Before the sea, which mirrors it where a GPU draws.
-    std::optional<gl::HostScene> draw_boat(const gl::Eye& eye, float exposure) {
+    std::optional<gl::ApplicationScene> draw_boat(const gl::Eye& eye, float exposure) {
         if (!boat_ || settings_.wireframe) return {};
         const glm::dmat4 pose = boat_->world_from_boat();
         boat_model_->draw(eye, pose, exposure);

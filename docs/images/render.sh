@@ -71,7 +71,7 @@ below up --preset calm --camera 0,-7,0 --target 4,0,4 --sun 45,50 --fov 100
 below split --preset moderate --water I --depth 5 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 130,45 --clouds 0.3 --exposure-bias -0.8 --fov 75
 below island --preset calm --water I --floor "$heights" --floor-size 300 --camera -160,40,0 --target 0,0,0 --sun 200,50 --fov 50
 
-# What a host draws, mirrored.
+# What an application draws, mirrored.
 "$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
 
 # One cascade of 250 m beside the default cascades, from four heights.

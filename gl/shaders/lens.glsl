@@ -1,5 +1,5 @@
 // The lens and the water's surface: a pixel looks from within the water where its place on the near plane lies below the
-// surface, which around the lens is the plane that the host asked a query for (DrawInput::camera_water_plane).
+// surface, which around the lens is the plane that the application asked a query for (DrawInput::camera_water_plane).
 
 // The row of the projection that makes w: along it a perspective measures distance from the eye.
 vec3 ahead_of_eye() {

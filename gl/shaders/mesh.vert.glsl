@@ -1,4 +1,4 @@
-// A host's mesh in the light of sun and sky.
+// An application's mesh in the light of sun and sky.
 precision highp float;
 #include "mesh_light.glsl"
 

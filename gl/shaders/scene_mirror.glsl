@@ -1,12 +1,12 @@
-// What a host drew before the sea, mirrored: the ray is followed through its picture, in steps that are even on the screen (McGuire and
+// What an application drew before the sea, mirrored: the ray is followed through its picture, in steps that are even on the screen (McGuire and
 // Mara 2014, "Efficient GPU Screen-Space Ray Tracing"). The first step that ends behind what stands there is halved until the place is
 // found. Where there is none, or the ray leaves the picture, the sky is mirrored.
-uniform highp sampler2D host_radiance;  // times coverage; alpha: coverage
-uniform highp sampler2D host_depth;
+uniform highp sampler2D scene_radiance;  // times coverage; alpha: coverage
+uniform highp sampler2D scene_depth;
 
 // How far ahead of the eye the scene stands there, as clip coordinates' w.
 float scene_ahead(vec2 on_screen) {
-    float depth = textureLod(host_depth, 0.5 + 0.5 * on_screen, 0.0).r;
+    float depth = textureLod(scene_depth, 0.5 + 0.5 * on_screen, 0.0).r;
     if (depth >= 1.0) return 1e9;
     highp mat4 m = viewer_from_clip[0];
     return 1.0 / dot(vec4(m[0].w, m[1].w, m[2].w, m[3].w), vec4(on_screen, 2.0 * depth - 1.0, 1.0));
@@ -53,10 +53,10 @@ vec4 scene_along(vec3 at, vec3 towards, float spread) {
     // Further behind than the last step led: the ray passes what hides it there.
     float thickness = 2.0 * (behind - before) + 0.005 * clip.w;
     if (clip.w - scene_ahead(on_screen) > thickness) return vec4(0.0);
-    vec2 size = vec2(textureSize(host_radiance, 0));
+    vec2 size = vec2(textureSize(scene_radiance, 0));
     highp mat4 m = clip_from_viewer[0];
     float pixels_a_metre = 0.5 * size.y * length(vec3(m[0].y, m[1].y, m[2].y)) / clip.w;
-    vec4 seen = textureLod(host_radiance, 0.5 + 0.5 * on_screen, log2(max(spread * behind * pixels_a_metre, 1.0)));
+    vec4 seen = textureLod(scene_radiance, 0.5 + 0.5 * on_screen, log2(max(spread * behind * pixels_a_metre, 1.0)));
     vec2 to_edge = 1.0 - abs(on_screen);
     float inside = smoothstep(0.0, 0.15, min(to_edge.x, to_edge.y));
     return vec4(seen.rgb / max(seen.a, 1e-4), min(seen.a, 1.0) * inside);

@@ -2,7 +2,7 @@
 //
 //   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn; slopes of dynamic waves
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
-//               what a host drew
+//               what an application drew
 //   water       light from below: absorption and backscattering, light through crests
 //   foam        white and diffuse, over all of it: how much the cascades' maps say, where in the pixel its texture does
 //   haze        towards the colour that the sky has at the horizon there

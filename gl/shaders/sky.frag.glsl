@@ -48,7 +48,7 @@ void main() {
     }
     if (viewer.x < 0.5) discard;
 #endif
-    // Under the horizon lies the sea; where a host draws none, the horizon goes on.
+    // Under the horizon lies the sea; where an application draws none, the horizon goes on.
     vec4 baked = textureLod(sky, vec3(direction.x, max(direction.y, 0.0), direction.z), 0.0);
     vec3 radiance = baked.rgb;
     float risen = smoothstep(-0.002, 0.0, direction.y);

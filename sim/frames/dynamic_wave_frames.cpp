@@ -52,7 +52,7 @@ void check_place(double x_m, double z_m) {
 
 }  // namespace
 
-DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare)
+DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const Allocator& memory, const Prepare& prepare)
     : grid_(options, isa, memory) {
     const auto n = static_cast<std::size_t>(options.resolution);
     for (Slot& slot : slots_) {

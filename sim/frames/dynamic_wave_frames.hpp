@@ -14,7 +14,7 @@
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/sources/dynamic_wave_grid.hpp"
-#include "pelagic/simd/host_memory.hpp"
+#include "pelagic/simd/allocator.hpp"
 
 namespace pelagic {
 
@@ -25,7 +25,7 @@ class DynamicWaveFrames {
     /// A jump in time is no more ticks than that many seconds have.
     static constexpr double most_seconds_a_frame = 0.5;
 
-    DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare);
+    DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const Allocator& memory, const Prepare& prepare);
     DynamicWaveFrames(const DynamicWaveFrames&) = delete;  // stages point into it
     DynamicWaveFrames& operator=(const DynamicWaveFrames&) = delete;
 
@@ -70,7 +70,7 @@ class DynamicWaveFrames {
     void show_rows(std::size_t item);
 
     DynamicWaveGrid grid_;
-    /// What a host said since the last begin_frame().
+    /// What an application said since the last begin_frame().
     struct Command {
         enum class Kind { disturb, add, set, remove, follow, rain } kind;
         std::uint32_t number = 0;

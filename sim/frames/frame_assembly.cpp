@@ -225,7 +225,7 @@ SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
 }
 
 /// Which ticks the frame of a time needs beyond those that are remembered. A sea that does not change has the same foam in
-/// every loop, unless hosts add to it what need not loop.
+/// every loop, unless applications add to it what need not loop.
 void FrameAssembly::plan_ticks(double time_s) {
     frame_tick_ = clock().at(time_s);
     const std::int64_t all = foam_->warm_up_ticks();

@@ -15,7 +15,7 @@ constexpr std::size_t foam_stack_bytes = 40 * 1024 + stack_margin;
 
 }  // namespace
 
-FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const HostMemory& memory)
+FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const Allocator& memory)
     : slots_(slots), kernels_(kernels) {
     const std::size_t texels =
         static_cast<std::size_t>(slots.resolution()) * static_cast<std::size_t>(slots.resolution());

@@ -17,7 +17,7 @@ namespace pelagic {
 
 class FoamHistory final : public History {
    public:
-    FoamHistory(FrameSlots& slots, const Kernels& kernels, const HostMemory& memory);
+    FoamHistory(FrameSlots& slots, const Kernels& kernels, const Allocator& memory);
     FoamHistory(const FoamHistory&) = delete;  // stages point into it
     FoamHistory& operator=(const FoamHistory&) = delete;
 

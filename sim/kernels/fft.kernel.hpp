@@ -146,7 +146,7 @@ constexpr std::size_t workspace_floats(const FftTables& fft) {
 }
 
 /// Working memory on the stack of the kernel that says this, as much as the transform's size needs and no more: a
-/// host's threads may have small stacks. Aligned to 64 bytes.
+/// application's threads may have small stacks. Aligned to 64 bytes.
 #define PELAGIC_STACK_FLOATS(count) static_cast<float*>(__builtin_alloca_with_align((count) * sizeof(float), 512))
 
 }  // namespace pelagic::kernels

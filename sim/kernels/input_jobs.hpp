@@ -1,4 +1,4 @@
-// The jobs of waves that hosts add to cascades (sim/wave_input.hpp). Rows are tight, aligned, and as long as the cascade is wide.
+// The jobs of waves that applications add to cascades (sim/wave_input.hpp). Rows are tight, aligned, and as long as the cascade is wide.
 #pragma once
 
 #include <cstddef>

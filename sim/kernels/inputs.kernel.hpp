@@ -1,4 +1,4 @@
-// Waves that hosts add: waves of a grid and rings along a row of texels, and rows into the blocks of a surface.
+// Waves that applications add: waves of a grid and rings along a row of texels, and rows into the blocks of a surface.
 #pragma once
 
 #include <xsimd/xsimd.hpp>

@@ -44,7 +44,7 @@ double DynamicWaveGrid::courant_number(const DynamicWavesOptions& options) {
     return options.wave_speed_mps / (options.side_m / options.resolution) / options.ticks_per_s;
 }
 
-DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory)
+DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const Allocator& memory)
     : options_(options),
       kernels_(kernels_for(isa)),
       placement_(options.resolution, options.side_m / options.resolution) {

@@ -21,7 +21,7 @@
 #include "pelagic/sim/sources/dynamic_wave_sources.hpp"
 #include "pelagic/sim/sources/grid_placement.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
-#include "pelagic/simd/host_memory.hpp"
+#include "pelagic/simd/allocator.hpp"
 
 namespace pelagic {
 
@@ -33,7 +33,7 @@ class DynamicWaveGrid {
     static double courant_number(const DynamicWavesOptions& options);
 
     /// Throws std::invalid_argument(check(options)), std::bad_alloc. \pre runs_here(isa)
-    DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory = {});
+    DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const Allocator& memory = {});
     DynamicWaveGrid(const DynamicWaveGrid&) = delete;  // stages point into it
     DynamicWaveGrid& operator=(const DynamicWaveGrid&) = delete;
 

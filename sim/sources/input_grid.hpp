@@ -1,4 +1,4 @@
-// Which cascade takes a wave that a host adds, and how it runs there.
+// Which cascade takes a wave that an application adds, and how it runs there.
 #pragma once
 
 #include <cstddef>

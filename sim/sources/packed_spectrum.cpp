@@ -46,7 +46,7 @@ ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
 
 }  // namespace
 
-PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, const HostMemory& memory)
+PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, const Allocator& memory)
     : lanes(lane_count),
       pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
       waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),

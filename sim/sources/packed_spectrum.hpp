@@ -24,7 +24,7 @@ namespace pelagic {
 /// `minus` is then zero.
 struct PackedSpectrum {
     /// \param lanes  of the instruction set that reads it, Kernels::lanes
-    PackedSpectrum(const FftPlan& plan, std::size_t lanes, const HostMemory& memory = {});
+    PackedSpectrum(const FftPlan& plan, std::size_t lanes, const Allocator& memory = {});
 
     std::size_t block_floats() const { return pairs * wave_quantities * lanes; }
     float* block(std::size_t line_block) { return waves.data() + line_block * block_floats(); }

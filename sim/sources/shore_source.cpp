@@ -89,7 +89,7 @@ void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& 
 }  // namespace
 
 ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                         const Kernels& kernels, const HostMemory& memory)
+                         const Kernels& kernels, const Allocator& memory)
     : bed_(options),
       sea_(sea),
       fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),

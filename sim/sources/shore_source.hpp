@@ -18,7 +18,7 @@
 #include "pelagic/sim/spectrum/shore_waves.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
-#include "pelagic/simd/host_memory.hpp"
+#include "pelagic/simd/allocator.hpp"
 
 namespace pelagic {
 
@@ -33,7 +33,7 @@ class ShoreSource {
 
     /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the sea's cascades
     ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                const Kernels& kernels, const HostMemory& memory = {});
+                const Kernels& kernels, const Allocator& memory = {});
     ShoreSource(const ShoreSource&) = delete;  // stages point into it
     ShoreSource& operator=(const ShoreSource&) = delete;
 

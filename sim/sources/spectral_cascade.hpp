@@ -57,7 +57,7 @@ class SpectralCascade final : public SeaSource {
     FrameSlots& slots_;
     std::size_t cascade_;
     const Kernels& kernels_;
-    HostMemory memory_;
+    Allocator memory_;
     bool has_velocities_;
     int resolution_;
     FftPlan plan_;

@@ -1,4 +1,4 @@
-// What hosts add to the waves of the cascades (sim/wave_input.hpp): the stage `inputs` of each cascade, between its source and what follows
+// What applications add to the waves of the cascades (sim/wave_input.hpp): the stage `inputs` of each cascade, between its source and what follows
 // from the surface. Without inputs there is no such stage.
 #pragma once
 

@@ -18,7 +18,7 @@ std::size_t blocks_of(int resolution) { return static_cast<std::size_t>(resoluti
 
 }  // namespace
 
-ContractionMap::ContractionMap(int resolution, const HostMemory& memory)
+ContractionMap::ContractionMap(int resolution, const Allocator& memory)
     : resolution_(resolution),
       blocks_((4 * blocks_of(resolution) - 1) / 3, memory),
       around_(blocks_of(resolution), memory),

@@ -37,7 +37,7 @@ class ContractionMap {
     /// Of the finest cascade's texel: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 
-    explicit ContractionMap(int resolution, const HostMemory& memory = {});
+    explicit ContractionMap(int resolution, const Allocator& memory = {});
 
     /// Stage `folds`: looks at cells. Rows of different jobs may be looked at side by side.
     void find(const Cascade& cascade, const Kernels& kernels, std::size_t job);

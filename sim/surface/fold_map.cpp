@@ -17,7 +17,7 @@ int floor_of(double x) {
 
 }  // namespace
 
-FoldMap::FoldMap(int resolution, const HostMemory& memory)
+FoldMap::FoldMap(int resolution, const Allocator& memory)
     : resolution_(resolution),
       cells_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) / 8, memory),
       squares_(cells_.size(), memory) {}

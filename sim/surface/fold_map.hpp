@@ -25,7 +25,7 @@ class FoldMap {
     /// Texels around what such cells are drawn on: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 
-    explicit FoldMap(int resolution, const HostMemory& memory = {});
+    explicit FoldMap(int resolution, const Allocator& memory = {});
 
     /// Stage `folds`: looks for cells that turn over. Rows of different jobs may be looked at side by side.
     void find(const Cascade& cascade, const Kernels& kernels, std::size_t job);

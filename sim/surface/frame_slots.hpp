@@ -1,4 +1,4 @@
-// The buffers of frames: two slots, so that one frame is computed while the host still draws the one before.
+// The buffers of frames: two slots, so that one frame is computed while the application still draws the one before.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct FrameExtras {
     bool gradients = true;   ///< each cascade's own normals
     bool slopes = false;     ///< and those that add to other cascades'
     bool foam = false;       ///< that lasts
-    HostMemory memory = {};  ///< for everything whose size grows with N^2
+    Allocator memory = {};  ///< for everything whose size grows with N^2
 };
 
 /// The buffers of one cascade of one frame, and the views of them.
@@ -62,7 +62,7 @@ class FrameSlots {
 
     CascadeBuffers& buffers(std::size_t cascade) { return slots_[back_].buffers[cascade]; }
     Cascade& cascade(std::size_t cascade) { return slots_[back_].cascades[cascade]; }
-    /// Where the cascade's textures go: all that it has, into its buffers or into memory of the host's.
+    /// Where the cascade's textures go: all that it has, into its buffers or into memory of the application's.
     const TextureTargets& textures(std::size_t cascade) const { return slots_[back_].textures[cascade]; }
     Frame& frame() { return slots_[back_].frame; }
     /// What the cascade's frame finds of foam.
@@ -83,7 +83,7 @@ class FrameSlots {
     struct Slot {
         std::vector<CascadeBuffers> buffers;
         std::vector<TextureTargets> own_textures;  ///< in the buffers
-        std::vector<TextureTargets> elsewhere;     ///< what the host has asked for
+        std::vector<TextureTargets> elsewhere;     ///< what the application has asked for
         std::vector<TextureTargets> textures;      ///< where the frame's are written
         std::vector<Cascade> cascades;
         std::vector<RememberedFoam> remembered_foam;

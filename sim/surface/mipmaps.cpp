@@ -16,7 +16,7 @@ std::size_t stride_of(int resolution, int level) {
 
 }  // namespace
 
-MipAverages::MipAverages(int resolution, const HostMemory& memory, std::size_t planes)
+MipAverages::MipAverages(int resolution, const Allocator& memory, std::size_t planes)
     : resolution_(resolution), planes_(planes), values_(floats_before(mip_levels(resolution)), memory) {}
 
 std::size_t MipAverages::floats_before(int level) const {

@@ -14,7 +14,7 @@ namespace pelagic {
 class MipAverages {
    public:
     /// \param planes  of a row of averages: those of MipLevelJob, or slope_planes for SlopeLevelJob
-    explicit MipAverages(int resolution, const HostMemory& memory = {}, std::size_t planes = mip_planes + 1);
+    explicit MipAverages(int resolution, const Allocator& memory = {}, std::size_t planes = mip_planes + 1);
 
     /// As those jobs want them.
     float* level(int level);

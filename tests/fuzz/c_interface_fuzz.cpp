@@ -49,7 +49,7 @@ T sized(Bytes& bytes) {
     T value{};
     value.struct_size = sizeof(T);
     if (bytes.take<std::uint8_t>() == 255) {
-        // Up to 4096 bytes are a newer host's, and read: there has to be as much as he says. More are refused unread.
+        // Up to 4096 bytes are a newer application's, and read: there has to be as much as he says. More are refused unread.
         const auto size = bytes.take<std::uint32_t>();
         if (size <= sizeof(T) || size > 4096) value.struct_size = size;
     }

@@ -9,7 +9,7 @@
 //   PELAGIC_STAND_IN_EVENTS  what happens after which frame: "10:hide 20:show 30:stop 40:exit" (session.cpp)
 //   PELAGIC_STAND_IN_REFUSES a call that fails, and how: "xrGetSystem:-35"
 //
-// An application's context does the drawing. Only what pelagic's host and the validation layer call is there; one instance
+// An application's context does the drawing. Only what pelagic's application and the validation layer call is there; one instance
 // and one session at a time.
 #pragma once
 

@@ -1,4 +1,4 @@
-"""The package has the bits that the command line has, and those that are kept for every host."""
+"""The package has the bits that the command line has, and those that are kept for every application."""
 
 import json
 

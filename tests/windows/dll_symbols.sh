@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What pelagic.dll exports, and the import library that hosts link offers, is what tests/abi/pelagic.symbols lists; and it imports
+# What pelagic.dll exports, and the import library that applications link offers, is what tests/abi/pelagic.symbols lists; and it imports
 # nothing but DLLs that every Windows has.
 #
 # usage: dll_symbols.sh OBJDUMP NM DLL IMPORT_LIBRARY LIST

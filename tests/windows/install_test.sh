@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs into an empty prefix, then builds examples/c_host and cpp_host in a place that sees nothing else, with CMake and by hand,
+# Installs into an empty prefix, then builds examples/c_application and cpp_application in a place that sees nothing else, with CMake and by hand,
 # and runs them beside pelagic.dll: both print the same frames.
 #
 # usage: install_test.sh BUILD_FOLDER EXAMPLES_FOLDER CMAKE C_COMPILER CXX_COMPILER TOOLCHAIN [EMULATOR...]
@@ -18,19 +18,19 @@ mv "$work/first" "$work/prefix"  # package files must not remember where they we
 export PATH="$work/prefix/bin:$PATH"  # where Windows looks for DLLs; wine is told in its own words
 WINEPATH=$(sed 's|/|\\|g; s|^|Z:|' <<<"$work/prefix/bin")
 export WINEPATH
-cp -r "$examples/c_host" "$examples/cpp_host" "$work"
-for host in c_host cpp_host; do
-  "$cmake" -S "$work/$host" -B "$work/$host/build" -Dpelagic_DIR="$work/prefix/lib/cmake/pelagic" -DCMAKE_BUILD_TYPE=Release \
+cp -r "$examples/c_application" "$examples/cpp_application" "$work"
+for application in c_application cpp_application; do
+  "$cmake" -S "$work/$application" -B "$work/$application/build" -Dpelagic_DIR="$work/prefix/lib/cmake/pelagic" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_EXE_LINKER_FLAGS=-static     -DCMAKE_TOOLCHAIN_FILE="$toolchain" >"$work/log" 2>&1 &&
-    "$cmake" --build "$work/$host/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  "${run[@]}" "$work/$host/build/$host.exe" >"$work/$host.txt"
+    "$cmake" --build "$work/$application/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  "${run[@]}" "$work/$application/build/$application.exe" >"$work/$application.txt"
 done
-diff "$work/cpp_host.txt" "$work/c_host.txt"
-[ "$(wc -l <"$work/c_host.txt")" -eq 5 ]
+diff "$work/cpp_application.txt" "$work/c_application.txt"
+[ "$(wc -l <"$work/c_application.txt")" -eq 5 ]
 
 # By hand; the static library brings the compiler's with it.
 include=-I$work/prefix/include libraries=-L$work/prefix/lib
-"$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$work/c_host/main.c" -o "$work/c.exe" "$include" "$libraries" -lpelagic_c
-"${run[@]}" "$work/c.exe" | diff - "$work/c_host.txt"
-"$cxx" -std=c++20 -DPELAGIC_STATIC "$work/cpp_host/main.cpp" -o "$work/cpp.exe" "$include" "$libraries" -lpelagic -static
-env -u WINEPATH "${run[@]}" "$work/cpp.exe" | diff - "$work/c_host.txt"
+"$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$work/c_application/main.c" -o "$work/c.exe" "$include" "$libraries" -lpelagic_c
+"${run[@]}" "$work/c.exe" | diff - "$work/c_application.txt"
+"$cxx" -std=c++20 -DPELAGIC_STATIC "$work/cpp_application/main.cpp" -o "$work/cpp.exe" "$include" "$libraries" -lpelagic -static
+env -u WINEPATH "${run[@]}" "$work/cpp.exe" | diff - "$work/c_application.txt"

@@ -1,4 +1,4 @@
-/* A host in C that finds pelagic.dll at run time: loads it, computes the golden frames of the default sea, lets it go, and does all
+/* An application in C that finds pelagic.dll at run time: loads it, computes the golden frames of the default sea, lets it go, and does all
  * that again. Prints them, each as "default@TIME HASH", after every load.
  *
  * usage: load_library PELAGIC.DLL */

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every command line of docs/users/windows.md, in a folder that has the build and the sources where the page has them; the hosts
+# Every command line of docs/users/windows.md, in a folder that has the build and the sources where the page has them; the applications
 # print the lines that the page shows.
 #
 # usage: page_test.sh SOURCE_FOLDER BUILD_FOLDER
@@ -26,10 +26,10 @@ while read -r line; do
   bash -e -c "$line" >out </dev/null || { cat out; exit 1; }
   case $line in
     cmake*--list*) grep -q '"windows"' out ;;
-    *c_host.exe | *run_wine.sh*cpp_host.exe) tr -d '\r' <out | diff shown - ;;
+    *c_application.exe | *run_wine.sh*cpp_application.exe) tr -d '\r' <out | diff shown - ;;
     *pelagic.exe\ query*) [ "$(wc -l <out)" -eq 3 ] && [ -z "$(tr -dc '\r' <out)" ] || { cat out; exit 1; } ;;
   esac
 done <lines
-[ -e c_host_build/c_host.exe ]
-cp pelagic-windows/bin/pelagic.dll c_host_build
-cmake/run_wine.sh build/windows/wine-prefix c_host_build/c_host.exe | tr -d '\r' | diff shown -
+[ -e c_application_build/c_application.exe ]
+cp pelagic-windows/bin/pelagic.dll c_application_build
+cmake/run_wine.sh build/windows/wine-prefix c_application_build/c_application.exe | tr -d '\r' | diff shown -

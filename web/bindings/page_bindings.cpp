@@ -1,5 +1,5 @@
 // What a page's panel and its share link are made of: every option by name, with its default and range, presets, and the sliders of the
-// window's panel. Hosts' own pages may use it, too.
+// window's panel. Applications' own pages may use it, too.
 //
 //   pageTables()        {seaOptions, seaPresets, lightOptions, lightPresets, seaSliders, lightSliders, qualities, shadings}
 //   checkSea(options)   {value: every option of that sea} or {error: one line}

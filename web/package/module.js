@@ -8,14 +8,14 @@ const mostThreads = 64;
 const defaultMaxThreads = 8;
 
 /** What only node has, in a file that no browser asks for, and no bundler looks into. */
-function nodeHost() {
-  const file = './node_host.js';
+function nodePlatform() {
+  const file = './node_platform.js';
   return import(/* webpackIgnore: true */ /* @vite-ignore */ file);
 }
 
 /** A worker as pages have it, in node, too. */
 export async function workerClass() {
-  return isNode ? (await nodeHost()).WebWorker : Worker;
+  return isNode ? (await nodePlatform()).WebWorker : Worker;
 }
 
 export function assertOptions(options) {
@@ -25,7 +25,7 @@ export function assertOptions(options) {
 }
 
 async function coresHere() {
-  return isNode ? (await nodeHost()).cores() : navigator.hardwareConcurrency;
+  return isNode ? (await nodePlatform()).cores() : navigator.hardwareConcurrency;
 }
 
 /** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
@@ -45,7 +45,7 @@ export async function threadsFor(wanted) {
 const compiled = new Map();
 
 async function compile(url) {
-  if (isNode) return WebAssembly.compile(await (await nodeHost()).readBytes(url));
+  if (isNode) return WebAssembly.compile(await (await nodePlatform()).readBytes(url));
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url} is not there: the server says ${response.status}`);
   // compileStreaming() takes no other type, and not every server knows this one.
@@ -80,7 +80,7 @@ export async function makeInstance(threads) {
       return {};
     };
     const make = () => glue.default({ poolThreads: threads - 1, cores, instantiateWasm }).then(resolve, reject);
-    if (hasThreads && isNode) nodeHost().then(({ withWebWorkers }) => withWebWorkers(make)).catch(reject);
+    if (hasThreads && isNode) nodePlatform().then(({ withWebWorkers }) => withWebWorkers(make)).catch(reject);
     else make();
   });
   const workers = () => (hasThreads ? [...module.PThread.unusedWorkers, ...module.PThread.runningWorkers] : []);

@@ -1,4 +1,4 @@
-// The other side of node_host.js's WebWorker: a thread of node that looks like a page's worker to the script that it runs.
+// The other side of node_platform.js's WebWorker: a thread of node that looks like a page's worker to the script that it runs.
 import { parentPort, workerData } from 'node:worker_threads';
 
 globalThis.self = globalThis;

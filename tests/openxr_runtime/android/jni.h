@@ -1,4 +1,4 @@
-// What openxr_platform.h takes of Android's jni.h, so that the host's lines for Android are compiled without an NDK.
+// What openxr_platform.h takes of Android's jni.h, so that the application's lines for Android are compiled without an NDK.
 #pragma once
 
 using jobject = void*;

@@ -1,0 +1,57 @@
+/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its cascades, asks for
+ * heights. */
+#include <pelagic/pelagic.h>
+#include <stdio.h>
+
+static int failed(pelagic_status status) {
+    if (status != PELAGIC_OK) fprintf(stderr, "c_application: %s\n", pelagic_last_error());
+    return status != PELAGIC_OK;
+}
+
+/* Where a renderer would upload a cascade's textures: displacement_rgba16f, and all levels of slopes_rgba8 and moments_rgba8. */
+static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
+    int32_t i;
+    for (i = 0; i < frame->cascade_count; ++i) {
+        pelagic_cascade cascade = {.struct_size = sizeof cascade};
+        if (failed(pelagic_ocean_cascade(ocean, i, &cascade))) return 1;
+        printf(" %g", cascade.side_m);
+    }
+    printf(" m\n");
+    return 0;
+}
+
+static int run(pelagic_ocean* ocean) {
+    const double x[3] = {10, 20, 30}, z[3] = {5, 5, 5};
+    float heights[3];
+    const pelagic_points buoys = {.struct_size = sizeof buoys, .count = 3, .x = x, .z = z};
+    const pelagic_samples wanted = {.struct_size = sizeof wanted, .height_m = heights};
+    pelagic_frame frame = {.struct_size = sizeof frame};
+    uint64_t hash;
+    int n;
+
+    if (failed(pelagic_ocean_schedule(ocean, 0))) return 1;
+    for (n = 1; n <= 5; ++n) {
+        if (failed(pelagic_ocean_complete(ocean, &frame))) return 1;   /* scheduled in the frame before */
+        if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1; /* computed while this one is drawn */
+        if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
+        if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
+        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s, (unsigned long long)hash,
+               heights[0], heights[1], heights[2]);
+        if (draw(ocean, &frame)) return 1;
+    }
+    return 0;
+}
+
+int main(void) {
+    pelagic_sea sea = {.struct_size = sizeof sea};
+    const pelagic_ocean_options options = {.struct_size = sizeof options, .queries = 1};
+    pelagic_ocean* ocean;
+    int result;
+
+    if (failed(pelagic_sea_defaults(&sea))) return 1;
+    sea.wind_speed_mps = 9;
+    if (failed(pelagic_ocean_create(&sea, &options, &ocean))) return 1;
+    result = run(ocean);
+    pelagic_ocean_destroy(ocean); /* waits for the frame in flight */
+    return result;
+}

@@ -1,0 +1,94 @@
+#include "sea_scene.hpp"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace openxr_application {
+namespace {
+
+using namespace pelagic;
+
+/// Texels along a face of the sky.
+constexpr int sky_face_size = 128;
+/// What is nearer to an eye is not drawn.
+constexpr double near_m = 0.1;
+
+/// What an eye sees, into OpenGL's clip space. There is no far plane: the sea ends at the horizon, where the quadtree's skirt
+/// lies at infinity (w = 0).
+glm::dmat4 projection(const XrFovf& fov) {
+    const double left = std::tan(double{fov.angleLeft}), right = std::tan(double{fov.angleRight});
+    const double down = std::tan(double{fov.angleDown}), up = std::tan(double{fov.angleUp});
+    glm::dmat4 clip(0);
+    clip[0][0] = 2 / (right - left);
+    clip[1][1] = 2 / (up - down);
+    clip[2] = {(right + left) / (right - left), (up + down) / (up - down), -1, -1};
+    clip[3][2] = -2 * near_m;
+    return clip;
+}
+
+/// \param origin_m  where the headset's space has its origin in the world: x, z level and y up in both
+gl::Eye eye_of(const XrView& view, const glm::dvec3& origin_m, const EyeImages& images) {
+    const XrVector3f& p = view.pose.position;
+    const XrQuaternionf& q = view.pose.orientation;
+    const glm::dvec3 position = origin_m + glm::dvec3(p.x, p.y, p.z);
+    const glm::dmat4 turn = glm::mat4_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
+    return {.clip_from_world = projection(view.fov) * glm::transpose(turn) * glm::translate(glm::dmat4(1), -position),
+            .position_m = position,
+            .viewport = {0, 0, images.width(), images.height()}};
+}
+
+/// On the deck of something that stands still, and that hardly a crest reaches.
+glm::dvec3 origin_above(const Frame& frame) { return {0, 3 + frame.statistics.significant_wave_height_m, 0}; }
+
+}  // namespace
+
+SeaScene::SeaScene(const SeaState& sea, const QuadtreePreset& quality, const gl::Functions& gl, bool multiview)
+    : ocean_(sea, {.slopes = true, .foam = true}),
+      selection_(quality.options(2048)),
+      renderer_(gl, {.patch_vertices = selection_.options().vertices,
+                     .resolution = ocean_.resolution(),
+                     .cascades = ocean_.cascade_count(),
+                     .shading = gl::Shading::headset,
+                     .framebuffer_is_srgb = true,
+                     .multiview = multiview}) {
+    gl::SkyBaker baker(make_default_executor(), sky_face_size);
+    baker.schedule({.sun_azimuth_rad = -0.6f, .sun_elevation_rad = 0.8f});
+    renderer_.set_sky(baker.complete());
+}
+
+void SeaScene::schedule(double time_s, bool hashed) {
+    if (hashed)
+        ocean_.schedule(time_s);
+    else
+        ocean_.schedule(time_s, renderer_.map_textures());  // straight into a buffer of the driver's
+}
+
+void SeaScene::complete() {
+    frame_ = &ocean_.complete();
+    renderer_.upload(*frame_);
+}
+
+void SeaScene::draw(const std::array<XrView, 2>& views, const EyeImages& images) {
+    const glm::dvec3 origin = origin_above(*frame_);
+    const std::array<gl::Eye, 2> eyes = {eye_of(views[0], origin, images), eye_of(views[1], origin, images)};
+    const std::array<glm::dmat4, 2> clips = {eyes[0].clip_from_world, eyes[1].clip_from_world};
+    const glm::dvec3 viewer = (eyes[0].position_m + eyes[1].position_m) / 2.0;
+    const DrawList& list = selection_.select({.viewer_m = viewer, .views = clips, .bounds = frame_->bounds});
+
+    const auto draw_for = [&](std::span<const gl::Eye> some) {
+        renderer_.draw(
+            {.eyes = some, .viewer_m = viewer, .list = &list, .lod_scale = selection_.options().lod_scale});
+    };
+    if (images.is_multiview()) {
+        images.bind_both();
+        draw_for(eyes);
+        return;
+    }
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+        images.bind_eye(eye);
+        draw_for({&eyes[eye], 1});
+    }
+}
+
+}  // namespace openxr_application

@@ -1,0 +1,69 @@
+// An application's job system, the least there is: one thread for what should be done soon, one more for each parallel loop.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "pelagic/jobs/executor.hpp"
+
+namespace pelagic {
+
+class TestApplication {
+   public:
+    TestApplication() : worker_([this] { work(); }) {}
+    ~TestApplication() {
+        {
+            const std::lock_guard lock(mutex_);
+            stopping_ = true;
+        }
+        changed_.notify_one();
+        worker_.join();
+    }
+
+    ApplicationJobs jobs() { return {.user = this, .parallel_for = parallel_for, .submit = submit, .threads = 2}; }
+
+   private:
+    static void parallel_for(void*, std::size_t count, void (*job)(void*, std::size_t), void* work) {
+        std::atomic<std::size_t> next = 0;
+        const auto take = [&] {
+            for (std::size_t i = next++; i < count; i = next++) job(work, i);
+        };
+        std::thread other(take);
+        take();
+        other.join();
+    }
+
+    static void submit(void* user, void (*task)(void*), void* work) {
+        auto* const application = static_cast<TestApplication*>(user);
+        {
+            const std::lock_guard lock(application->mutex_);
+            application->tasks_.emplace_back(task, work);
+        }
+        application->changed_.notify_one();
+    }
+
+    void work() {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            changed_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });
+            if (tasks_.empty()) return;
+            const auto [task, argument] = tasks_.front();
+            tasks_.pop_front();
+            lock.unlock();
+            task(argument);
+            lock.lock();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<std::pair<void (*)(void*), void*>> tasks_;
+    bool stopping_ = false;
+    std::thread worker_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,45 @@
+// A C++ application that is compiled with -fno-exceptions and -fno-rtti, and has the sea by the C interface: mistakes are codes and a
+// line. Prints the hashes of two golden frames.
+#include <pelagic/pelagic.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+
+#if defined(__cpp_exceptions) || defined(__cpp_rtti)
+#error "this application is to be compiled with -fno-exceptions and -fno-rtti"
+#endif
+
+namespace {
+
+bool print_frames(pelagic_ocean* ocean) {
+    const double times_s[] = {0, 12.34};
+    for (const double time_s : times_s) {
+        pelagic_frame frame = {};
+        frame.struct_size = sizeof frame;
+        std::uint64_t hash = 0;
+        if (pelagic_ocean_schedule(ocean, time_s) != PELAGIC_OK ||
+            pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK || pelagic_ocean_hash(ocean, &hash) != PELAGIC_OK)
+            return false;
+        std::printf("default@%g %" PRIx64 "\n", time_s, hash);
+    }
+    return true;
+}
+
+}  // namespace
+
+int main() {
+    pelagic_sea sea = {};
+    sea.struct_size = sizeof sea;
+    pelagic_sea_defaults(&sea);
+    pelagic_ocean* ocean = nullptr;
+    sea.wind_speed_mps = -1;
+    if (pelagic_ocean_create(&sea, nullptr, &ocean) != PELAGIC_INVALID_ARGUMENT ||
+        std::strncmp(pelagic_last_error(), "wind_speed_mps is -1", 20) != 0)
+        return 1;
+    pelagic_sea_defaults(&sea);
+    const bool done = pelagic_ocean_create(&sea, nullptr, &ocean) == PELAGIC_OK && print_frames(ocean);
+    if (!done) std::fprintf(stderr, "%s\n", pelagic_last_error());
+    pelagic_ocean_destroy(ocean);
+    return done ? 0 : 1;
+}

@@ -1,0 +1,177 @@
+// A box that an application hands in is mirrored where the image of it in a level mirror is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <vector>
+
+#include "pelagic/gl/gl_state_guard.hpp"
+#include "pelagic/tests/gl_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int width = 200, height = 150;
+constexpr double pi = 3.14159265358979323846;
+
+struct Box {
+    glm::dvec3 least, most;
+
+    /// Metres along a ray of unit length to where it enters; infinity if it does not.
+    double met(glm::dvec3 from, glm::dvec3 along) const {
+        double enters = 0, leaves = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (least[axis] - from[axis]) / along[axis], b = (most[axis] - from[axis]) / along[axis];
+            enters = std::max(enters, std::min(a, b));
+            leaves = std::min(leaves, std::max(a, b));
+        }
+        return enters < leaves ? enters : std::numeric_limits<double>::infinity();
+    }
+};
+
+const Camera camera{.position_m = {0, 3, 0}, .target_m = {30, -2, 0}, .vertical_view_rad = 50 * pi / 180};
+
+gl::Eye test_eye() { return gl::eye_of(camera, {0, 0, width, height}); }
+
+/// Where a place is in the picture, pixels from its lower left corner.
+glm::dvec2 pixel_of(glm::dvec3 place) {
+    const glm::dvec4 clip = test_eye().clip_from_world * glm::dvec4(place, 1);
+    return (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(width, height);
+}
+
+/// Of a pixel's middle.
+glm::dvec3 ray_through(int x, int y) {
+    const glm::dvec4 on_near(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, -1, 1);
+    const glm::dvec4 at = glm::inverse(test_eye().clip_from_world) * on_near;
+    return glm::normalize(glm::dvec3(at) / at.w - camera.position_m);
+}
+
+/// A red box as an application would draw it, by rays.
+struct ApplicationPicture {
+    ApplicationPicture(const gl::Functions& gl, const Box& box) : radiance(gl), depth(gl) {
+        const gl::GlStateGuard keep(gl);
+        std::vector<float> colours, depths;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const glm::dvec3 ray = ray_through(x, y);
+                const double way = box.met(camera.position_m, ray);
+                const bool stands = std::isfinite(way);
+                colours.insert(colours.end(), {stands ? 40.f : 0, 0, 0, stands ? 1.f : 0});
+                const glm::dvec4 clip =
+                    test_eye().clip_from_world * glm::dvec4(camera.position_m + (stands ? way : 1) * ray, 1);
+                depths.push_back(stands ? static_cast<float>(0.5 + 0.5 * clip.z / clip.w) : 1);
+            }
+        gl.BindTexture(GL_TEXTURE_2D, radiance.name());
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, width, height);
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, colours.data());
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl.BindTexture(GL_TEXTURE_2D, depth.name());
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, width, height);
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    gl::ApplicationScene scene() const { return {radiance.name(), depth.name()}; }
+
+    gl::Texture radiance, depth;
+};
+
+class GlApplicationScene : public testing::Test {
+   protected:
+    /// How much more red each pixel of the sea is with the box than without, the lower row first.
+    std::vector<float> added_red(const Box& box) {
+        const Frame& frame = scene_.ocean.frame_at(0);
+        const auto drawn = [&] {
+            scene_.draw(camera, frame);
+            return scene_.target->read_radiance();
+        };
+        const std::vector<float> without = drawn();
+        const ApplicationPicture picture(scene_.gl(), box);
+        scene_.application_scene = picture.scene();
+        const std::vector<float> with = drawn();
+        scene_.application_scene.reset();
+        EXPECT_EQ(drawn(), without);
+        std::vector<float> added;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const std::size_t i =
+                    4 * (static_cast<std::size_t>(height - 1 - y) * width + static_cast<std::size_t>(x));
+                added.push_back(with[i] - without[i]);
+            }
+        return added;
+    }
+    static float at(const std::vector<float>& picture, int x, int y) {
+        return picture[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+    }
+
+    GlScene scene_{{.preset = "beaufort-0",
+                    .quality = "low",
+                    .resolution = 32,
+                    .width = width,
+                    .height = height,
+                    .samples = 0,
+                    .size_m = 1024,
+                    .writes = gl::PixelKind::radiance}};
+};
+
+// Half of the light of a box 40 times as bright as the sky's unit, at the least that water mirrors, 2 %.
+constexpr float is_red = 0.4f;
+
+TEST_F(GlApplicationScene, IsMirroredWhereALevelMirrorShowsIt) {
+    const Box box{{20, -2, -3}, {22, 2.5, 2}};
+    const std::vector<float> added = added_red(box);
+    // Its image stands on its head, as deep as the box is high; the nearer face hides the other one.
+    const glm::dvec2 foot = pixel_of({20, 0, -3}), head = pixel_of({20, -2.5, -3}), other = pixel_of({20, -2.5, 2});
+    ASSERT_GT(std::abs(foot.y - head.y), 15);
+    const int middle = static_cast<int>(0.5 * (head.x + other.x));
+    int lowest = height, leftmost = width, rightmost = 0;
+    const int row = static_cast<int>(0.5 * (foot.y + head.y));
+    for (int y = 0; y < static_cast<int>(foot.y); ++y)
+        if (at(added, middle, y) > is_red) lowest = std::min(lowest, y);
+    for (int x = 0; x < width; ++x)
+        if (at(added, x, row) > is_red) {
+            leftmost = std::min(leftmost, x);
+            rightmost = std::max(rightmost, x + 1);
+        }
+    // A step of the ray, by which the last that is mirrored of its head may be missed, is about 4 pixels here; ripples move the
+    // image about as much.
+    EXPECT_NEAR(lowest, head.y, 4);
+    EXPECT_NEAR(leftmost, std::min(pixel_of({20, -1.25, -3}).x, pixel_of({20, -1.25, 2}).x), 2);
+    EXPECT_NEAR(rightmost, std::max(pixel_of({20, -1.25, -3}).x, pixel_of({20, -1.25, 2}).x), 2);
+    for (int y = lowest + 4; y < static_cast<int>(foot.y) - 1; ++y) EXPECT_GT(at(added, middle, y), is_red) << y;
+    // Nothing is mirrored beside it.
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (y < head.y - 4 || x < leftmost - 3 || x > rightmost + 3) {
+                EXPECT_EQ(at(added, x, y), 0) << x << ", " << y;
+            }
+}
+
+// Of a tower higher than the picture, what its upper edge cuts off is not mirrored: the sky is.
+TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesThePicture) {
+    const std::vector<float> added = added_red({{20, -2, -3}, {22, 60, 2}});
+    int inside = 0, outside = 0;
+    for (int y = 0; y < height; ++y) {
+        const glm::dvec3 ray = ray_through(width / 2, y);
+        const double way = camera.position_m.y / -ray.y;
+        if (ray.y >= 0 || way * ray.x > 19) continue;
+        const glm::dvec3 water = camera.position_m + way * ray;
+        const double risen = -ray.y / ray.x * (20 - water.x);
+        const double seen_at = pixel_of({20, risen, water.z}).y / height;
+        // The fade at the edge; ripples turn rays by up to a tenth of the picture.
+        if (seen_at < 0.9) {
+            EXPECT_GT(at(added, width / 2, y), is_red) << y;
+            ++inside;
+        } else if (seen_at > 1.08) {
+            EXPECT_EQ(at(added, width / 2, y), 0) << y;
+            ++outside;
+        }
+    }
+    EXPECT_GT(inside, 10);
+    EXPECT_GT(outside, 5);
+}
+
+}  // namespace
+}  // namespace pelagic
