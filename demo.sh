@@ -56,9 +56,9 @@ quietly build
 # this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.
 command=(build/release/bin/pelagic export --out out --patch-size 250 --resolution 128 --loop-period 60 --loop-frames 240 --mips --overwrite)
 "${command[@]}"
-picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
-"${picture[@]}" ||
-  echo "No picture: see above what is missing; the export needs none of it."
+image=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
+"${image[@]}" ||
+  echo "No image: see above what is missing; the export needs none of it."
 cat <<END
 
 Your sea is in out/:
@@ -70,7 +70,7 @@ Play the 240 frames at 4 a second, blended: after the last one the first follows
   sea.png                                           a sea in that wind, with its smaller waves
 They were made by:
   ${command[*]}
-  ${picture[*]}
+  ${image[*]}
 Try also:
   build/release/bin/pelagic export --out cascades          a frame of all four cascades of the default sea
   build/release/bin/pelagic info --preset storm

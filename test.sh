@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The tests, in tiers:
 #
-#   ./test.sh quick     as released, without soak, sweeps and slow pictures: two minutes after the build
+#   ./test.sh quick     as released, without soak, sweeps and slow images: two minutes after the build
 #   ./test.sh           all that guards a landing
 #   ./test.sh hosts     what needs large packages of other programs: browsers, their compilers
 #   ./test.sh night     what takes hours: a long soak, full sweeps, ten minutes of each fuzzer

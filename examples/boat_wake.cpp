@@ -80,7 +80,7 @@ glm::dmat4 boat_on(const Frame& frame, const Course& course) {
             glm::dvec4(0.25 * (at(0) + at(1) + at(2) + at(3)), 1)};
 }
 
-void write_picture(const char* name, const std::vector<std::uint8_t>& rgba) {
+void write_image(const char* name, const std::vector<std::uint8_t>& rgba) {
     std::FILE* file = std::fopen(name, "wb");
     if (!file) throw std::runtime_error(std::string("can't write ") + name);
     std::fprintf(file, "P6\n%d %d\n255\n", width, height);
@@ -102,7 +102,7 @@ void draw_voyage(const char* name) {
         course.go(frame_s, time_s);
         ocean.set_source(boat, hull_on(course));
         ocean.follow(course.place.x, course.place.y);
-        // So long before the picture.
+        // So long before the image.
         const auto passes = [&](double moment_s) { return time_s < moment_s && time_s + frame_s >= moment_s; };
         if (passes(voyage_s - 3)) ocean.disturb(stone_at(66, 24));
         if (passes(voyage_s - 2)) ocean.disturb(stone_at(72, 31));
@@ -144,14 +144,14 @@ void draw_voyage(const char* name) {
                    .exposure = exposure,
                    .weighs_samples = true,
                    .camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m),
-                   .application_scene = model.picture(eye, pose)});
+                   .application_scene = model.image(eye, pose)});
     gl::Display display(functions);
     gl::RenderTarget screen(functions, width, height, 0);
     const gl::TexturePart radiance = target.resolved();
     screen.bind();
     display.show(radiance, {.exposure = exposure, .luminance_of_unit = sky.luminance_of_unit(), .bloom = 0.04f},
                  {0, 0, width, height});
-    write_picture(name, screen.read());
+    write_image(name, screen.read());
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void make_framebuffer() {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
 }
 
-void write_picture() {
+void write_image() {
     std::vector<unsigned char> pixels(4 * width * height);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     std::FILE* file = std::fopen("sea.ppm", "wb");
@@ -97,5 +97,5 @@ int main() {
                        .list = &list,
                        .lod_scale = selection.options().lod_scale});
     }
-    write_picture();
+    write_image();
 }

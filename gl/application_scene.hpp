@@ -5,7 +5,7 @@
 
 namespace pelagic::gl {
 
-/// Two textures, both a picture of the only eye's viewport, in any size. They are read while draw() runs and stay the application's.
+/// Two textures, both an image of the only eye's viewport, in any size. They are read while draw() runs and stay the application's.
 struct ApplicationScene {
     /// Linear radiance in the sky's unit times coverage, and coverage as alpha: 0 where nothing stands. Rough water reads the
     /// coarser mips, where it has any. Filtered linearly, clamped to its edges.

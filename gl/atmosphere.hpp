@@ -3,7 +3,7 @@
 //
 // Coefficients and scale heights: Bruneton and Neyret 2008, "Precomputed Atmospheric Scattering", table 1 and section 2.1
 // (after Riley et al. 2004). Ozone, which makes the sky of dusk blue: Hillaire 2020, "A Scalable and Production Ready Sky and
-// Atmosphere Rendering Technique", table 1. The sun's irradiance above the air is 1 in every channel: the picture's white.
+// Atmosphere Rendering Technique", table 1. The sun's irradiance above the air is 1 in every channel: the image's white.
 #pragma once
 
 #include <glm/vec2.hpp>

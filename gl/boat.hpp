@@ -19,8 +19,8 @@ class Boat {
     void draw(const Eye& eye, const glm::dmat4& world_from_boat, float weighing_exposure) {
         mesh_.draw(eye, world_from_boat, weighing_exposure);
     }
-    ApplicationScene picture(const Eye& eye, const glm::dmat4& world_from_boat) {
-        return mesh_.picture(eye, world_from_boat);
+    ApplicationScene image(const Eye& eye, const glm::dmat4& world_from_boat) {
+        return mesh_.image(eye, world_from_boat);
     }
 
    private:

@@ -5,18 +5,18 @@
 
 #include "pelagic/gl/errors.hpp"
 #include "pelagic/gl/gl_state_guard.hpp"
-#include "pelagic/gl/picture_pass.hpp"
+#include "pelagic/gl/image_pass.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-/// Each half as large as the one before: the coarsest spreads light over a fifth of the picture's height.
+/// Each half as large as the one before: the coarsest spreads light over a fifth of the image's height.
 constexpr int most_levels = 6;
 constexpr int least_side = 4;
 
-TexturePart part_of(const RadianceTexture& level, const TexturePart& picture, int halvings) {
+TexturePart part_of(const RadianceTexture& level, const TexturePart& image, int halvings) {
     const auto halved = [&](int side) { return std::max(1, (side + (1 << halvings) - 1) >> halvings); };
-    return {level.texture.name(), halved(picture.width), halved(picture.height), level.width, level.height};
+    return {level.texture.name(), halved(image.width), halved(image.height), level.width, level.height};
 }
 
 }  // namespace
@@ -29,10 +29,10 @@ struct Display::State {
           film(functions, "display.frag.glsl"),
           empty(functions) {}
 
-    void fit(const TexturePart& picture) {
-        if (picture.texture_width == width && picture.texture_height == height) return;
-        width = picture.texture_width;
-        height = picture.texture_height;
+    void fit(const TexturePart& image) {
+        if (image.texture_width == width && image.texture_height == height) return;
+        width = image.texture_width;
+        height = image.texture_height;
         fine.clear();
         spread.clear();
         for (int i = 1; i <= most_levels && (std::min(width, height) >> i) >= least_side; ++i) {
@@ -43,19 +43,19 @@ struct Display::State {
         }
     }
 
-    void draw_into(const RadianceTexture& target, const TexturePart& part, const PicturePass& pass) {
+    void draw_into(const RadianceTexture& target, const TexturePart& part, const ImagePass& pass) {
         gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
         gl.Viewport(0, 0, part.width, part.height);
         pass.draw();
     }
 
-    /// The picture's light, spread: the mean of all levels.
-    TexturePart bloom(const TexturePart& picture) {
+    /// The image's light, spread: the mean of all levels.
+    TexturePart bloom(const TexturePart& image) {
         std::vector<TexturePart> parts;
-        TexturePart finer = picture;
+        TexturePart finer = image;
         down.use();
         for (std::size_t i = 0; i < fine.size(); ++i) {
-            parts.push_back(part_of(fine[i], picture, static_cast<int>(i) + 1));
+            parts.push_back(part_of(fine[i], image, static_cast<int>(i) + 1));
             down.read("finer", 0, finer);
             draw_into(fine[i], parts[i], down);
             finer = parts[i];
@@ -67,14 +67,14 @@ struct Display::State {
             up.read("coarser", 1, coarser);
             const auto levels_below = static_cast<float>(fine.size() - 1 - i);
             up.set("coarser_part", levels_below / (levels_below + 1));
-            coarser = part_of(spread[i], picture, static_cast<int>(i) + 1);
+            coarser = part_of(spread[i], image, static_cast<int>(i) + 1);
             draw_into(spread[i], coarser, up);
         }
         return coarser;
     }
 
     const Functions& gl;
-    PicturePass down, up, film;
+    ImagePass down, up, film;
     VertexArray empty;
     int width = 0, height = 0;
     std::vector<RadianceTexture> fine, spread;

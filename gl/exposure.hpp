@@ -32,7 +32,7 @@ float film_input_of(float shown);
 float exposure_of_ev(float ev, float luminance_of_unit);
 float ev_of_exposure(float exposure, float luminance_of_unit);
 
-/// A part of a picture, all parts of the same size: logarithms to the base 2 of its luminance, in the picture's unit.
+/// A part of an image, all parts of the same size: logarithms to the base 2 of its luminance, in the image's unit.
 struct MeteredCell {
     float mean_of_log2 = 0;
     float log2_of_mean = 0;

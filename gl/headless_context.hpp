@@ -1,4 +1,4 @@
-// An OpenGL ES 3.0 context without a window, through EGL: what pictures and tests are made with. An application that draws into
+// An OpenGL ES 3.0 context without a window, through EGL: what images and tests are made with. An application that draws into
 // a window has a context of its own and does not need this.
 #pragma once
 

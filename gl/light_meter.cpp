@@ -1,7 +1,7 @@
 #include "pelagic/gl/light_meter.hpp"
 
 #include "pelagic/gl/gl_state_guard.hpp"
-#include "pelagic/gl/picture_pass.hpp"
+#include "pelagic/gl/image_pass.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -43,7 +43,7 @@ struct LightMeter::State {
     }
 
     const Functions& gl;
-    PicturePass pass;
+    ImagePass pass;
     VertexArray empty;
     RadianceTexture target;
     Buffer pixels;

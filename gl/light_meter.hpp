@@ -1,4 +1,4 @@
-// A camera's light meter: what a picture's parts are lit like, from the GPU.
+// A camera's light meter: what an image's parts are lit like, from the GPU.
 #pragma once
 
 #include <memory>

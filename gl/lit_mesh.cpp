@@ -64,7 +64,7 @@ void LitMesh::draw(const Eye& eye, const glm::dmat4& world_from_mesh, float weig
     gl_.DrawElementsInstanced(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr, 1);
 }
 
-void LitMesh::make_picture(int width, int height) {
+void LitMesh::make_image(int width, int height) {
     radiance_ = Texture(gl_);
     gl_.BindTexture(GL_TEXTURE_2D, radiance_.name());
     int levels = 1;
@@ -91,11 +91,11 @@ void LitMesh::make_picture(int width, int height) {
     height_ = height;
 }
 
-ApplicationScene LitMesh::picture(const Eye& eye, const glm::dmat4& world_from_mesh) {
+ApplicationScene LitMesh::image(const Eye& eye, const glm::dmat4& world_from_mesh) {
     const GlStateGuard keep(gl_);
     const GlTargetsGuard targets(gl_);
     const int width = eye.viewport.width, height = eye.viewport.height;
-    if (width != width_ || height != height_) make_picture(width, height);
+    if (width != width_ || height != height_) make_image(width, height);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     std::array<GLfloat, 4> clear{};
     GLfloat clear_depth = 1;

@@ -34,10 +34,10 @@ class LitMesh {
     void draw(const Eye& eye, const glm::dmat4& world_from_mesh, float weighing_exposure);
     /// What the eye sees of it without the sea, in textures that the next call overwrites. Throws GlError where the driver
     /// can't draw half floats.
-    ApplicationScene picture(const Eye& eye, const glm::dmat4& world_from_mesh);
+    ApplicationScene image(const Eye& eye, const glm::dmat4& world_from_mesh);
 
    private:
-    void make_picture(int width, int height);
+    void make_image(int width, int height);
 
     const Functions& gl_;
     Program program_;

@@ -28,7 +28,7 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most_side);
     gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (width > most_side || height > most_side)
-        throw GlError("a picture of " + number_text(width) + "x" + number_text(height) +
+        throw GlError("an image of " + number_text(width) + "x" + number_text(height) +
                       " is too large for the driver, at most " + number_text(most_side) + " pixels a side");
     samples = std::min(samples, static_cast<int>(most_samples));
     colour_ = make_renderbuffer(gl, format, width, height, samples);
@@ -49,7 +49,7 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_colour_.name(), 0);
     if (!is_whole || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError("the driver can't make a picture of " + number_text(width) + "x" + number_text(height) +
+        throw GlError("the driver can't make an image of " + number_text(width) + "x" + number_text(height) +
                       "; is it out of memory?");
     bind();
 }

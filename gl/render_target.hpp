@@ -1,4 +1,4 @@
-// A picture without a window: colour and depth in memory, smoothed edges, and reading it back.
+// An image without a window: colour and depth in memory, smoothed edges, and reading it back.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace pelagic::gl {
 /// What a pixel holds: a colour for the screen in bytes, or radiance in half floats.
 enum class PixelKind { screen, radiance };
 
-/// A picture in the lower left part of a texture.
+/// An image in the lower left part of a texture.
 struct TexturePart {
     GLuint texture = 0;
-    int width = 0, height = 0;  ///< of the picture
+    int width = 0, height = 0;  ///< of the image
     int texture_width = 0, texture_height = 0;
 };
 

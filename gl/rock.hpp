@@ -15,7 +15,7 @@ class Rock {
 
     void set_light(const Sky& sky) { mesh_.set_light(sky); }
     void draw(const Eye& eye, float weighing_exposure) { mesh_.draw(eye, world_from_rock_, weighing_exposure); }
-    ApplicationScene picture(const Eye& eye) { return mesh_.picture(eye, world_from_rock_); }
+    ApplicationScene image(const Eye& eye) { return mesh_.image(eye, world_from_rock_); }
 
    private:
     LitMesh mesh_;

@@ -69,7 +69,7 @@ struct DrawInput {
     /// The surface at the viewer, for lenses near the water or within it, whose pixels below it show the underwater world;
     /// none: all of them are in the air.
     std::optional<CameraWaterPlane> camera_water_plane = {};
-    /// What waves mirror besides the sky, where their rays meet it within the picture. Of one eye; not with two, with multiview or
+    /// What waves mirror besides the sky, where their rays meet it within the image. Of one eye; not with two, with multiview or
     /// with Shading::headset, which mirror the sky alone.
     std::optional<ApplicationScene> application_scene = {};
 };

@@ -50,7 +50,7 @@ struct Sky {
     glm::vec3 sky_irradiance{0};  ///< on a level plane, the key light's disc not counted
     glm::vec3 haze_per_m{0};      ///< extinction along the sea
     float unit = 1;               ///< the radiance that a value of 1 stands for: 1 by day, less at night
-    float exposure = 1;           ///< makes a picture under this sky neither dark nor bright
+    float exposure = 1;           ///< makes an image under this sky neither dark nor bright
 
     /// Of a radiance of 1, cd/m^2.
     float luminance_of_unit() const { return sun_illuminance_lx * unit; }

@@ -1,4 +1,4 @@
-// A baked sky as a picture of all directions, for renderers that light their scenes with one.
+// A baked sky as an image of all directions, for renderers that light their scenes with one.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Who looks at the sea: one eye or two, and what the pictures are made of.
+// Who looks at the sea: one eye or two, and what the images are made of.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -11,7 +11,7 @@ struct Camera {
     glm::dvec3 target_m{100, 2, 0};  ///< elsewhere than the position
     double vertical_view_rad = 0.8;
 
-    /// A unit vector. A camera that looks straight up or down has +x at the top of its picture.
+    /// A unit vector. A camera that looks straight up or down has +x at the top of its image.
     glm::dvec3 right() const;
     /// The same camera, `metres` to the right.
     Camera moved_right(double metres) const;

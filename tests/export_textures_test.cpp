@@ -18,8 +18,8 @@
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tools/files/half_float.hpp"
 #include "pelagic/tools/files/zstd.hpp"
-#include "pelagic/tools/pictures/film.hpp"
-#include "pelagic/tools/pictures/shaded_sea.hpp"
+#include "pelagic/tools/preview/film.hpp"
+#include "pelagic/tools/preview/shaded_sea.hpp"
 
 namespace pelagic {
 namespace {
@@ -318,8 +318,8 @@ TEST(ShadedSea, HasTheSameBitsForEveryInstructionSetAndThreadCount) {
         }
 }
 
-// 12 degrees down, 40 from the upper edge to the lower: the horizon is 12 % below the upper edge of a picture.
-TEST(ShadedSea, WaterFillsThePictureBelowTheHorizon) {
+// 12 degrees down, 40 from the upper edge to the lower: the horizon is 12 % below the upper edge of an image.
+TEST(ShadedSea, WaterFillsTheImageBelowTheHorizon) {
     const auto executor = make_serial_executor();
     const SeaState storm{.cascades = 2, .resolution = 64, .wind_speed_mps = 25, .fetch_m = 200e3};
     Ocean ocean(storm, {.executor = executor, .foam = true});

@@ -70,7 +70,7 @@ TEST_P(GlAnyView, IsFiniteAndNotNegative) {
     }
 }
 
-// Eyes look in parallel, so what is infinitely far away stands at the same place in both pictures; and the sea's light there is the same.
+// Eyes look in parallel, so what is infinitely far away stands at the same place in both images; and the sea's light there is the same.
 TEST(GlEyes, AgreeToAPixelAtInfinity) {
     constexpr int width = 240, height = 60;
     GlScene scene(
@@ -90,7 +90,7 @@ TEST(GlEyes, AgreeToAPixelAtInfinity) {
         }
     // 63 mm at a kilometre are a hundredth of a pixel here.
     EXPECT_LT(difference, 0.005 * sum);
-    // The test can fail: a pixel to the side it is another picture.
+    // The test can fail: a pixel to the side it is another image.
     double beside = 0;
     for (int y = 0; y < height / 2 + 1; ++y)
         for (int x = 0; x < width / 2 - 1; ++x) beside += std::abs(luminance(x, y) - luminance(x + 1 + width / 2, y));

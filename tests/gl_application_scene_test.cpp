@@ -35,7 +35,7 @@ const Camera camera{.position_m = {0, 3, 0}, .target_m = {30, -2, 0}, .vertical_
 
 gl::Eye test_eye() { return gl::eye_of(camera, {0, 0, width, height}); }
 
-/// Where a place is in the picture, pixels from its lower left corner.
+/// Where a place is in the image, pixels from its lower left corner.
 glm::dvec2 pixel_of(glm::dvec3 place) {
     const glm::dvec4 clip = test_eye().clip_from_world * glm::dvec4(place, 1);
     return (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(width, height);
@@ -49,8 +49,8 @@ glm::dvec3 ray_through(int x, int y) {
 }
 
 /// A red box as an application would draw it, by rays.
-struct ApplicationPicture {
-    ApplicationPicture(const gl::Functions& gl, const Box& box) : radiance(gl), depth(gl) {
+struct ApplicationImage {
+    ApplicationImage(const gl::Functions& gl, const Box& box) : radiance(gl), depth(gl) {
         const gl::GlStateGuard keep(gl);
         std::vector<float> colours, depths;
         for (int y = 0; y < height; ++y)
@@ -88,8 +88,8 @@ class GlApplicationScene : public testing::Test {
             return scene_.target->read_radiance();
         };
         const std::vector<float> without = drawn();
-        const ApplicationPicture picture(scene_.gl(), box);
-        scene_.application_scene = picture.scene();
+        const ApplicationImage image(scene_.gl(), box);
+        scene_.application_scene = image.scene();
         const std::vector<float> with = drawn();
         scene_.application_scene.reset();
         EXPECT_EQ(drawn(), without);
@@ -102,8 +102,8 @@ class GlApplicationScene : public testing::Test {
             }
         return added;
     }
-    static float at(const std::vector<float>& picture, int x, int y) {
-        return picture[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+    static float at(const std::vector<float>& image, int x, int y) {
+        return image[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
     }
 
     GlScene scene_{{.preset = "beaufort-0",
@@ -149,8 +149,8 @@ TEST_F(GlApplicationScene, IsMirroredWhereALevelMirrorShowsIt) {
             }
 }
 
-// Of a tower higher than the picture, what its upper edge cuts off is not mirrored: the sky is.
-TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesThePicture) {
+// Of a tower higher than the image, what its upper edge cuts off is not mirrored: the sky is.
+TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesTheImage) {
     const std::vector<float> added = added_red({{20, -2, -3}, {22, 60, 2}});
     int inside = 0, outside = 0;
     for (int y = 0; y < height; ++y) {
@@ -160,7 +160,7 @@ TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesThePicture) {
         const glm::dvec3 water = camera.position_m + way * ray;
         const double risen = -ray.y / ray.x * (20 - water.x);
         const double seen_at = pixel_of({20, risen, water.z}).y / height;
-        // The fade at the edge; ripples turn rays by up to a tenth of the picture.
+        // The fade at the edge; ripples turn rays by up to a tenth of the image.
         if (seen_at < 0.9) {
             EXPECT_GT(at(added, width / 2, y), is_red) << y;
             ++inside;

@@ -1,5 +1,5 @@
 // Below the surface: the floor through the water, Snell's window, the waterline across the lens. Light that is black but for
-// one source tells where each part of a picture comes from.
+// one source tells where each part of an image comes from.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -79,7 +79,7 @@ class BelowScene {
     }
 
     /// \param water  none: the lens is in the air
-    std::vector<float> picture(const Camera& camera, const Frame& frame, std::optional<gl::CameraWaterPlane> water,
+    std::vector<float> image(const Camera& camera, const Frame& frame, std::optional<gl::CameraWaterPlane> water,
                                bool draws_sky = true) {
         const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
         const DrawList& list = selection_.select(
@@ -131,7 +131,7 @@ TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
     BelowScene scene("calm", 240, 240);
     scene.renderer.set_sky(even_sky(100));
     const Frame& frame = scene.level_frame(4000);
-    const auto pixels = scene.picture({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::CameraWaterPlane{});
+    const auto pixels = scene.image({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::CameraWaterPlane{});
     const double k = BelowScene::attenuation();
     int within = 0, beside = 0;
     for (int y = 0; y < scene.height(); ++y)
@@ -174,7 +174,7 @@ TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
             std::array<double, 2> light{};
             for (const float albedo : {0.f, 1.f}) {
                 scene.renderer.set_floor({.is_sand = false, .albedo = glm::vec3(albedo)});
-                light[albedo > 0] = scene.middle(scene.picture(camera, frame, water));
+                light[albedo > 0] = scene.middle(scene.image(camera, frame, water));
             }
             return light[1] - light[0];
         };
@@ -209,7 +209,7 @@ TEST(UnderWater, ItGetsDarkerWithDepthAndIsBrighterUpwards) {
     scene.renderer.set_caustics(baker.complete());
     const auto seen = [&](double depth_m, glm::dvec3 ahead) {
         const glm::dvec3 at(0, -depth_m, 0);
-        return scene.middle(scene.picture({at, at + ahead, 0.2}, frame, gl::CameraWaterPlane{}));
+        return scene.middle(scene.image({at, at + ahead, 0.2}, frame, gl::CameraWaterPlane{}));
     };
     // Straight down and level everything above is the same water, thicker.
     for (const glm::dvec3 ahead : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0)})
@@ -230,7 +230,7 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
         at.y = gl::camera_water_plane(query, at).height_m + 0.004 * (i - 1.5);
         const gl::CameraWaterPlane water = gl::camera_water_plane(query, at);
         const Camera camera{at, at + glm::dvec3(std::cos(i), 0, std::sin(i)), 1.0};
-        const auto pixels = scene.picture(camera, frame, water, i % 2 == 0);
+        const auto pixels = scene.image(camera, frame, water, i % 2 == 0);
         const glm::dmat4 world_from_clip = glm::inverse(camera.clip_from_world(1.5));
         int wet = 0, dry = 0, wrong = 0, holes = 0;
         for (int y = 0; y < scene.height(); ++y)
@@ -263,7 +263,7 @@ TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
     for (int i = 0; i < (is_sanitized ? 2 : 5); ++i) {
         const glm::dvec3 at(130.7 * i, -2 - 20 * i, -71.3 * i);
         const auto pixels =
-            scene.picture({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::CameraWaterPlane{});
+            scene.image({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::CameraWaterPlane{});
         int holes = 0;
         for (int y = 0; y < scene.height(); ++y)
             for (int x = 0; x < scene.width(); ++x) holes += !(scene.green(pixels, x, y) > 0.02);
@@ -295,14 +295,14 @@ TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
         const double azimuth = 6.3 * uniform(), up = 3 * (uniform() - 0.5);
         const glm::dvec3 ahead(std::cos(azimuth) * std::cos(up), std::sin(up), std::sin(azimuth) * std::cos(up));
         const auto pixels =
-            scene.picture({at, at + ahead, 0.3 + 1.6 * uniform()}, frame, gl::camera_water_plane(query, at));
+            scene.image({at, at + ahead, 0.3 + 1.6 * uniform()}, frame, gl::camera_water_plane(query, at));
         int bad = 0;
         for (const float value : pixels) bad += !(value >= 0 && value <= 65504);
         EXPECT_EQ(bad, 0) << "camera " << i;
     }
 }
 
-// An island away from the middle, longer one way than the other: where its heights are above rest the picture is its sand, and
+// An island away from the middle, longer one way than the other: where its heights are above rest the image is its sand, and
 // where it is half a sample beside it is not.
 TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
     constexpr double half_m = 60;
@@ -323,7 +323,7 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
         }
     scene.renderer.set_floor(floor);
     const double height_m = 300;
-    const auto pixels = scene.picture({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
+    const auto pixels = scene.image({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
                                       scene.level_frame(30), std::nullopt);
     // Air dims and adds the same everywhere: half way between the brightest, which is land, and the darkest.
     double most = 0, least = 1e9;
@@ -337,7 +337,7 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
         int wrong = 0;
         for (int y = 0; y < scene.height(); ++y)
             for (int x = 0; x < scene.width(); ++x) {
-                // Straight down the picture's top is +x.
+                // Straight down the image's top is +x.
                 const double across = ((x + 0.5) / scene.width() * 2 - 1) * half_m,
                              up = (1 - (y + 0.5) / scene.height() * 2) * half_m;
                 const bool is_land = floor.height_at(up + shift_m, across + shift_m) > -0.15;

@@ -80,7 +80,7 @@ TEST_F(GlDaylight, NothingIsBlack) {
                      .visibility_m = static_cast<float>(5e3 + 60e3 * uniform(random))});
         const std::vector<float> luminances = shown(somewhere(random), i);
         EXPECT_GE(luminances[luminances.size() / 2], 0.05f) << "view " << i;
-        // And not burnt out: a tenth of the picture may be white at most.
+        // And not burnt out: a tenth of the image may be white at most.
         EXPECT_LE(luminances[luminances.size() * 9 / 10], 0.98f) << "view " << i;
     }
 }

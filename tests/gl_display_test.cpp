@@ -1,4 +1,4 @@
-// The display pass and the light meter on pictures whose every pixel is known.
+// The display pass and the light meter on images whose every pixel is known.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr float daylight = gl::sun_illuminance_lx;
 class DisplayTest : public testing::Test {
    protected:
     /// A texture of grey radiance, by column and row from below.
-    gl::TexturePart picture(int width, int height, const std::function<float(int, int)>& radiance) {
+    gl::TexturePart image(int width, int height, const std::function<float(int, int)>& radiance) {
         std::vector<float> rgba;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -67,7 +67,7 @@ double encoded(double linear) {
 TEST_F(DisplayTest, ShowsTheFilmCurveInSrgb) {
     // One stop a column, from far below to far above white.
     const auto at = [](int x) { return static_cast<float>(std::exp2(x - 10)); };
-    const auto pixels = shown(picture(18, 1, [&](int x, int) { return at(x); }), {.exposure = 0.5f}, 18, 1);
+    const auto pixels = shown(image(18, 1, [&](int x, int) { return at(x); }), {.exposure = 0.5f}, 18, 1);
     for (int x = 0; x < 18; ++x) {
         // Half a step of rounding and half a step of dithering; the curve's matrices are rounded to 5 digits.
         EXPECT_NEAR(pixels[static_cast<std::size_t>(x)],
@@ -85,7 +85,7 @@ TEST_F(DisplayTest, DitheringLeavesNoBands) {
     const auto slope = [](int x) {
         return 0.11f * (1 + 0.1f * static_cast<float>(x) / width);  // about 66 to 69 of 255
     };
-    const auto pixels = shown(picture(width, height, [&](int x, int) { return slope(x); }), {}, width, height);
+    const auto pixels = shown(image(width, height, [&](int x, int) { return slope(x); }), {}, width, height);
     double worst = 0, worst_undithered = 0;
     for (int x = 0; x < width; ++x) {
         double mean = 0;
@@ -102,11 +102,11 @@ TEST_F(DisplayTest, DitheringLeavesNoBands) {
 }
 
 TEST_F(DisplayTest, BloomSpreadsLightAndLosesNone) {
-    const auto grey = picture(96, 64, [](int, int) { return 0.2f; });
+    const auto grey = image(96, 64, [](int, int) { return 0.2f; });
     EXPECT_NEAR(light_shown(grey, 1) / light_shown(grey, 0), 1, 2e-3);
     // A square of light in the dark, far enough from the borders that little is spread beyond them.
     const auto lamp =
-        picture(256, 256, [](int x, int y) { return std::abs(x - 128) < 4 && std::abs(y - 128) < 4 ? 8.f : 0.01f; });
+        image(256, 256, [](int x, int y) { return std::abs(x - 128) < 4 && std::abs(y - 128) < 4 ? 8.f : 0.01f; });
     const double all = light_shown(lamp, 0);
     // The widest level reaches the border: what it would send out comes back.
     EXPECT_NEAR(light_shown(lamp, 1) / all, 1, 0.03);
@@ -116,7 +116,7 @@ TEST_F(DisplayTest, BloomSpreadsLightAndLosesNone) {
 
 TEST_F(DisplayTest, NightVisionIsBlueInTheDarkAndAbsentByDay) {
     gl::RenderTarget screen(gl_, 1, 1, 0);
-    const auto grey = picture(1, 1, [](int, int) { return 0.3f; });
+    const auto grey = image(1, 1, [](int, int) { return 0.3f; });
     const auto rgb = [&](float luminance_of_unit) {
         screen.bind();
         display_.show(grey, {.luminance_of_unit = luminance_of_unit}, {0, 0, 1, 1});
@@ -129,18 +129,18 @@ TEST_F(DisplayTest, NightVisionIsBlueInTheDarkAndAbsentByDay) {
 
 // The part that is used may be any, and what lies beside it in the texture must not shine in.
 TEST_F(DisplayTest, ShowsTheUsedPartAlone) {
-    gl::TexturePart part = picture(64, 64, [](int x, int y) { return x < 33 && y < 21 ? 0.2f : 900.f; });
+    gl::TexturePart part = image(64, 64, [](int x, int y) { return x < 33 && y < 21 ? 0.2f : 900.f; });
     part.width = 33;
     part.height = 21;
-    const auto alone = picture(33, 21, [](int, int) { return 0.2f; });
+    const auto alone = image(33, 21, [](int, int) { return 0.2f; });
     EXPECT_EQ(shown(part, {.bloom = 0.5f}, 100, 50), shown(alone, {.bloom = 0.5f}, 100, 50));
     for (const gl::MeteredCell& cell : meter_.measure(part)) EXPECT_NEAR(cell.log2_of_mean, std::log2(0.2f), 1e-2);
 }
 
-TEST_F(DisplayTest, MeterSeesEachPartOfThePicture) {
+TEST_F(DisplayTest, MeterSeesEachPartOfTheImage) {
     // Left dark, right light; in the upper half columns take turns, which a cell of several columns averages.
     const auto radiance = [](int x, int y) { return y >= 144 ? (x % 2 ? 1.f : 4.f) : x < 256 ? 0.25f : 2.f; };
-    const auto cells = meter_.measure(picture(512, 288, radiance));
+    const auto cells = meter_.measure(image(512, 288, radiance));
     ASSERT_EQ(cells.size(), static_cast<std::size_t>(gl::LightMeter::columns * gl::LightMeter::rows));
     const auto cell = [&](int x, int y) { return cells[static_cast<std::size_t>(y * gl::LightMeter::columns + x)]; };
     // A half float of a logarithm near 1 holds 1e-3.
@@ -150,7 +150,7 @@ TEST_F(DisplayTest, MeterSeesEachPartOfThePicture) {
 }
 
 TEST_F(DisplayTest, MeterThatDoesNotWaitSeesTheSame) {
-    const auto image = picture(200, 100, [](int x, int y) { return 0.01f * static_cast<float>(x + y + 1); });
+    const auto image = image(200, 100, [](int x, int y) { return 0.01f * static_cast<float>(x + y + 1); });
     const auto waited = meter_.measure(image);
     EXPECT_FALSE(meter_.finished());
     meter_.start(image);

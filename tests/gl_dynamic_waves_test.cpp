@@ -1,4 +1,4 @@
-// Dynamic waves in pictures: the grid's heights, slopes and foam where queries know them, and nothing where there is none.
+// Dynamic waves in images: the grid's heights, slopes and foam where queries know them, and nothing where there is none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
         int outside = 0;
         for (int row = 0; row < GlProbe::side; ++row)
             for (int column = 0; column < GlProbe::side; ++column) {
-                // The upper row of the picture has the largest y.
+                // The upper row of the image has the largest y.
                 const double x = viewer.x + (column + 0.5 - 64) * apart_m + 0.013;
                 const double z = viewer.y + (GlProbe::side - 1 - row + 0.5 - 64) * apart_m - 0.007;
                 const DynamicWavesSample wanted = sample(grid.surface(), x, z);
@@ -373,14 +373,14 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 96, .samples = 1, .size_m = 512});
     const Camera camera{.position_m = {0, 30, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
     Frame frame = scene.ocean.frame_at(3);
-    const auto before = scene.picture(camera, frame);
+    const auto before = scene.image(camera, frame);
     const Grid waves = waves_at(-20, -40), flat({}, no_foam, no_foam);
     frame.dynamic_waves = waves.surface();
-    const auto with = scene.picture(camera, frame);
+    const auto with = scene.image(camera, frame);
     frame.dynamic_waves = flat.surface();
-    const auto resting = scene.picture(camera, frame);
+    const auto resting = scene.image(camera, frame);
     frame.dynamic_waves = {};
-    EXPECT_EQ(scene.picture(camera, frame), before);
+    EXPECT_EQ(scene.image(camera, frame), before);
 
     int changed = 0, beyond = 0, moved = 0;
     for (int y = 0; y < 96; ++y)
@@ -391,7 +391,7 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
                 most = std::max(most, std::abs(with[at + channel] - before[at + channel]));
                 moved = std::max(moved, std::abs(resting[at + channel] - before[at + channel]));
             }
-            // From 30 m the picture is 33 m high; the camera's right is +z, its up is +x. Waves of the wind bring water nearer by
+            // From 30 m the image is 33 m high; the camera's right is +z, its up is +x. Waves of the wind bring water nearer by
             // metres.
             const double metres = 2 * 30 * std::tan(0.5) / 96;
             const glm::dvec2 place(-(y + 0.5 - 48) * metres, (x + 0.5 - 64) * metres);
@@ -431,7 +431,7 @@ TEST(GlDynamicWaves, IsSeenByBothEyes) {
 TEST(GlDynamicWaves, IsRefusedBeforeAnythingIsUploaded) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 64, .height = 48, .samples = 1});
     const Camera camera{.position_m = {0, 5, 0}, .target_m = {20, 0, 5}};
-    const auto before = scene.picture(camera, 3);
+    const auto before = scene.image(camera, 3);
     const GLuint textures = scene.renderer->textures().slopes();
     Frame frame = scene.ocean.frame_at(4);
     const Grid grid = waves_at(0, 0);
@@ -439,7 +439,7 @@ TEST(GlDynamicWaves, IsRefusedBeforeAnythingIsUploaded) {
     frame.dynamic_waves.resolution = 48;
     EXPECT_THROW(scene.renderer->upload(frame), std::invalid_argument);
     EXPECT_EQ(scene.renderer->textures().slopes(), textures);
-    EXPECT_EQ(scene.picture(camera, 3), before);
+    EXPECT_EQ(scene.image(camera, 3), before);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-/// A picture's cells, each of one luminance, cd/m^2.
+/// An image's cells, each of one luminance, cd/m^2.
 std::vector<gl::MeteredCell> cells(std::vector<std::pair<int, double>> counts) {
     std::vector<gl::MeteredCell> all;
     for (const auto& [count, luminance] : counts)
@@ -19,7 +19,7 @@ std::vector<gl::MeteredCell> cells(std::vector<std::pair<int, double>> counts) {
     return all;
 }
 
-/// What a metered picture shows of a luminance.
+/// What a metered image shows of a luminance.
 double shown(double luminance, float ev) {
     return static_cast<double>(gl::shown_by_film(static_cast<float>(luminance) * gl::exposure_of_ev(ev, 1)));
 }

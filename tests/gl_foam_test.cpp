@@ -1,4 +1,4 @@
-// Foam in pictures: as bright as foam is, and as much of it from near and far.
+// Foam in images: as bright as foam is, and as much of it from near and far.
 #include <gtest/gtest.h>
 
 #include <algorithm>

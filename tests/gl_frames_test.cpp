@@ -28,13 +28,13 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
             scene.draw(moving_camera(frame), frame / 90.0, true, frame % 2 == 1);
         }
         scene.resize(96, 64);
-        const std::vector<std::uint8_t> picture = scene.picture(moving_camera(0), 1);
+        const std::vector<std::uint8_t> image = scene.image(moving_camera(0), 1);
         EXPECT_EQ(all_of(scene.context.messages()), "");
         EXPECT_EQ(scene.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
         if (life == 1) {
-            EXPECT_EQ(picture, before);
+            EXPECT_EQ(image, before);
         }
-        before = picture;
+        before = image;
     }
 }
 

@@ -1,4 +1,4 @@
-// `pelagic render` as a user's shell runs it: pictures, figures, and one clear line where something is missing.
+// `pelagic render` as a user's shell runs it: images, figures, and one clear line where something is missing.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
@@ -22,43 +22,43 @@ namespace {
 /// Root of the mean square difference, in steps of 8 bits, of blocks of 4 x 4 pixels: waves that a driver rounds to the next
 /// pixel do not count, a colour or a shape that has changed does.
 double difference(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
-    const auto blocks_of = [](const OIIO::ImageBuf& picture) {
-        return OIIO::ImageBufAlgo::resize(picture, "box", 0,
-                                          {0, picture.spec().width / 4, 0, picture.spec().height / 4});
+    const auto blocks_of = [](const OIIO::ImageBuf& image) {
+        return OIIO::ImageBufAlgo::resize(image, "box", 0,
+                                          {0, image.spec().width / 4, 0, image.spec().height / 4});
     };
     return 255 * OIIO::ImageBufAlgo::compare(blocks_of(a), blocks_of(b), 0, 0).rms_error;
 }
 
-OIIO::ImageBuf read_picture(const std::filesystem::path& file) {
-    OIIO::ImageBuf picture(file.string());
-    EXPECT_TRUE(picture.read(0, 0, true, OIIO::TypeDesc::FLOAT)) << picture.geterror();
-    return picture;
+OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
+    OIIO::ImageBuf image(file.string());
+    EXPECT_TRUE(image.read(0, 0, true, OIIO::TypeDesc::FLOAT)) << image.geterror();
+    return image;
 }
 
-// The references were made by the same command, looked at, and kept; PELAGIC_UPDATE_PICTURES=1 makes new ones.
-TEST(RenderCommand, PicturesLookLikeTheReferences) {
-    const std::filesystem::path references = PELAGIC_REFERENCE_PICTURES;
+// The references were made by the same command, looked at, and kept; PELAGIC_UPDATE_IMAGES=1 makes new ones.
+TEST(RenderCommand, ImageLookLikeTheReferences) {
+    const std::filesystem::path references = PELAGIC_REFERENCE_IMAGES;
     const TemporaryFolder folder;
     for (const std::string preset : {"calm", "moderate", "storm"}) {
         const std::filesystem::path file = folder / (preset + ".png");
         const Outcome run = run_pelagic(
             {"render", "--preset", preset, "--size", "320x180", "--quality", "low", "--out", file.string()});
         ASSERT_EQ(run.exit_code, 0) << run.err;
-        if (std::getenv("PELAGIC_UPDATE_PICTURES"))
+        if (std::getenv("PELAGIC_UPDATE_IMAGES"))
             std::filesystem::copy_file(file, references / (preset + ".png"),
                                        std::filesystem::copy_options::overwrite_existing);
-        const OIIO::ImageBuf made = read_picture(file), kept = read_picture(references / (preset + ".png"));
-        for (const OIIO::ImageBuf* picture : {&made, &kept})
-            ASSERT_EQ(picture->roi(), OIIO::ROI(0, 320, 0, 180, 0, 1, 0, 3)) << preset;
+        const OIIO::ImageBuf made = read_pixels(file), kept = read_pixels(references / (preset + ".png"));
+        for (const OIIO::ImageBuf* image : {&made, &kept})
+            ASSERT_EQ(image->roi(), OIIO::ROI(0, 320, 0, 180, 0, 1, 0, 3)) << preset;
         // Steps of 8 bits. Another machine's rounding and libm give 0.0 to 0.5; a change that one sees gives more than 3.
         EXPECT_LE(difference(made, kept), 3) << preset;
         if (preset == "calm") continue;
         // Another sea is such a change: 30 and 51.
-        EXPECT_GT(difference(made, read_picture(references / "calm.png")), 3) << preset;
+        EXPECT_GT(difference(made, read_pixels(references / "calm.png")), 3) << preset;
     }
 }
 
-TEST(RenderCommand, StopsWithALineAndLeavesWholePictures) {
+TEST(RenderCommand, StopsWithALineAndLeavesWholeImages) {
     const TemporaryFolder folder, logs;
     constexpr std::ptrdiff_t frames = 500;
     const pid_t process = start_pelagic({"render", "--preset", "calm", "--size", "64x36", "--quality", "low",
@@ -70,15 +70,15 @@ TEST(RenderCommand, StopsWithALineAndLeavesWholePictures) {
     ::kill(process, SIGINT);
     EXPECT_EQ(wait_for(process), 128 + SIGINT);
     EXPECT_EQ(read_file(logs / "out"), "");
-    EXPECT_EQ(read_file(logs / "err"), "pelagic: stopped; pictures that are there are whole\n");
-    std::ptrdiff_t pictures = 0;
+    EXPECT_EQ(read_file(logs / "err"), "pelagic: stopped; images that are there are whole\n");
+    std::ptrdiff_t images = 0;
     for (const auto& [name, bytes] : files_in(folder.path())) {
         EXPECT_TRUE(name.starts_with("sea_")) << name;
-        EXPECT_EQ(read_picture(folder / name).spec().width, 64) << name;
-        ++pictures;
+        EXPECT_EQ(read_pixels(folder / name).spec().width, 64) << name;
+        ++images;
     }
-    EXPECT_GE(pictures, 2);
-    EXPECT_LT(pictures, frames);
+    EXPECT_GE(images, 2);
+    EXPECT_LT(images, frames);
 }
 
 TEST(RenderCommand, NotesADriverInSoftware) {
@@ -96,7 +96,7 @@ TEST(RenderCommand, NotesADriverInSoftware) {
     }
 }
 
-// Half of the picture is land, sand in daylight; the other half is deep.
+// Half of the image is land, sand in daylight; the other half is deep.
 TEST(RenderCommand, TakesAFloorFromAnImage) {
     const TemporaryFolder folder;
     OIIO::ImageBuf heights(OIIO::ImageSpec(4, 4, 1, OIIO::TypeDesc::UINT16));
@@ -127,8 +127,8 @@ TEST(RenderCommand, TakesAFloorFromAnImage) {
                                      "--out",
                                      file.string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const OIIO::ImageBuf picture = read_picture(file);
-    const auto brightness = [&](int y) { return picture.getchannel(32, y, 0, 1); };
+    const OIIO::ImageBuf image = read_pixels(file);
+    const auto brightness = [&](int y) { return image.getchannel(32, y, 0, 1); };
     EXPECT_GT(brightness(8), 2 * brightness(56));
     const Outcome lake = run_pelagic({"render", "--floor", (folder / "floor.png").string(), "--shore", "--surface",
                                       "lake", "--out", file.string()});
@@ -141,7 +141,7 @@ TEST(RenderCommand, TakesAFloorFromAnImage) {
     EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
 }
 
-TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
+TEST(RenderCommand, PrintsItsFiguresAndNumbersItsImages) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
                                      "--frames", "2", "--stereo", "--json", "--out", (folder / "sea.png").string()});
@@ -152,24 +152,24 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     EXPECT_EQ(statistics.at("uploaded_bytes"), 4 * (64 * 64 * 8 + (2 * 4 + 1) * (4 * 64 * 64 - 1) / 3));
     EXPECT_GT(statistics.at("triangles"), 0);
     EXPECT_TRUE(statistics.at("median_ms").contains("draw_in_driver"));
-    EXPECT_EQ(read_picture(folder / "sea_0000.png").spec().width, 64);
-    EXPECT_EQ(read_picture(folder / "sea_0001.png").spec().height, 48);
+    EXPECT_EQ(read_pixels(folder / "sea_0000.png").spec().width, 64);
+    EXPECT_EQ(read_pixels(folder / "sea_0001.png").spec().height, 48);
 }
 
 /// A view, and the same with more of the sky's bright and dark parts on either side.
 std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder, const std::string& exposure) {
-    std::vector<OIIO::ImageBuf> pictures;
+    std::vector<OIIO::ImageBuf> images;
     for (const std::string size : {"64x96", "256x96"}) {
         const std::filesystem::path file = folder / (size + exposure + ".png");
         const Outcome run =
             run_pelagic({"render", "--resolution", "32", "--clouds", "0", "--quality", "low", "--size", size, "--sun",
                          "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
         EXPECT_EQ(run.exit_code, 0) << run.err;
-        pictures.push_back(read_picture(file));
+        images.push_back(read_pixels(file));
     }
     // The middle of the wide one is the narrow one: its rows are as high.
-    pictures[1] = OIIO::ImageBufAlgo::cut(pictures[1], {96, 160, 0, 96});
-    return pictures;
+    images[1] = OIIO::ImageBufAlgo::cut(images[1], {96, 160, 0, 96});
+    return images;
 }
 
 TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
@@ -181,7 +181,7 @@ TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
     EXPECT_GT(difference(metered[0], metered[1]), 3);
 }
 
-// A rock of dark stone in the middle of the picture, and its image in the water before it.
+// A rock of dark stone in the middle of the image, and its image in the water before it.
 TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "sea.exr";
@@ -190,8 +190,8 @@ TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
                      "--quality", "low",      "--size",     "48x48",        "--camera", "0,3,0",    "--target",
                      "30,-1,0",   "--sun",    "60,30",      "--rock",       "25,0",     "--hdr",    file.string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const OIIO::ImageBuf picture = read_picture(file);
-    const auto green = [&](int x, int y) { return picture.getchannel(x, y, 0, 1); };
+    const OIIO::ImageBuf image = read_pixels(file);
+    const auto green = [&](int x, int y) { return image.getchannel(x, y, 0, 1); };
     // Above its foot, which is in row 25, stands the rock; below it the water mirrors it, and the sky on both sides.
     EXPECT_LT(green(24, 18), 0.5f * green(4, 18));
     float before_rock = 0, beside = 0;
@@ -202,8 +202,8 @@ TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
     EXPECT_LT(before_rock, 0.6f * beside);
 }
 
-// Pictures of one film are made by several runs, each from its own frame on.
-TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
+// Images of one film are made by several runs, each from its own frame on.
+TEST(RenderCommand, AImageOfAFilmIsTheSameWhereverTheRunBegan) {
     const TemporaryFolder folder;
     const std::vector<std::string> scene = {"render", "--resolution", "32", "--quality", "low", "--size",
                                             "64x48",  "--clouds",     "0",  "--fps",     "2"};
@@ -217,7 +217,7 @@ TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
     EXPECT_EQ(read_file(folder / "film_0001.png"), read_file(folder / "second.png"));
 }
 
-// The sun stands over +z, a quarter of the picture of the sky right of its middle; above the sun's side of the sea all is brighter.
+// The sun stands over +z, a quarter of the image of the sky right of its middle; above the sun's side of the sea all is brighter.
 TEST(RenderCommand, WritesLinearLightAndTheSkyAround) {
     const TemporaryFolder folder;
     const Outcome run =
@@ -225,7 +225,7 @@ TEST(RenderCommand, WritesLinearLightAndTheSkyAround) {
                      "90,20", "--hdr", (folder / "sea.exr").string(), "--sky", (folder / "sky.exr").string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(files_in(folder.path()).size(), 2u);
-    const OIIO::ImageBuf sea = read_picture(folder / "sea.exr"), sky = read_picture(folder / "sky.exr");
+    const OIIO::ImageBuf sea = read_pixels(folder / "sea.exr"), sky = read_pixels(folder / "sky.exr");
     EXPECT_EQ(sea.roi(), OIIO::ROI(0, 64, 0, 48, 0, 1, 0, 3));
     EXPECT_EQ(sky.roi(), OIIO::ROI(0, 2048, 0, 1024, 0, 1, 0, 3));
     EXPECT_EQ(sea.spec().format, OIIO::TypeDesc::FLOAT);
@@ -270,7 +270,7 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
         {{"--out", "a.png", "--rock", "3"}, "pelagic: --rock is 3, needs X,Z in metres, each in [-10000, 10000]\n"},
         {{"--out", "a.png", "--rock", "3,4", "--stereo"},
-         "pelagic: --rock is 3,4, needs a picture without --stereo and --wireframe\n"},
+         "pelagic: --rock is 3,4, needs an image without --stereo and --wireframe\n"},
         {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a part in [0, 1]\n"},
         {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
         {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},

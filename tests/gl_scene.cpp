@@ -47,7 +47,7 @@ GlScene::GlScene(const Options& options)
     renderer->set_sky(test_sky());
 }
 
-void GlScene::resize(int width, int height, PictureRows only) {
+void GlScene::resize(int width, int height, ImageRows only) {
     if (only.count == 0) only = {0, height};
     target.reset();
     target.emplace(gl(), width, only.count, samples_, writes_);
@@ -70,7 +70,7 @@ const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame
     gl().ClearColor(clear.x, clear.y, clear.z, 1);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     renderer->upload(frame);
-    // Mesa's software driver with threads may sample mips before they are written; pictures are to be the same each time.
+    // Mesa's software driver with threads may sample mips before they are written; images are to be the same each time.
     gl().Finish();
     std::optional<gl::CameraWaterPlane> water;
     if (lens_may_dip_) water = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m);

@@ -20,8 +20,8 @@ SeaState sea_named(std::string_view preset, int resolution = 0);
 /// Baked once for all tests of a process: the sky is the same in each.
 const gl::Sky& test_sky();
 
-/// Rows of a picture, from above.
-struct PictureRows {
+/// Rows of an image, from above.
+struct ImageRows {
     int first = 0, count = 0;
 };
 
@@ -39,7 +39,7 @@ class GlScene {
         gl::Shading shading = gl::Shading::high;
         double depth_m = 0;         ///< 0: the preset's
         double wind_speed_mps = 0;  ///< 0: the preset's
-        bool foam = false;          ///< the sea remembers foam, and pictures show it
+        bool foam = false;          ///< the sea remembers foam, and images show it
         bool lens_may_dip = false;  ///< the renderer is told of the surface at the lens
     };
     explicit GlScene(const Options& options);
@@ -51,18 +51,18 @@ class GlScene {
     }
     const gl::DrawStatistics& draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
                                 glm::vec3 clear = {0, 0, 0});
-    std::vector<std::uint8_t> picture(const Camera& camera, double time_s) {
-        return picture(camera, ocean.frame_at(time_s));
+    std::vector<std::uint8_t> image(const Camera& camera, double time_s) {
+        return image(camera, ocean.frame_at(time_s));
     }
-    std::vector<std::uint8_t> picture(const Camera& camera, const Frame& frame) {
+    std::vector<std::uint8_t> image(const Camera& camera, const Frame& frame) {
         draw(camera, frame);
         return target->read();
     }
     /// Green radiance, in rows, of a square of sea seen from 2 km straight above through parallel rays, of which the sky and the sun
     /// are the same everywhere. For a scene that writes radiance.
     std::vector<float> light_from_above(const Frame& frame, int pixels, double side_m);
-    /// \param only  if it has any, the target holds these rows of the picture: the others take no time
-    void resize(int width, int height, PictureRows only = {});
+    /// \param only  if it has any, the target holds these rows of the image: the others take no time
+    void resize(int width, int height, ImageRows only = {});
     const gl::Functions& gl() const { return context.functions(); }
 
     gl::HeadlessContext context{{.debug = true}};
@@ -71,13 +71,13 @@ class GlScene {
     Selection selection;
     std::optional<gl::RenderTarget> target;
     std::optional<gl::SeaRenderer> renderer;
-    std::optional<gl::ApplicationScene> application_scene;  ///< of the picture, in all draws
+    std::optional<gl::ApplicationScene> application_scene;  ///< of the image, in all draws
 
    private:
     int samples_;
     gl::PixelKind writes_;
     bool lens_may_dip_;
-    gl::Viewport whole_;  ///< of the picture, in the target
+    gl::Viewport whole_;  ///< of the image, in the target
 };
 
 /// Light of an sRGB byte, [0, 1].

@@ -1,4 +1,4 @@
-// A shore in pictures: water lies where sim/shore_surface.hpp says, the cascades are held back there and nowhere else, foam comes with its
+// A shore in images: water lies where sim/shore_surface.hpp says, the cascades are held back there and nowhere else, foam comes with its
 // waves, and sand is dark as high as they reach. The shores are made by hand, so that each says what a real one seldom does.
 #include <gtest/gtest.h>
 
@@ -144,7 +144,7 @@ class GlShore : public testing::Test {
                               .lod_scale = scene.quadtree.lod_scale,
                               .draws_sky = false});
     }
-    std::vector<std::uint8_t> picture(GlScene& scene, const SquareFromAbove& square) {
+    std::vector<std::uint8_t> image(GlScene& scene, const SquareFromAbove& square) {
         draw(scene, square);
         return scene.target->read();
     }
@@ -356,11 +356,11 @@ TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
         HandmadeShore shore({-200, -200}, 81, 81, 5);
         const SquareFromAbove square{.middle = {0, 0}, .half_m = 12, .pixels = pixels};
         upload(scene, frame);
-        const std::vector<std::uint8_t> all = picture(scene, square);
+        const std::vector<std::uint8_t> all = image(scene, square);
         for (std::size_t missing = 0; missing < 4; ++missing) {
             const WithoutCascade less(frame, missing);
             upload(scene, less.frame);
-            const std::vector<std::uint8_t> wanted = picture(scene, square);
+            const std::vector<std::uint8_t> wanted = image(scene, square);
 
             shore.each(50, [&](std::size_t texel, double, double, double part) {
                 shore.parts_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : ~(0xFFu << 8 * missing);
@@ -369,7 +369,7 @@ TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
             shown.shore = shore.view();
             upload(scene, shown);
             const std::size_t first_bytes = scene.renderer->statistics().upload_bytes;
-            const std::vector<std::uint8_t> held_back = picture(scene, square);
+            const std::vector<std::uint8_t> held_back = image(scene, square);
             // Another program may round otherwise, and a mirror of the sun is steep.
             EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", cascade " << missing;
             EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
@@ -393,11 +393,11 @@ TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
         shore.foam[texel] = static_cast<std::uint8_t>(std::lround(200 * part));
     });
     upload(scene, frame);
-    const std::vector<std::uint8_t> open = picture(scene, square);
+    const std::vector<std::uint8_t> open = image(scene, square);
     Frame shown = frame;
     shown.shore = shore.view();
     upload(scene, shown);
-    const std::vector<std::uint8_t> with_shore = picture(scene, square);
+    const std::vector<std::uint8_t> with_shore = image(scene, square);
     // A storm's water is drawn up to 5 m from where it rests, and vertices stand 4 m apart.
     int beside = 0, within = 0, different = 0;
     for (int row = 0; row < pixels; ++row)
@@ -546,7 +546,7 @@ TEST_F(GlShore, WavesMirrorWhatTheirSlopesFace) {
     }
 }
 
-// Sand rises from the water along x. It is dark up to where the waves reach, which is higher in one half of the picture than in the other.
+// Sand rises from the water along x. It is dark up to where the waves reach, which is higher in one half of the image than in the other.
 TEST_F(GlShore, SandIsDarkAsHighAsWavesReach) {
     constexpr int pixels = 96;
     GlScene::Options radiance = options(pixels);

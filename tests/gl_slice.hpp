@@ -23,7 +23,7 @@ inline glm::dmat4 slice(glm::dvec2 middle, double top_m) {
     return m;
 }
 
-inline std::vector<std::uint8_t> picture_of_slice(GlScene& scene, const Frame& frame, glm::dvec2 middle,
+inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& frame, glm::dvec2 middle,
                                                   double top_m) {
     const glm::dvec3 viewer(middle.x, 1, middle.y);
     const gl::Eye eye{.clip_from_world = slice(middle, top_m),
@@ -48,7 +48,7 @@ template <class Height>
 void expect_slice_in_place(GlScene& scene, const Frame& frame, glm::dvec2 middle, double top_m,
                            const Height& height) {
     constexpr int side = slice_pixels;
-    const std::vector<std::uint8_t> pixels = picture_of_slice(scene, frame, middle, top_m);
+    const std::vector<std::uint8_t> pixels = image_of_slice(scene, frame, middle, top_m);
     const auto is_cut = [&](int x, int y) {
         const std::uint8_t* rgb = &pixels[4 * static_cast<std::size_t>(y * side + x)];
         return rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255;

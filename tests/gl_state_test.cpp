@@ -1,4 +1,4 @@
-// An application may leave GL in any state: it gets it back after every call, and the picture is that of a fresh context.
+// An application may leave GL in any state: it gets it back after every call, and the image is that of a fresh context.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -123,7 +123,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     return state;
 }
 
-/// State of which each piece alone would spoil the picture, or crash.
+/// State of which each piece alone would spoil the image, or crash.
 class NastyApplication {
    public:
     explicit NastyApplication(const gl::Functions& gl)
@@ -211,7 +211,7 @@ void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
 
 /// A renderer's whole life in one context. \param after_each_call  named
 template <class Check>
-std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, const Look& look,
+std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, const Look& look,
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
@@ -240,8 +240,8 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
         rock.emplace(gl, glm::dvec3(60, 0, 40));
         after_each_call("rock's constructor");
         rock->set_light(test_sky());
-        application_scene = rock->picture(eye);
-        after_each_call("rock's picture");
+        application_scene = rock->image(eye);
+        after_each_call("rock's image");
         rock->draw(eye, 0);
         after_each_call("rock's draw");
     }
@@ -260,7 +260,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
 
 class GlState : public testing::TestWithParam<Look> {};
 
-TEST_P(GlState, OfAApplicationIsKeptAndSpoilsNoPicture) {
+TEST_P(GlState, OfAnApplicationIsKeptAndSpoilsNoImage) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(2);
 
@@ -268,9 +268,9 @@ TEST_P(GlState, OfAApplicationIsKeptAndSpoilsNoPicture) {
     std::vector<std::uint8_t> clean;
     {
         const Target target(clean_context.functions());
-        clean = picture(clean_context.functions(), frame, GetParam(), [](const char*) {});
+        clean = image(clean_context.functions(), frame, GetParam(), [](const char*) {});
     }
-    // Not a picture of one colour.
+    // Not an image of one colour.
     EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
 
     gl::HeadlessContext context;
@@ -278,7 +278,7 @@ TEST_P(GlState, OfAApplicationIsKeptAndSpoilsNoPicture) {
     const Target target(gl);
     const NastyApplication application(gl);
     const auto before = state_of(gl);
-    const auto nasty = picture(gl, frame, GetParam(), [&](const char* call) {
+    const auto nasty = image(gl, frame, GetParam(), [&](const char* call) {
         const auto after = state_of(gl);
         for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
     });
@@ -286,8 +286,8 @@ TEST_P(GlState, OfAApplicationIsKeptAndSpoilsNoPicture) {
     application.set_switches(false);
 }
 
-TEST(GlStateOfDisplay, OfAApplicationIsKeptAndSpoilsNoPicture) {
-    const auto picture_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
+TEST(GlStateOfDisplay, OfAnApplicationIsKeptAndSpoilsNoImage) {
+    const auto preview_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
         gl::Display display(gl);
         check("display's constructor");
         gl::LightMeter meter(gl);
@@ -321,7 +321,7 @@ TEST(GlStateOfDisplay, OfAApplicationIsKeptAndSpoilsNoPicture) {
         const gl::Functions& gl = clean_context.functions();
         const gl::Texture texture = texture_of(gl);
         const Target target(gl);
-        clean = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [](const char*) {});
+        clean = preview_of(gl, {texture.name(), 2, 1, 2, 1}, [](const char*) {});
     }
     EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
 
@@ -331,7 +331,7 @@ TEST(GlStateOfDisplay, OfAApplicationIsKeptAndSpoilsNoPicture) {
     const Target target(gl);
     const NastyApplication application(gl);
     const auto before = state_of(gl);
-    const auto nasty = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [&](const char* call) {
+    const auto nasty = preview_of(gl, {texture.name(), 2, 1, 2, 1}, [&](const char* call) {
         const auto after = state_of(gl);
         for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
     });

@@ -48,7 +48,7 @@ TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
     }
 }
 
-// The viewer is what positions are relative to, and nothing else: a picture is that of the eye. The second copy of the
+// The viewer is what positions are relative to, and nothing else: an image is that of the eye. The second copy of the
 // waves, whose turn C++ and the shader both know, would be another sea from elsewhere.
 TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
     GlScene scene({.preset = "moderate",
@@ -62,7 +62,7 @@ TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
     const Camera camera{.position_m = {0, 40, 0}, .target_m = {200, 0, 130}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 160, 90});
     const DrawList& list = scene.selection.select({.viewer_m = camera.position_m});
-    const auto picture_from = [&](glm::dvec3 viewer) {
+    const auto image_from = [&](glm::dvec3 viewer) {
         scene.renderer->upload(frame);
         scene.gl().Finish();
         scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -70,7 +70,7 @@ TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
         scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = 1e9});
         return scene.target->read();
     };
-    const auto here = picture_from(camera.position_m), there = picture_from({2000, 40, -1500});
+    const auto here = image_from(camera.position_m), there = image_from({2000, 40, -1500});
     double difference = 0;
     for (std::size_t i = 0; i < here.size(); ++i) difference += std::abs(here[i] - there[i]);
     difference /= static_cast<double>(here.size());

@@ -130,18 +130,18 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     const SeaState storm = sea_named("storm", 128);
     GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
     const Frame& last_calm = scene.ocean.frame_at(3);
-    const auto calm_picture = scene.picture(camera, last_calm);
+    const auto calm_image = scene.image(camera, last_calm);
     scene.ocean.schedule_sea(storm);
     scene.ocean.complete_sea();
     scene.ocean.schedule(3);
-    const auto last_calm_picture = scene.picture(camera, last_calm);
-    const auto changed_picture = scene.picture(camera, scene.ocean.complete());
+    const auto last_calm_image = scene.image(camera, last_calm);
+    const auto changed_image = scene.image(camera, scene.ocean.complete());
     GlScene fresh({.preset = "storm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
-    const auto storm_picture = fresh.picture(camera, 3);
+    const auto storm_image = fresh.image(camera, 3);
 
-    EXPECT_EQ(last_calm_picture, calm_picture);
-    EXPECT_EQ(changed_picture, storm_picture);
-    EXPECT_NE(changed_picture, calm_picture);
+    EXPECT_EQ(last_calm_image, calm_image);
+    EXPECT_EQ(changed_image, storm_image);
+    EXPECT_NE(changed_image, calm_image);
 }
 
 }  // namespace

@@ -329,7 +329,7 @@ TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
     EXPECT_GT(figure(found, "peak_wavelength_m"), 0);
 }
 
-TEST(Measure, WritesAPictureWhereItIsToldAndNothingElse) {
+TEST(Measure, WritesAImageWhereItIsToldAndNothingElse) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "16", "--patch-size", "250", "--loop-frames", "32"});
     const auto before = files_in(folder / "out");

@@ -35,7 +35,7 @@ struct ApplicationRun {
         environment.insert({"XR_RUNTIME_JSON", PELAGIC_STAND_IN_MANIFEST});
         environment.insert({"PELAGIC_STAND_IN_FOLDER", folder.path()});
         environment.insert({"XR_LOADER_DEBUG", "none"});  // its own messages on stderr
-        // Mesa's software driver with threads may sample mips before they are written; pictures are to be the same each time.
+        // Mesa's software driver with threads may sample mips before they are written; images are to be the same each time.
         environment.insert({"LP_NUM_THREADS", "0"});
         outcome = run_pelagic(arguments, [&] {
             for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
@@ -58,21 +58,21 @@ struct ApplicationRun {
 const std::vector<std::string> whole_session = {"IDLE",    "READY",        "SYNCHRONIZED", "VISIBLE", "FOCUSED",
                                                 "VISIBLE", "SYNCHRONIZED", "STOPPING",     "IDLE",    "EXITING"};
 
-struct Picture {
+struct RgbaImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
 };
 
-Picture read_ppm(const std::filesystem::path& file) {
-    Picture picture;
+RgbaImage read_ppm(const std::filesystem::path& file) {
+    RgbaImage image;
     std::istringstream text(read_file(file));
     std::string kind;
     int most = 0;
-    text >> kind >> picture.width >> picture.height >> most;
+    text >> kind >> image.width >> image.height >> most;
     text.get();
-    picture.rgb.assign(std::istreambuf_iterator<char>(text), {});
-    EXPECT_EQ(picture.rgb.size(), 3u * static_cast<std::size_t>(picture.width * picture.height)) << file;
-    return picture;
+    image.rgb.assign(std::istreambuf_iterator<char>(text), {});
+    EXPECT_EQ(image.rgb.size(), 3u * static_cast<std::size_t>(image.width * image.height)) << file;
+    return image;
 }
 
 /// An eye of the last frame, from what the stand-in says, in the world: the application's origin is 3 m and a significant wave height
@@ -98,16 +98,16 @@ struct RecordedEye {
                glm::lookAt(place_m, place_m + turn * glm::dvec3(0, 0, -1), turn * glm::dvec3(0, 1, 0));
     }
     /// Of a pixel's centre, counted from the upper left corner.
-    glm::dvec3 ray(double column, double row, const Picture& picture) const {
-        const double x = left + (right - left) * (column + 0.5) / picture.width;
-        const double y = up + (down - up) * (row + 0.5) / picture.height;
+    glm::dvec3 ray(double column, double row, const RgbaImage& image) const {
+        const double x = left + (right - left) * (column + 0.5) / image.width;
+        const double y = up + (down - up) * (row + 0.5) / image.height;
         return turn * glm::dvec3(x, y, -1);
     }
     /// The pixel in which a point is seen, as above.
-    glm::dvec2 pixel_of(const glm::dvec3& point_m, const Picture& picture) const {
+    glm::dvec2 pixel_of(const glm::dvec3& point_m, const RgbaImage& image) const {
         const glm::dvec3 seen = glm::conjugate(turn) * (point_m - place_m);
         const double x = seen.x / -seen.z, y = seen.y / -seen.z;
-        return {(x - left) / (right - left) * picture.width - 0.5, (up - y) / (up - down) * picture.height - 0.5};
+        return {(x - left) / (right - left) * image.width - 0.5, (up - y) / (up - down) * image.height - 0.5};
     }
 };
 
@@ -122,7 +122,7 @@ double seconds_between(std::int64_t first_ns, std::int64_t then_ns) {
     return static_cast<double>(then_ns - first_ns) * 1e-9;
 }
 
-double mean_square_difference(const Picture& a, const Picture& b) {
+double mean_square_difference(const RgbaImage& a, const RgbaImage& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow(a.rgb[i] - b.rgb[i], 2);
     return sum / static_cast<double>(a.rgb.size());
@@ -130,7 +130,7 @@ double mean_square_difference(const Picture& a, const Picture& b) {
 
 /// What the stand-in should have got: the same sea from the same places, drawn through other projections into another kind of
 /// framebuffer.
-std::array<Picture, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const Frame& frame, int side) {
+std::array<RgbaImage, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const Frame& frame, int side) {
     const gl::HeadlessContext context;
     const gl::Functions& gl = context.functions();
     Selection selection(quadtree_preset_named("low")->options(2048));
@@ -148,19 +148,19 @@ std::array<Picture, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const 
     const glm::dvec3 viewer = (eyes[0].place_m + eyes[1].place_m) / 2.0;
     const std::array<glm::dmat4, 2> clips = {eyes[0].clip_from_world(), eyes[1].clip_from_world()};
     const DrawList& list = selection.select({.viewer_m = viewer, .views = clips, .bounds = frame.bounds});
-    std::array<Picture, 2> pictures;
+    std::array<RgbaImage, 2> images;
     for (std::size_t i = 0; i < 2; ++i) {
         const gl::Eye eye{clips[i], eyes[i].place_m, {0, 0, side, side}};
         target.bind();
         gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer.draw(
             {.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = selection.options().lod_scale});
-        pictures[i] = {side, side, {}};
+        images[i] = {side, side, {}};
         const std::vector<std::uint8_t> rgba = target.read();
         for (std::size_t at = 0; at < rgba.size(); at += 4)
-            pictures[i].rgb.insert(pictures[i].rgb.end(), &rgba[at], &rgba[at] + 3);
+            images[i].rgb.insert(images[i].rgb.end(), &rgba[at], &rgba[at] + 3);
     }
-    return pictures;
+    return images;
 }
 
 TEST(OpenXrApplication, ShowsThreeHundredFramesOfTheRightSeaUnderValidation) {
@@ -209,7 +209,7 @@ TEST(OpenXrApplication, ValidationWouldHaveSpoken) {
     EXPECT_NE(read_file(folder / "validation.txt").find("VUID-XrSessionCreateInfo-next-next"), std::string::npos);
 }
 
-class OpenXrPictures : public testing::Test {
+class OpenXrImages : public testing::Test {
    protected:
     static constexpr int side = 900;
     /// The first frames are hidden, so that the head has turned when it sees some. Large enough to measure in pixels what the
@@ -217,7 +217,7 @@ class OpenXrPictures : public testing::Test {
     static void SetUpTestSuite() {
         saved_ = new TemporaryFolder;
         run_ = new ApplicationRun(
-            {"--quality", "low", "--frames", "2", "--pictures", saved_->path()},
+            {"--quality", "low", "--frames", "2", "--images", saved_->path()},
             {{"PELAGIC_STAND_IN_EYE", std::to_string(side)}, {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"}});
         ASSERT_EQ(run_->outcome.exit_code, 0) << run_->outcome.err;
         ocean_ = new Ocean(sea(), {.queries = true, .foam = true});
@@ -235,7 +235,7 @@ class OpenXrPictures : public testing::Test {
         return sea;
     }
     static RecordedEye eye(std::size_t which) { return {run_->record["eyes"][which], *frame_}; }
-    static Picture shown(const char* name) { return read_ppm(run_->folder / name); }
+    static RgbaImage shown(const char* name) { return read_ppm(run_->folder / name); }
 
     static inline TemporaryFolder* saved_ = nullptr;
     static inline ApplicationRun* run_ = nullptr;
@@ -243,15 +243,15 @@ class OpenXrPictures : public testing::Test {
     static inline const Frame* frame_ = nullptr;
 };
 
-TEST_F(OpenXrPictures, AreThoseThatTheApplicationSaved) {
+TEST_F(OpenXrImages, AreThoseThatTheApplicationSaved) {
     for (const char* name : {"left.ppm", "right.ppm"})
         EXPECT_TRUE(read_file(*saved_ / name) == read_file(run_->folder / name)) << name;
     EXPECT_EQ(files_in(saved_->path()).size(), 2u);
 }
 
-TEST_F(OpenXrPictures, AreHandedOverWithoutAWrongCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
+TEST_F(OpenXrImages, AreHandedOverWithoutAWrongCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
 
-TEST_F(OpenXrPictures, AreShownFromWhereTheEyesWillBe) {
+TEST_F(OpenXrImages, AreShownFromWhereTheEyesWillBe) {
     for (const Json& recorded : run_->record["eyes"]) {
         for (const auto& [name, value] : recorded["pose"].items())
             EXPECT_EQ(value, recorded["submitted_pose"][name]) << name;
@@ -259,19 +259,19 @@ TEST_F(OpenXrPictures, AreShownFromWhereTheEyesWillBe) {
     }
 }
 
-TEST_F(OpenXrPictures, AreTheSeaThroughTheEyesProjections) {
-    const std::array<Picture, 2> both = {shown("left.ppm"), shown("right.ppm")};
-    const std::array<Picture, 2> expected = drawn_here({eye(0), eye(1)}, *frame_, side);
+TEST_F(OpenXrImages, AreTheSeaThroughTheEyesProjections) {
+    const std::array<RgbaImage, 2> both = {shown("left.ppm"), shown("right.ppm")};
+    const std::array<RgbaImage, 2> expected = drawn_here({eye(0), eye(1)}, *frame_, side);
     for (std::size_t i = 0; i < 2; ++i) {
         ASSERT_EQ(both[i].rgb.size(), expected[i].rgb.size());
         // 54 dB: a byte is rounded by the framebuffer there and in the shader here, and the two projections differ by roundings
-        // of floats, which moves single pixels at edges of waves. A picture that is a pixel aside has 40 dB.
+        // of floats, which moves single pixels at edges of waves. An image that is a pixel aside has 40 dB.
         const double psnr = 10 * std::log10(255 * 255 / mean_square_difference(both[i], expected[i]));
         EXPECT_GT(psnr, 48);
     }
 }
 
-TEST_F(OpenXrPictures, AreTheSameInOnePassForBothEyes) {
+TEST_F(OpenXrImages, AreTheSameInOnePassForBothEyes) {
     // With the driver's calls made twice each (multiview_stand_in.cpp), where the program believes in OVR_multiview2.
     const ApplicationRun one_pass({"--quality", "low", "--frames", "2"}, {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
                                                                    {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
@@ -283,12 +283,12 @@ TEST_F(OpenXrPictures, AreTheSameInOnePassForBothEyes) {
 }
 
 /// Green, of which there is most.
-double green(const Picture& picture, int column, int row) {
-    return picture.rgb[3 * static_cast<std::size_t>(row * picture.width + column) + 1];
+double green(const RgbaImage& image, int column, int row) {
+    return image.rgb[3 * static_cast<std::size_t>(row * image.width + column) + 1];
 }
 
 /// How alike two squares of pixels are, 1 at most: their correlation, which does not mind that one is brighter.
-double likeness(const Picture& a, glm::ivec2 at, const Picture& b, glm::ivec2 there) {
+double likeness(const RgbaImage& a, glm::ivec2 at, const RgbaImage& b, glm::ivec2 there) {
     constexpr int reach = 9;
     double n = 0, sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
     for (int dy = -reach; dy <= reach; ++dy)
@@ -299,10 +299,10 @@ double likeness(const Picture& a, glm::ivec2 at, const Picture& b, glm::ivec2 th
     return (ab - sum_a * sum_b / n) / std::sqrt((aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n) + 1e-9);
 }
 
-TEST_F(OpenXrPictures, DifferByTheWayBetweenTheEyes) {
+TEST_F(OpenXrImages, DifferByTheWayBetweenTheEyes) {
     // Rays of the left eye meet the water where a query says; seen from the right eye that water is further left, the more the
-    // nearer. What the pictures show there is found by looking for the same pattern along the row.
-    const Picture left = shown("left.ppm"), right = shown("right.ppm");
+    // nearer. What the images show there is found by looking for the same pattern along the row.
+    const RgbaImage left = shown("left.ppm"), right = shown("right.ppm");
     const RecordedEye left_eye = eye(0), right_eye = eye(1);
     const SurfaceQuery query(*frame_);
     std::vector<double> errors;
@@ -399,19 +399,19 @@ TEST(OpenXrErrors, NameAWrongOption) {
     EXPECT_EQ(
         said({"--frames"}),
         "openxr_application: --frames has no value; needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] "
-        "[--pictures FOLDER] [--hashes FILE]\n");
+        "[--images FOLDER] [--hashes FILE]\n");
     EXPECT_EQ(
         said({"--eyes", "3"}),
         "openxr_application: --eyes is no option; needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] "
-        "[--pictures FOLDER] [--hashes FILE]\n");
+        "[--images FOLDER] [--hashes FILE]\n");
     EXPECT_EQ(
         said({"--quality", "best"}),
         "openxr_application: --quality is best, needs one of low, medium, high, ultra, paper_low, paper_medium, paper_high, "
         "paper_ultra\n");
     EXPECT_EQ(said({"--resolution", "100"}),
               "openxr_application: --resolution is 100, needs a power of two from 16 to 2048, or 0: chosen\n");
-    EXPECT_EQ(said({"--pictures", folder / "none"}),
-              "openxr_application: --pictures is " + (folder / "none").string() + ", needs a folder that is there\n");
+    EXPECT_EQ(said({"--images", folder / "none"}),
+              "openxr_application: --images is " + (folder / "none").string() + ", needs a folder that is there\n");
     EXPECT_EQ(said({"--hashes", folder / "none/seas.txt"}),
               "openxr_application: --hashes is " + (folder / "none/seas.txt").string() +
                   ", needs the name of a file in a folder that is there\n");

@@ -26,7 +26,7 @@ while read -r line; do
     *bin/openxr_application*) grep -q '^5 frames shown' out ;;
   esac
 done <lines
-# The last frame's pictures and a hash a frame, as the page says.
+# The last frame's images and a hash a frame, as the page says.
 [ "$(wc -l <seas.txt)" -eq 20 ]
 [ "$(head -c 9 left.ppm | tr '\n' ' ')" = "P6 32 32 " ]
 ! cmp -s left.ppm right.ppm || { echo "both eyes see the same"; exit 1; }

@@ -15,7 +15,7 @@ class OpenXrStandIn : public testing::Test {
    protected:
     OpenXrStandIn() { headset_.start(context_.binding()); }
 
-    /// A running session, whose first frames are over and whose pictures are seen.
+    /// A running session, whose first frames are over and whose images are seen.
     void run() {
         ASSERT_TRUE(headset_.handle_events());
         headset_.wait_frame();

@@ -1,4 +1,4 @@
-// `pelagic view` as its user meets it: a window under Xvfb, a mouse and keys by XTest, a picture of the screen.
+// `pelagic view` as its user meets it: a window under Xvfb, a mouse and keys by XTest, an image of the screen.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -88,7 +88,7 @@ class ViewTest : public testing::Test {
    protected:
     void start() {
         process_ = start_pelagic({"view", "--resolution", "64", "--quality", "low", "--size", "480x560",
-                                  "--wind-speed", "3", "--pictures", folder_.path().string()},
+                                  "--wind-speed", "3", "--images", folder_.path().string()},
                                  out_, err_, [&] { setenv("DISPLAY", display_.name().c_str(), 1); });
         ASSERT_TRUE(wait_until([&] {
             return shell("DISPLAY=" + display_.name() + " xdotool search --name Pelagic || true")
@@ -110,11 +110,11 @@ class ViewTest : public testing::Test {
             ASSERT_TRUE(wait_until([&] { return display_.screen() != last; }));
         }
     }
-    std::size_t pictures() const { return files_in(folder_.path()).size(); }
+    std::size_t images() const { return files_in(folder_.path()).size(); }
 
-    /// Presses and waits for the picture's file to be there under its name.
-    void take_picture() {
-        const std::size_t before = pictures();
+    /// Presses and waits for the image's file to be there under its name.
+    void take_image() {
+        const std::size_t before = images();
         display_.act("key p");
         ASSERT_TRUE(wait_until([&] {
             const auto files = files_in(folder_.path());
@@ -140,9 +140,9 @@ class ViewTest : public testing::Test {
 };
 
 // The slider "wind" is the first row of the panel: 233 pixels from x = 18 for 1 to 30 m/s.
-TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAPicture) {
+TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAnImage) {
     ASSERT_NO_FATAL_FAILURE(start());
-    ASSERT_NO_FATAL_FAILURE(take_picture());
+    ASSERT_NO_FATAL_FAILURE(take_image());
     const std::string before = display_.screen();
     display_.act("mousemove 60 46 mousedown 1");
     ASSERT_NO_FATAL_FAILURE(wait_for_frames());
@@ -151,7 +151,7 @@ TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAPicture) {
     display_.act("mouseup 1");
     ASSERT_NO_FATAL_FAILURE(wait_for_frames());
     EXPECT_NE(display_.screen(), before);
-    ASSERT_NO_FATAL_FAILURE(take_picture());
+    ASSERT_NO_FATAL_FAILURE(take_image());
 
     const auto files = files_in(folder_.path());
     ASSERT_EQ(files.size(), 2u);
@@ -174,7 +174,7 @@ std::pair<int, int> size_of_png(const std::string& bytes) {
     return {number(16), number(20)};
 }
 
-// The command is run as printed: it has to be one, and to draw a picture of the window's size at the window's moment.
+// The command is run as printed: it has to be one, and to draw an image of the window's size at the window's moment.
 TEST_F(ViewTest, TheCommandItPrintsDrawsTheSameMomentAndSize) {
     ASSERT_NO_FATAL_FAILURE(start());
     const std::string said = end();

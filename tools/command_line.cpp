@@ -158,7 +158,7 @@ int run(int argc, const char* const* argv) {
 #endif
 
 #if defined(PELAGIC_HAS_GL)
-    CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
+    CLI::App& render_app = *app.add_subcommand("render", "draw images of a sea, without a window");
     RenderFlags render_flags;
     render_flags.add_to(render_app);
     CLI::App& view_app = *app.add_subcommand("view", "look at a sea in a window, and change it");

@@ -24,7 +24,7 @@
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/export/sea_json.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
-#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/images/encode_image.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
@@ -32,11 +32,11 @@ namespace pelagic::tools {
 namespace {
 
 constexpr int samples_a_pixel = 4;
-/// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual picture.
+/// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual image.
 constexpr int sky_face_size = 512;
-/// Where the exposure is metered: a small picture of the same view.
+/// Where the exposure is metered: a small image of the same view.
 constexpr int metered_width = 320;
-/// Of the sky as a picture of all directions: a texel is as wide as the cube's.
+/// Of the sky as an image of all directions: a texel is as wide as the cube's.
 constexpr int panorama_width = 2048, panorama_height = 1024;
 constexpr const char* fastest_quality = "low";
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
@@ -49,7 +49,7 @@ double median(std::vector<double> values) {
 
 /// Times of each frame, and what the last one drew.
 struct Measured {
-    std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, picture_ms;
+    std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, image_ms;
     gl::DrawStatistics last;
 };
 
@@ -59,7 +59,7 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
-/// Everything that a picture needs, built once.
+/// Everything that an image needs, built once.
 class OfflineRenderer {
    public:
     OfflineRenderer(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
@@ -128,7 +128,7 @@ class OfflineRenderer {
             note(draw(frame, list, eyes_, target_, true));
             pixels_ = options_.wireframe ? target_.read() : shown();
         }
-        measured_.picture_ms.push_back(all.milliseconds());
+        measured_.image_ms.push_back(all.milliseconds());
     }
 
     /// RGBA8, the upper row first.
@@ -161,7 +161,7 @@ class OfflineRenderer {
                   {"upload_in_driver", median(measured_.upload_driver_ms)},
                   {"draw", median(measured_.draw_ms)},
                   {"draw_in_driver", median(measured_.draw_driver_ms)},
-                  {"picture", median(measured_.picture_ms)}}},
+                  {"image", median(measured_.image_ms)}}},
                 {"exposure_ev", ev_}};
     }
 
@@ -195,7 +195,7 @@ class OfflineRenderer {
         }
         std::optional<gl::ApplicationScene> application_scene;
         if (rock_) {
-            application_scene = rock_->picture(eyes[0]);
+            application_scene = rock_->image(eyes[0]);
             rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
         }
         return renderer_.draw({.eyes = eyes,
@@ -220,7 +220,7 @@ class OfflineRenderer {
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
 
     /// Of the view at time 0, whatever times are asked for: camera and light rest, so films don't flicker, and each of their
-    /// pictures is the same in whichever run it is made.
+    /// images is the same in whichever run it is made.
     float metered_ev() {
         const int width = std::min(options_.scene.width, metered_width);
         const int height = std::max(1, options_.scene.height * width / options_.scene.width);
@@ -287,7 +287,7 @@ class Files {
 
 Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-/// What lights a scene besides the sky's own picture.
+/// What lights a scene besides the sky's own image.
 Json as_json(const gl::Sky& sky) {
     return {{"sun_direction", values(sky.sun_direction)},
             {"sun_irradiance", values(sky.unit * sky.sun_irradiance)},
@@ -302,8 +302,8 @@ Json as_json(const gl::WaterOptics& water) {
             {"backscattering_per_m", values(water.backscattering_per_m)}};
 }
 
-/// Draws and writes all pictures; what they took.
-Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
+/// Draws and writes all images; what they took.
+Json write_images(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
                     Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;
     OfflineRenderer maker(options, sky, progress);
@@ -311,7 +311,7 @@ Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const File
         progress.show(static_cast<std::size_t>(frame));
         maker.draw(options.time_s + frame / options.fps);
         const HeldStop whole_files;
-        if (out) out.write(frame, encode_picture(maker.pixels(), width, height));
+        if (out) out.write(frame, encode_png(maker.pixels(), width, height));
         if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
     }
     return maker.statistics();
@@ -325,8 +325,8 @@ void run_render(const RenderOptions& options) {
     std::optional<OutputFile> panorama;
     if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
 
-    end_on_stop_signals("pelagic: stopped; pictures that are there are whole\n");
-    std::optional<Progress> progress(std::in_place, "picture", static_cast<std::size_t>(options.frames));
+    end_on_stop_signals("pelagic: stopped; images that are there are whole\n");
+    std::optional<Progress> progress(std::in_place, "image", static_cast<std::size_t>(options.frames));
     progress->show("sky", 0);
     const gl::Stopwatch watch;
     const gl::Sky sky = baked_sky(options.scene);
@@ -346,7 +346,7 @@ void run_render(const RenderOptions& options) {
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
                      {"weather", weather_as_json(options.scene.sea)},
-                     {"statistics", write_pictures(options, sky, out, hdr, *progress)}});
+                     {"statistics", write_images(options, sky, out, hdr, *progress)}});
         json["statistics"]["sky_ms"] = sky_ms;
     }
     progress.reset();
@@ -359,7 +359,7 @@ void run_render(const RenderOptions& options) {
     if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
     if (!draws) return;
     const Json& statistics = json["statistics"];
-    std::printf("%s: %d picture%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
+    std::printf("%s: %d image%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
                 json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
                 options.scene.width, options.scene.height, statistics["sea_draw_calls_a_view"].get<int>(),
                 static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),

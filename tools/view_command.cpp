@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "pelagic/tools/files/output_folder.hpp"
-#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/images/encode_image.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/viewer/viewer.hpp"
@@ -14,8 +14,8 @@
 namespace pelagic::tools {
 namespace {
 
-/// Pictures are numbered on, so that none is overwritten.
-std::filesystem::path next_picture(const std::filesystem::path& folder) {
+/// Images are numbered on, so that none is overwritten.
+std::filesystem::path next_image(const std::filesystem::path& folder) {
     for (int number = 1;; ++number) {
         char name[32];
         std::snprintf(name, sizeof name, "pelagic_%04d.png", number);
@@ -83,14 +83,14 @@ std::string render_command_of(const viewer::ViewResult& result) {
 
 void ViewFlags::add_to(CLI::App& app) {
     scene_.add_to(app);
-    app.add_option("--pictures", pictures_, "where key P saves pictures, a folder [.]")->type_name("FOLDER");
+    app.add_option("--images", images_, "where key P saves images, a folder [.]")->type_name("FOLDER");
 }
 
 void ViewFlags::run() const {
     const SceneOptions scene = scene_.resolve();
-    const std::filesystem::path folder = pictures_.value_or(".");
+    const std::filesystem::path folder = images_.value_or(".");
     if (!std::filesystem::is_directory(folder))
-        throw bad_value("--pictures", folder.string(), "a folder that exists");
+        throw bad_value("--images", folder.string(), "a folder that exists");
 
     viewer::ViewOptions options{.settings = {.sea = scene.sea.sea,
                                              .light = scene.light,
@@ -109,9 +109,9 @@ void ViewFlags::run() const {
     options.floor = scene.floor;
     options.shore = scene.shore;
     options.changes = forecast_of(scene.sea).changes;
-    options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
-        const std::filesystem::path file = next_picture(folder);
-        const std::vector<unsigned char> png = encode_picture({pixels.begin(), pixels.end()}, width, height);
+    options.save_image = [&](std::span<const std::uint8_t> pixels, int width, int height) {
+        const std::filesystem::path file = next_image(folder);
+        const std::vector<unsigned char> png = encode_png({pixels.begin(), pixels.end()}, width, height);
         OutputFile(file).write(std::as_bytes(std::span(png)));
         std::printf("saved %s\n", file.c_str());
         std::fflush(stdout);

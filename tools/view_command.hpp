@@ -18,7 +18,7 @@ class ViewFlags {
 
    private:
     SceneFlags scene_;
-    std::optional<std::string> pictures_;
+    std::optional<std::string> images_;
 };
 
 }  // namespace pelagic::tools

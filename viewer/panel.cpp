@@ -187,7 +187,7 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewStatistics
     show_times(statistics, stage_times);
     ImGui::TextDisabled("camera: drag, wheel, WASD, R, F");
     ImGui::TextDisabled("click: a splash; B: a boat, arrows steer it");
-    ImGui::TextDisabled("H hides this, P saves a picture, Esc ends");
+    ImGui::TextDisabled("H hides this, P saves an image, Esc ends");
     ImGui::End();
 }
 

@@ -31,7 +31,7 @@ struct ViewSettings {
     std::string quality = "high";
     double size_m = 2048;
     bool scale_is_automatic = true;
-    float fixed_scale = 1;  ///< of the drawn picture's width and height over the window's; [0.25, 1]
+    float fixed_scale = 1;  ///< of the drawn image's width and height over the window's; [0.25, 1]
     bool wireframe = false;
     bool frozen = false;
     bool follows_boat = true;  ///< the camera goes along with the boat

@@ -1,4 +1,4 @@
-// How large the window's picture is drawn before it is enlarged to the window, and in which shading: as frames of the wanted length
+// How large the window's image is drawn before it is enlarged to the window, and in which shading: as frames of the wanted length
 // allow.
 #pragma once
 

@@ -14,7 +14,7 @@ class ViewCamera {
 
     enum class Mode { orbit, fly };
     Mode mode() const { return mode_; }
-    /// The picture stays what it is.
+    /// The image stays what it is.
     void set_mode(Mode mode) { mode_ = mode; }
 
     /// A drag of the mouse, radians to the right and down: round the target, or of the head.

@@ -19,7 +19,7 @@
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/viewer/camera_picture.hpp"
+#include "pelagic/viewer/camera_view.hpp"
 #include "pelagic/viewer/panel_renderer.hpp"
 #include "pelagic/viewer/picked_place.hpp"
 #include "pelagic/viewer/render_scale.hpp"
@@ -33,16 +33,16 @@ namespace {
 constexpr int sky_face_size = 256;
 constexpr double radians_a_pixel = 0.004;
 constexpr double slowest_mps = 8;  // flying; faster with height
-/// Without a GPU one, where the picture is drawn smaller: four cost twice as much there.
+/// Without a GPU one, where the image is drawn smaller: four cost twice as much there.
 constexpr int samples_a_pixel = 4;
-/// What a frame may take before the picture is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
+/// What a frame may take before the image is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
 /// that something is left to see.
 constexpr double goal_ms = 33, software_goal_ms = 80;
 /// Where a driver without a GPU begins.
 constexpr float software_first_scale = 0.42f;
 /// A view that rests for so long is drawn in full size once, and stays.
 constexpr double rest_s = 0.4;
-/// A picture of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
+/// An image of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
 constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
 constexpr int fewest_vertices = 8;
 
@@ -71,7 +71,7 @@ bool is_software(const gl::Functions& functions) {
     return gl::is_software_renderer(reinterpret_cast<const char*>(functions.GetString(GL_RENDERER)));
 }
 
-/// What a drawn picture depends on, in one comparable piece; `changes` counts what else can change.
+/// What a drawn image depends on, in one comparable piece; `changes` counts what else can change.
 struct Drawn {
     glm::dvec3 position_m{}, target_m{};
     double vertical_view_rad = 0, time_s = 0;
@@ -114,7 +114,7 @@ class Viewer {
           window_(options.width, options.height, "Pelagic"),
           input_(window_.handle()),
           panel_renderer_(window_.functions(), Window::get_proc_address()),
-          picture_(window_.functions()),
+          image_(window_.functions()),
           is_software_(is_software(window_.functions())),
           scale_by_time_(scale_from(is_software_ ? software_first_scale : 1)),
           followed_shading_(settings_.shading),
@@ -171,7 +171,7 @@ class Viewer {
             for (const int key : window_.pressed_keys()) {
                 if (key == GLFW_KEY_ESCAPE) window_.close();
                 if (key == GLFW_KEY_H) shows_panel_ = !shows_panel_;
-                if (key == GLFW_KEY_P) takes_picture_ = true;
+                if (key == GLFW_KEY_P) takes_image_ = true;
                 if (key == GLFW_KEY_B) wants_boat_ = !wants_boat_;
             }
             const auto held = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
@@ -321,14 +321,14 @@ class Viewer {
         ++changes_;
     }
 
-    /// A coarser one where the picture is small.
+    /// A coarser one where the image is small.
     void fit_mesh_to(float scale) {
         const auto halvings = std::ranges::count_if(halved_from, [&](float from) { return scale <= from; });
         const int vertices = std::max(preset_named(quality_).vertices >> halvings, fewest_vertices);
         if (vertices != selection_->options().vertices) choose_mesh(vertices);
     }
 
-    /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
+    /// The frame that was scheduled one image ago, then the next one: computed while this one is drawn.
     const Frame& next_frame(double passed_s) {
         const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
@@ -436,10 +436,10 @@ class Viewer {
         statistics_.cascade_sides_m.clear();
         for (const Cascade& cascade : frame.cascades) statistics_.cascade_sides_m.push_back(cascade.grid.side_m);
         statistics_.significant_wave_height_m = frame.statistics.significant_wave_height_m;
-        picture_.follow(settings_.camera, unmetered_ev_, passed_s);
-        statistics_.ev = picture_.ev();
+        image_.follow(settings_.camera, unmetered_ev_, passed_s);
+        statistics_.ev = image_.ev();
 
-        // A sea that moves never rests: full size is for a frozen one before a camera that stands, and for pictures.
+        // A sea that moves never rests: full size is for a frozen one before a camera that stands, and for images.
         const Camera camera = camera_.camera();
         const Drawn now{.position_m = camera.position_m,
                         .target_m = camera.target_m,
@@ -455,9 +455,9 @@ class Viewer {
         RenderStep step = full_size;
         if (!settings_.scale_is_automatic)
             step.scale = settings_.fixed_scale;
-        else if (!rests && !takes_picture_)
+        else if (!rests && !takes_image_)
             step = scale_by_time_.step();
-        sea_was_drawn_ = now != drawn_ || (rests && drawn_step_ != step) || takes_picture_ ||
+        sea_was_drawn_ = now != drawn_ || (rests && drawn_step_ != step) || takes_image_ ||
                          step.scale > drawn_step_.scale || step.shading > drawn_step_.shading;
         if (sea_was_drawn_) {
             // A renderer's first sky is one that is ready.
@@ -466,11 +466,11 @@ class Viewer {
             drawn_ = now;
             drawn_.changes = changes_;  // a mesh may just have been chosen
             drawn_step_ = {step.scale, statistics_.shading};
-            // The size that a resting view or a picture asks for says nothing of the next frame's.
-            sea_was_drawn_ = !rests && !takes_picture_;
+            // The size that a resting view or an image asks for says nothing of the next frame's.
+            sea_was_drawn_ = !rests && !takes_image_;
         }
         show_sea();
-        if (takes_picture_) take_picture();
+        if (takes_image_) take_image();
 
         if (shows_panel_) show_panel(settings_, camera_, statistics_, stage_times_->rows());
         ImGui::Render();
@@ -483,9 +483,9 @@ class Viewer {
         if (settings_.wireframe)
             begin_wireframe(width, height);
         else
-            picture_.begin(width, height, scale, is_software_ && scale < 1 ? 0 : samples_a_pixel);
-        statistics_.drawn_width = settings_.wireframe ? width : picture_.width();
-        statistics_.drawn_height = settings_.wireframe ? height : picture_.height();
+            image_.begin(width, height, scale, is_software_ && scale < 1 ? 0 : samples_a_pixel);
+        statistics_.drawn_width = settings_.wireframe ? width : image_.width();
+        statistics_.drawn_height = settings_.wireframe ? height : image_.height();
         const gl::Eye eye = gl::eye_of(camera, {0, 0, statistics_.drawn_width, statistics_.drawn_height});
         const gl::Stopwatch select;
         const DrawList& list = selection_->select({.viewer_m = camera.position_m,
@@ -495,7 +495,7 @@ class Viewer {
         statistics_.select_us = select.milliseconds() * 1000;
         statistics_.patches = list.instances.size();
         renderer_->upload(frame);
-        const float exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_);
+        const float exposure = gl::exposure_of_ev(image_.ev(), luminance_of_unit_);
         const gl::DrawStatistics& drawn =
             renderer_->draw({.eyes = {&eye, 1},
                              .viewer_m = camera.position_m,
@@ -510,7 +510,7 @@ class Viewer {
         statistics_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         statistics_.draw_calls = drawn.sea_calls + drawn.sky_calls;
         statistics_.triangles = drawn.triangles;
-        if (!settings_.wireframe) picture_.end(luminance_of_unit_);
+        if (!settings_.wireframe) image_.end(luminance_of_unit_);
     }
 
     /// Before the sea, which mirrors it where a GPU draws.
@@ -518,8 +518,8 @@ class Viewer {
         if (!boat_ || settings_.wireframe) return {};
         const glm::dmat4 pose = boat_->world_from_boat();
         boat_model_->draw(eye, pose, exposure);
-        if (is_software_ && !takes_picture_) return {};
-        return boat_model_->picture(eye, pose);
+        if (is_software_ && !takes_image_) return {};
+        return boat_model_->image(eye, pose);
     }
 
     /// Lines are no light: they go to the screen as they are.
@@ -540,12 +540,12 @@ class Viewer {
         if (settings_.wireframe)
             wireframe_->show(width, height, width, height);
         else
-            picture_.show(settings_.camera, width, height);
+            image_.show(settings_.camera, width, height);
     }
 
     /// Without the panel: it is drawn afterwards.
-    void take_picture() {
-        takes_picture_ = false;
+    void take_image() {
+        takes_image_ = false;
         const int width = window_.width(), height = window_.height();
         const auto row = static_cast<std::size_t>(width) * 4;
         std::vector<std::uint8_t> upwards(row * static_cast<std::size_t>(height)), pixels;
@@ -555,7 +555,7 @@ class Viewer {
             const auto start = upwards.begin() + static_cast<std::ptrdiff_t>(row) * j;
             pixels.insert(pixels.end(), start, start + static_cast<std::ptrdiff_t>(row));
         }
-        if (options_.save_picture) options_.save_picture(pixels, width, height);
+        if (options_.save_image) options_.save_image(pixels, width, height);
     }
 
     const ViewOptions& options_;
@@ -563,7 +563,7 @@ class Viewer {
     Window window_;
     PanelInput input_;
     PanelRenderer panel_renderer_;
-    CameraPicture picture_;
+    CameraView image_;
     bool is_software_;
     RenderScale scale_by_time_;
     std::optional<gl::Shading> followed_shading_;  ///< of the settings, as scale_by_time_ knows it
@@ -589,7 +589,7 @@ class Viewer {
     bool sea_was_drawn_ = false;  ///< in the size that frame times decide
     unsigned long long changes_ = 0;
     ViewStatistics statistics_;
-    bool shows_panel_ = true, takes_picture_ = false;
+    bool shows_panel_ = true, takes_image_ = false;
     std::optional<glm::dvec2> clicked_;  ///< a pixel of the window, from its upper left corner
     glm::dvec2 window_middle_{};         ///< of the dynamic waves, while there is no boat
     Helm helm_;

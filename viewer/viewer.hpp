@@ -25,8 +25,8 @@ struct ViewOptions {
     int width = 1280, height = 720;
     int threads = 0;  ///< as make_default_executor() takes them
 
-    /// Called with each picture that the user takes (key P): RGBA8, the upper row first.
-    std::function<void(std::span<const std::uint8_t> pixels, int width, int height)> save_picture = {};
+    /// Called with each image that the user takes (key P): RGBA8, the upper row first.
+    std::function<void(std::span<const std::uint8_t> pixels, int width, int height)> save_image = {};
 };
 
 /// Shows the sea until the window is closed. Returns what the user left it at.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes heights of an island with a lagoon side, or of a beach, 16-bit grey, for the pictures of render.sh. usage: island.py FILE.png [beach]"""
+"""Writes heights of an island with a lagoon side, or of a beach, 16-bit grey, for the images of render.sh. usage: island.py FILE.png [beach]"""
 import math
 import random
 import struct

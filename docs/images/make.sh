@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the README's pictures. First from an export: height (dark troughs, light crests) beside the gradient map, both tiled
+# Makes the README's images. First from an export: height (dark troughs, light crests) beside the gradient map, both tiled
 # twice along x so that a seam would show. Then the plan of a selection, and the trace of floating boxes.
 # Needs Debian's openimageio-tools and librsvg2-bin.
 set -euo pipefail

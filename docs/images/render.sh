@@ -1,25 +1,25 @@
 #!/usr/bin/env bash
-# Makes the README's pictures of the sea with `pelagic render`: on any machine, in some minutes without a GPU.
+# Makes the README's images of the sea with `pelagic render`: on any machine, in some minutes without a GPU.
 # usage: docs/images/render.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 pelagic=${1:-build/release/bin/pelagic}
-picture() {
+image() {
   local name=$1
   shift
   "$pelagic" render --size 960x540 --out "docs/images/render_$name.png" "$@"
 }
-picture 2m --preset moderate --light noon --camera 0,2.2,0 --target 60,0.5,25 --fov 50
-picture deck --preset rough --light noon --sun 150,40 --camera 0,10,0 --target 100,3,40 --fov 42 --time 4
-picture plane --preset rough --light noon --sun 95,40 --camera 0,420,0 --target 700,150,420 --fov 50
-picture dusk --preset moderate --light golden-hour --sun 48,3 --camera 0,3,0 --target 60,1.6,55 --fov 40 --time 5
-picture storm --preset beaufort-10 --clouds 0.65 --visibility 30000 --sun 190,25 --camera 0,10,0 --target 60,6,20 --fov 40 --time 7
-picture moonlight --preset moderate --light moonlight --camera 0,5,0 --target 60,6,55 --fov 50
-picture underwater --preset calm --water I --depth 5 --camera 0,-1.5,0 --target 20,-2.6,16 --sun 30,50 --fov 75
+image 2m --preset moderate --light noon --camera 0,2.2,0 --target 60,0.5,25 --fov 50
+image deck --preset rough --light noon --sun 150,40 --camera 0,10,0 --target 100,3,40 --fov 42 --time 4
+image plane --preset rough --light noon --sun 95,40 --camera 0,420,0 --target 700,150,420 --fov 50
+image dusk --preset moderate --light golden-hour --sun 48,3 --camera 0,3,0 --target 60,1.6,55 --fov 40 --time 5
+image storm --preset beaufort-10 --clouds 0.65 --visibility 30000 --sun 190,25 --camera 0,10,0 --target 60,6,20 --fov 40 --time 7
+image moonlight --preset moderate --light moonlight --camera 0,5,0 --target 60,6,55 --fov 50
+image underwater --preset calm --water I --depth 5 --camera 0,-1.5,0 --target 20,-2.6,16 --sun 30,50 --fov 75
 heights=$(mktemp --suffix=.png)
 trap 'rm -f "$heights"' EXIT
 docs/images/island.py "$heights"
-picture shore --preset calm --light noon --water I --floor "$heights" --floor-size 300 --sun 150,45 --camera -92,6,-30 --target -40,-2,22 --fov 60
+image shore --preset calm --light noon --water I --floor "$heights" --floor-size 300 --sun 150,45 --camera -92,6,-30 --target -40,-2,22 --fov 60
 # Waves that feel the floor.
 "$pelagic" render --size 960x540 --preset moderate --light noon --water I --shore --floor "$heights" --floor-size 1000 --camera 560,150,-120 --target 60,0,10 \
   --fov 60 --sun 185,38 --time 8 --exposure-bias -0.7 --out docs/images/shore_island.png
@@ -28,7 +28,7 @@ trap 'rm -f "$heights" "$beach"' EXIT
 docs/images/island.py "$beach" beach
 "$pelagic" render --size 960x540 --preset rough --light noon --shore --floor "$beach" --floor-size 600 --camera 137,2.6,30 --target 70,0.8,-50 \
   --fov 50 --sun 330,40 --time 9 --exposure-bias 0.3 --out docs/images/shore_beach.png
-picture levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
+image levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
 
 # One view in each tier of shading.
 for tier in headset medium high; do

@@ -23,7 +23,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     if (!out) throw std::runtime_error(file.string() + ": " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// Of the picture, in its units.
+// Of the image, in its units.
 constexpr double width = 900, left = 60, right = 20, top = 76, panel_height = 160, panel_gap = 46;
 // Okabe and Ito's colours, apart for every kind of sight.
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73"};

@@ -1,4 +1,4 @@
-// How boats moved, as a table and as a picture.
+// How boats moved, as a table and as an image.
 #pragma once
 
 #include <filesystem>

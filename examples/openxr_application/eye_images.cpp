@@ -14,7 +14,7 @@ std::int64_t choose_format(XrSession session) {
     check("xrEnumerateSwapchainFormats", xrEnumerateSwapchainFormats(session, count, &count, formats.data()));
     for (const std::int64_t wanted : {GL_SRGB8_ALPHA8, GL_RGBA16F, GL_RGBA8})
         if (std::find(formats.begin(), formats.end(), wanted) != formats.end()) return wanted;
-    throw std::runtime_error("the headset's runtime takes pictures neither as SRGB8_ALPHA8 nor as RGBA16F or RGBA8");
+    throw std::runtime_error("the headset's runtime takes images neither as SRGB8_ALPHA8 nor as RGBA16F or RGBA8");
 }
 
 std::vector<GLuint> images_of(XrSwapchain swapchain) {
@@ -66,7 +66,7 @@ EyeImages::EyeImages(const Headset& headset, const pelagic::gl::Functions& gl)
             attach(GL_COLOR_ATTACHMENT0, images_[image]);
             attach(GL_DEPTH_ATTACHMENT, depth_);
             if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-                throw std::runtime_error("the driver can't draw into the headset's pictures");
+                throw std::runtime_error("the driver can't draw into the headset's images");
         }
     }
 }

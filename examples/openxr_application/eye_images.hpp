@@ -1,4 +1,4 @@
-// What the eyes see: a swapchain of pictures with a layer for each eye, and framebuffers to draw into them.
+// What the eyes see: a swapchain of images with a layer for each eye, and framebuffers to draw into them.
 #pragma once
 
 #include <array>

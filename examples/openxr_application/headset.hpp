@@ -25,7 +25,7 @@ class Headset {
     Headset(const Headset&) = delete;
     Headset& operator=(const Headset&) = delete;
 
-    /// The size of an eye's picture that the runtime recommends, the larger one if they differ.
+    /// The size of an eye's image that the runtime recommends, the larger one if they differ.
     XrExtent2Di eye_size() const { return eye_size_; }
 
     /// Makes the session. The binding's context is current on this thread, here and in all later calls.

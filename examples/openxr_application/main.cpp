@@ -1,6 +1,6 @@
 // The sea in a headset, by OpenXR and OpenGL ES:
 //
-//   openxr_application [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--pictures FOLDER] [--hashes FILE]
+//   openxr_application [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--images FOLDER] [--hashes FILE]
 //
 // This file has the frame loop; each of the others is one thing that an engine may have already. docs/users/openxr.md.
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include "eye_images.hpp"
 #include "headset.hpp"
 #include "options.hpp"
-#include "picture.hpp"
+#include "image.hpp"
 #include "sea_scene.hpp"
 #include "whole_file.hpp"
 
@@ -56,9 +56,9 @@ std::string hash_line(const pelagic::Frame& frame) {
     return line.data();
 }
 
-void save_pictures(const EyeImages& images, const std::filesystem::path& folder) {
-    write_picture(folder / "left.ppm", images.read(0), images.width(), images.height());
-    write_picture(folder / "right.ppm", images.read(1), images.width(), images.height());
+void save_images(const EyeImages& images, const std::filesystem::path& folder) {
+    write_image(folder / "left.ppm", images.read(0), images.width(), images.height());
+    write_image(folder / "right.ppm", images.read(1), images.width(), images.height());
 }
 
 void run(const Options& options) {
@@ -78,7 +78,7 @@ void run(const Options& options) {
         if (!headset.handle_events()) continue;
 
         // The runtime holds this thread back, and says when the coming frame will be seen. That moment's sea is computed from
-        // here on by other threads, while this one begins the frame, asks where the eyes are, waits for a picture to draw
+        // here on by other threads, while this one begins the frame, asks where the eyes are, waits for an image to draw
         // into, and does whatever else a game does. Frames that are not seen have no sea.
         const XrFrameState moment = headset.wait_frame();
         if (start == 0) start = moment.predictedDisplayTime;
@@ -100,7 +100,7 @@ void run(const Options& options) {
         ++shown;
         const bool is_last = shown == options.frames;
         if (is_hashed) hashes += hash_line(scene.frame());
-        if (is_last && !options.pictures.empty()) save_pictures(images, options.pictures);
+        if (is_last && !options.images.empty()) save_images(images, options.images);
         images.release();
         const EyesLayer layer(headset.space(), *eyes, images);
         headset.end_frame(moment.predictedDisplayTime, &layer.layer);

@@ -10,7 +10,7 @@ namespace openxr_application {
 namespace {
 
 constexpr const char* usage =
-    "needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--pictures FOLDER] [--hashes FILE]";
+    "needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--images FOLDER] [--hashes FILE]";
 
 int whole_number(std::string_view option, std::string_view text, int least) {
     int number = 0;
@@ -65,8 +65,8 @@ Options options_of(int count, char** arguments) {
             quality = value;
         else if (option == "--frames")
             options.frames = whole_number(option, value, 1);
-        else if (option == "--pictures")
-            options.pictures = folder(option, value);
+        else if (option == "--images")
+            options.images = folder(option, value);
         else if (option == "--hashes")
             options.hashes = file(option, value);
         else

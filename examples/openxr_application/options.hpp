@@ -12,7 +12,7 @@ struct Options {
     pelagic::SeaState sea;
     pelagic::QuadtreePreset quality;
     int frames = 0;                  ///< that are shown before the program ends by itself; 0: until its user leaves
-    std::filesystem::path pictures;  ///< where the last frame's left.ppm and right.ppm go; empty: nowhere
+    std::filesystem::path images;  ///< where the last frame's left.ppm and right.ppm go; empty: nowhere
     std::filesystem::path hashes;    ///< a line for each frame shown goes here at the end; empty: nowhere
 };
 

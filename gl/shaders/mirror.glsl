@@ -110,14 +110,14 @@ float glint(vec3 normal, vec3 to_eye, float alpha2) {
     return mirrored_part(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
 }
 
-// The facets' picture of the sky.
+// The facets' image of the sky.
 struct MeanMirror {
     vec3 towards;     // where their mean leads, weighted by what they mirror
-    float alpha2;     // of a mirror with as wide a picture
+    float alpha2;     // of a mirror with as wide an image
     float sky_share;  // of what they mirror, the rest is other waves' water
 };
 
-// Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c, which weights the slopes. The picture is as wide as the slopes of
+// Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c, which weights the slopes. The image is as wide as the slopes of
 // the facets that are seen make it, and narrower across, where grazing facets turn it little. 0.69: the sky's levels have GGX'
 // distribution, of which as many facets lean less. A ray that meets another wave is mirrored by it again, 0.3 of it, for it is low.
 MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_all) {

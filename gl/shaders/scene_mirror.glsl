@@ -1,6 +1,6 @@
-// What an application drew before the sea, mirrored: the ray is followed through its picture, in steps that are even on the screen (McGuire and
+// What an application drew before the sea, mirrored: the ray is followed through its image, in steps that are even on the screen (McGuire and
 // Mara 2014, "Efficient GPU Screen-Space Ray Tracing"). The first step that ends behind what stands there is halved until the place is
-// found. Where there is none, or the ray leaves the picture, the sky is mirrored.
+// found. Where there is none, or the ray leaves the image, the sky is mirrored.
 uniform highp sampler2D scene_radiance;  // times coverage; alpha: coverage
 uniform highp sampler2D scene_depth;
 
@@ -13,8 +13,8 @@ float scene_ahead(vec2 on_screen) {
 }
 
 // `start`, `change`: clip coordinates, and what a metre of the ray adds.
-// Metres until the ray leaves the picture, through one of its edges or the near plane.
-float way_in_picture(vec4 start, vec4 change) {
+// Metres until the ray leaves the image, through one of its edges or the near plane.
+float way_in_image(vec4 start, vec4 change) {
     vec4 edges = vec4(start.w + start.x, start.w - start.x, start.w + start.y, start.w - start.y);
     vec4 nearer = vec4(change.w + change.x, change.w - change.x, change.w + change.y, change.w - change.y);
     vec4 ways = mix(vec4(1e4), edges / max(-nearer, 1e-6), vec4(lessThan(nearer, vec4(0.0))));
@@ -23,11 +23,11 @@ float way_in_picture(vec4 start, vec4 change) {
     return max(min(min(min(ways.x, ways.y), min(ways.z, ways.w)), min(to_near, 1e4)), 0.0);
 }
 
-// Radiance along a ray, and how much it counts against the sky's. `spread`: how wide the facets' picture is, radians.
+// Radiance along a ray, and how much it counts against the sky's. `spread`: how wide the facets' image is, radians.
 vec4 scene_along(vec3 at, vec3 towards, float spread) {
     const int steps = 24, refinements = 4;
     vec4 start = clip_from_viewer[0] * vec4(at, 1.0), change = clip_from_viewer[0] * vec4(towards, 0.0);
-    float way = way_in_picture(start, change), end = start.w + way * change.w;
+    float way = way_in_image(start, change), end = start.w + way * change.w;
     float before = 0.0, behind = -1.0;
     for (int i = 1; i <= steps; ++i) {
         float part = float(i) / float(steps);

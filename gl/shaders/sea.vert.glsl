@@ -124,7 +124,7 @@ Moved mixed(Moved a, Moved b, float part) {
 
 #if BELOW
 // Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
-// picture: between vertices a mesh is not the surface that queries know.
+// image: between vertices a mesh is not the surface that queries know.
 vec3 as_at_lens(vec3 at) {
     if (lens.w <= 0.0) return at;
     vec3 from_eye = at - eye[EYE].xyz;

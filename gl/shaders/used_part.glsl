@@ -1,4 +1,4 @@
-// Pictures may use less than the whole of their texture: the lower left part. gl/display.cpp.
+// Images may use less than the whole of their texture: the lower left part. gl/display.cpp.
 
 // Texture coordinates of a place in [0, 1], no nearer to the used part's edge than the texels' middles.
 // \param used  xy: the used part of the texture; zw: a texel

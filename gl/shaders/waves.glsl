@@ -10,7 +10,7 @@ uniform sampler2D detail;              // slopes of ripples, noise for gusts and
 // unlike their anisotropic filters. Each look takes a mip half as wide as the piece: the mip as wide as the piece is an average of two by two
 // texels, which folds waves of three texels back with half their height, and a glint would weave them into a cloth.
 struct Footprint {
-    vec2 dx, dy;   // along the picture's row and column
+    vec2 dx, dy;   // along the image's row and column
     float wide_m;  // of a look
 };
 

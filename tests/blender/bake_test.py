@@ -62,7 +62,7 @@ def files():
     return {path.name: path.read_bytes() for path in sorted(into.iterdir())}
 
 
-# Stopped after two frames: nothing under a final name but whole pictures, and the next run goes on.
+# Stopped after two frames: nothing under a final name but whole images, and the next run goes on.
 into = Path(folder) / "pelagic_bake" / "Ocean"
 work = bake.run(ocean, scene)
 assert [next(work) for _ in range(2)] == [(1, 6), (2, 6)]
@@ -101,7 +101,7 @@ for each in record["frames"][::5]:
     assert hash_of(pelagic, ["--config", into / "sea.json"], each["time_s"]) == each["hash"]
     assert hash_of(pelagic, ["--preset", "rough", "--wind-speed", "13.7"], each["time_s"]) == each["hash"]
 
-# Saved, it plays where there is no add-on: vertices by their bits, foam by its pictures.
+# Saved, it plays where there is no add-on: vertices by their bits, foam by its images.
 bpy.ops.wm.save_as_mainfile(filepath=blend)
 numpy.savez(Path(folder) / "live.npz", **{f"{kind}{frame}": both[part] for frame, both in live.items() for part, kind in enumerate(("vertices", "foam"))})
 check = """
@@ -109,14 +109,14 @@ import bpy, numpy, sys
 assert not hasattr(bpy.types.Object, "pelagic"), "the add-on is there"
 live = numpy.load(sys.argv[-1])
 scene, ocean = bpy.context.scene, bpy.data.objects["Ocean"]
-(picture,) = [node for node in ocean.material_slots[0].material.node_tree.nodes if node.type == "TEX_IMAGE"]
+(image,) = [node for node in ocean.material_slots[0].material.node_tree.nodes if node.type == "TEX_IMAGE"]
 for frame in (3, 8, 5, 4):
     scene.frame_set(frame)
     mesh = ocean.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     places = numpy.empty(len(mesh.vertices) * 3, numpy.float32)
     mesh.vertices.foreach_get("co", places)
     assert places.tobytes() == live[f"vertices{frame}"].tobytes(), f"frame {frame} moves elsewhere"
-# Which picture a frame shows is Blender's to say: drawn flat from above, without light, a pixel a vertex.
+# Which image a frame shows is Blender's to say: drawn flat from above, without light, a pixel a vertex.
 side = 49
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 camera.data.type, camera.data.ortho_scale, camera.location = "ORTHO", 60, (0, 0, 100)
@@ -127,7 +127,7 @@ flat = (numpy.indices((side, side)).reshape(2, -1)[::-1].T / (side - 1) - 0.5) *
 ocean.data.vertices.foreach_set("co", numpy.column_stack([flat, numpy.zeros(len(flat))]).astype(numpy.float32).ravel())
 tree = ocean.material_slots[0].material.node_tree
 glow = tree.nodes.new("ShaderNodeEmission")
-tree.links.new(picture.outputs["Color"], glow.inputs["Color"])
+tree.links.new(image.outputs["Color"], glow.inputs["Color"])
 (out,) = [node for node in tree.nodes if node.type == "OUTPUT_MATERIAL"]
 tree.links.new(glow.outputs[0], out.inputs["Surface"])
 scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 16, False

@@ -51,22 +51,22 @@ def render(name):
     bpy.ops.wm.save_as_mainfile(filepath=blend)
     subprocess.run([bpy.app.binary_path, "-b", blend, "--python-exit-code", "1", "-o", str(Path(folder) / f"{name}_####"), "-s", str(frames[0]),
                     "-e", str(frames[-1]), "-a"], check=True, capture_output=True)
-    pictures = []
+    images = []
     for frame in frames:
         image = bpy.data.images.load(str(Path(folder) / f"{name}_{frame:04d}.exr"), check_existing=False)
         pixels = numpy.empty(side * side * 4, numpy.float32)
         image.pixels.foreach_get(pixels)
-        pictures.append(pixels.reshape(side, side, 4)[::-1, :, :3])
-    return numpy.array(pictures)
+        images.append(pixels.reshape(side, side, 4)[::-1, :, :3])
+    return numpy.array(images)
 
 
 drawn = render("waves")
 centres = ((numpy.arange(side) + 0.5) / side - 0.5) * size
 points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper edge is +Y, Pelagic's -z
 told = [ask(pelagic, ["--preset", "rough"], (frame - 1) * 10 / 24, points, "--foam") for frame in frames]
-for picture, frame in zip(drawn, frames):
-    off = [numpy.abs(picture[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]
-    foam_off = [numpy.abs(picture[:, :, 1].ravel() - each["foam"]).mean() for each in told]
+for image, frame in zip(drawn, frames):
+    off = [numpy.abs(image[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]
+    foam_off = [numpy.abs(image[:, :, 1].ravel() - each["foam"]).mean() for each in told]
     print(f"frame {frame}: height off by", numpy.round(off, 4), "foam by", numpy.round(foam_off, 4))
     assert numpy.argmin(off) == numpy.argmin(foam_off) == frame - frames[0]
     # Faces of 0.4 m round waves and foam off.
@@ -84,7 +84,7 @@ assert numpy.abs(render("keyed")[1, :, :, 0].ravel() - 100 - keyed["height"]).me
 ocean.animation_data_clear()
 ocean.pelagic.time_offset = 0
 
-# Motion blur: without velocities the picture stays; with them it is smeared along the water's way.
+# Motion blur: without velocities the image stays; with them it is smeared along the water's way.
 scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1
 still = render("still")
 ocean.pelagic.velocity = True

@@ -1,5 +1,5 @@
 """Blender's window on a virtual display: the panel draws, for all kinds of seas and for one that can't be; a bake that Escape stops, and the
-next, which goes on. Leaves a picture of the window, of which docs/images/blender_panel.png is a part.
+next, which goes on. Leaves an image of the window, of which docs/images/blender_panel.png is a part.
 
 usage: blender -b -P window_test.py -- PELAGIC FOLDER"""
 import os

@@ -82,7 +82,7 @@ func _idle(_seconds):
 			var image = view.get_texture().get_data()
 			assert(image.get_format() == Image.FORMAT_RGBAH)
 			var file = File.new()
-			file.open("%s/%d.rgbah" % [OS.get_environment("PICTURES"), number], File.WRITE)
+			file.open("%s/%d.rgbah" % [OS.get_environment("IMAGES"), number], File.WRITE)
 			file.store_buffer(image.get_data())
 			file.close()
 			print("SAYS case %d %s" % [number, camera.global_transform.basis.z])

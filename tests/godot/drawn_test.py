@@ -63,25 +63,25 @@ def part(numbers, share):
 
 with tempfile.TemporaryDirectory() as work:
     says = run_drawing(project, Path(__file__).parent / "drawn.gd", work, {
-        "CASES": json.dumps({"width": width, "height": height, "fov": fov, "cases": cases}), "PICTURES": work})
+        "CASES": json.dumps({"width": width, "height": height, "fov": fov, "cases": cases}), "IMAGES": work})
     assert "refused" not in says, says["refused"]
     assert len(says["case"]) == len(cases), says["lines"]
-    pictures = [pixels(Path(work, f"{number}.rgbah")) for number in range(len(cases))]
+    images = [pixels(Path(work, f"{number}.rgbah")) for number in range(len(cases))]
 
-for number, (case, picture) in enumerate(zip(cases, pictures)):
-    assert len(picture) == width * height
+for number, (case, image) in enumerate(zip(cases, images)):
+    assert len(image) == width * height
     if "wall" in case:
         continue
     rays = list(directions(case))
     # Sea wherever the ray goes down by more than the flat skirt's end is down: 20 km away. None where it climbs over the highest wave.
-    for (distance_m, kind), ray in zip(picture, rays):
+    for (distance_m, kind), ray in zip(image, rays):
         if ray[1] < -0.003:
             assert kind == 1, ("a hole", ray)
         if ray[1] > 0.1:
             assert kind == 0, ("water in the sky", ray)
     # Without its waves' fade, which begins 5/16 of 2048 m away.
     seen = [(distance_m, [o + distance_m * d for o, d in zip(case["from"], ray)])
-            for (distance_m, kind), ray in zip(picture, rays) if kind == 1 and distance_m < 600]
+            for (distance_m, kind), ray in zip(image, rays) if kind == 1 and distance_m < 600]
     assert len(seen) > width * height / 2, len(seen)
     truth = heights(case, [(at[0], at[2]) for _, at in seen])
     errors = [(abs(at[1] - h), distance_m) for (distance_m, at), h in zip(seen, truth)]
@@ -100,7 +100,7 @@ for number, (case, picture) in enumerate(zip(cases, pictures)):
           f"at most {max(near):.4f} m, half of them within {part(near, 0.5):.4f} m")
 
 # The wall stands across the view, 40 m by 4 m, half of it below the water.
-case, alone, walled = cases[2], pictures[0], pictures[2]
+case, alone, walled = cases[2], images[0], images[2]
 middle = case["wall"]
 shown = hidden = 0
 for (distance_m, kind), (_, drawn), ray in zip(alone, walled, directions(case)):

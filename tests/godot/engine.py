@@ -31,7 +31,7 @@ def run_headless(project, script, home, environment, fps=None):
 
 
 def run_drawing(project, script, home, environment, fps=None):
-    """In a window of 64 x 36: what is looked at is a viewport of its own, or not a picture."""
+    """In a window of 64 x 36: what is looked at is a viewport of its own, or not an image."""
     fixed = ["--fixed-fps", str(fps)] if fps else []
     return run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "godot3", "--path", str(project), "--audio-driver", "Dummy",
                 "--resolution", "64x36", *fixed, "-s", str(script)], home, environment, 560)

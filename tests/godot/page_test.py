@@ -51,9 +51,9 @@ hint_none, hint_range, hint_exp_range, hint_enum, hint_resource_type = 0, 1, 2, 
 
 
 def difference(first, second):
-    """Of two pictures of one size: the mean of all bytes' differences."""
-    pictures = [subprocess.run(["pngtopnm", file], capture_output=True, check=True).stdout for file in (first, second)]
-    headers, bytes_of = zip(*((picture[:15], picture[15:]) for picture in pictures))
+    """Of two images of one size: the mean of all bytes' differences."""
+    images = [subprocess.run(["pngtopnm", file], capture_output=True, check=True).stdout for file in (first, second)]
+    headers, bytes_of = zip(*((image[:15], image[15:]) for image in images))
     assert headers == (b"P6\n640 360\n255\n",) * 2, headers
     return sum(abs(a - b) for a, b in zip(*bytes_of)) / len(bytes_of[0])
 
@@ -78,11 +78,11 @@ with tempfile.TemporaryDirectory() as work:
         said[line] = run(["bash", "-e", "-o", "pipefail", "-c", command], work, {}, 560)["lines"]
 
     assert any('"release"' in line for line in said["cmake --preset release"])
-    picture = Path(build, "godot/picture.png")
-    # A driver may round otherwise; another sea, camera or time differs by 10 and more. The page's picture has 200 colours.
-    apart = difference(picture, Path(source, "docs/images/godot.png"))
-    picture.unlink()
-    assert apart < 3, f"the page's picture is {apart} off"
+    image = Path(build, "godot/image.png")
+    # A driver may round otherwise; another sea, camera or time differs by 10 and more. The page's image has 200 colours.
+    apart = difference(image, Path(source, "docs/images/godot.png"))
+    image.unlink()
+    assert apart < 3, f"the page's image is {apart} off"
 
     [server] = [words for line, words in said.items() if line.startswith("godot3-server")]
     [query] = [words for line, words in said.items() if "query" in line]
@@ -104,4 +104,4 @@ with tempfile.TemporaryDirectory() as work:
     assert sorted(written) == sorted([*hints, *methods]), (written, hints, methods)
     without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
     assert without == ["foam", "velocities", "time_s", "playing"], without
-print(f"the picture is {apart:.2f} off")
+print(f"the image is {apart:.2f} off")

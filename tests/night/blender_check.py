@@ -1,5 +1,5 @@
 # Runs in Blender after docs/users/recipes/blender.py: are all vertices where the sea is?
-# usage: blender -b --python-exit-code 1 -P blender.py -P blender_check.py -- FOLDER PICTURE.png PELAGIC
+# usage: blender -b --python-exit-code 1 -P blender.py -P blender_check.py -- FOLDER IMAGE.png PELAGIC
 import json
 import sys
 from pathlib import Path

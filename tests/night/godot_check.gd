@@ -1,4 +1,4 @@
-# After the recipe has drawn a picture: each vertex of its patch into a pixel of its own, coloured by its displacement.
+# After the recipe has drawn an image: each vertex of its patch into a pixel of its own, coloured by its displacement.
 extends "res://sea.gd"
 
 func drawn():
@@ -9,10 +9,10 @@ func _process(_delta):
 	set_process(false)
 	for k in range(3):
 		yield(get_tree(), "idle_frame")
-	var picture = get_viewport().get_texture().get_data()
-	picture.flip_y()
-	picture.convert(Image.FORMAT_RGB8)
-	assert(picture.save_png(OS.get_environment("PICTURE")) == OK)
+	var image = get_viewport().get_texture().get_data()
+	image.flip_y()
+	image.convert(Image.FORMAT_RGB8)
+	assert(image.save_png(OS.get_environment("IMAGE")) == OK)
 
 	var N = int(record["sea"]["resolution"])
 	var L = float(record["sea"]["patch_size_m"])

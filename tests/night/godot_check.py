@@ -1,5 +1,5 @@
 # Runs the recipe's project in Godot 3 under a virtual X server, and compares what it drew.
-# usage: godot_check.py FOLDER PICTURE.png PELAGIC RECIPE
+# usage: godot_check.py FOLDER IMAGE.png PELAGIC RECIPE
 import json
 import os
 import shutil
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from compare_with_query import compare
 
-folder, picture, pelagic, recipe = sys.argv[1:]
+folder, image, pelagic, recipe = sys.argv[1:]
 record = json.loads((Path(folder) / "sea.json").read_text())
 vertices = (record["sea"]["resolution"] + 1) ** 2
 
@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as project:
     places_file = Path(project) / "places.txt"
     run = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "godot3", "--path", project,
                           "--audio-driver", "Dummy"], timeout=300, capture_output=True, text=True,
-                         env={**os.environ, "HOME": project, "PICTURE": str(Path(picture).resolve()),
+                         env={**os.environ, "HOME": project, "IMAGE": str(Path(image).resolve()),
                               "PLACES": str(places_file)})
     assert run.returncode == 0 and places_file.exists(), run.stdout + run.stderr
     places = [tuple(map(float, line.split())) for line in places_file.read_text().splitlines()]

@@ -1,5 +1,5 @@
 # Reads the meshes of an export in Blender, and asks `pelagic query` whether that is the sea.
-# usage: blender -b --python-exit-code 1 -P mesh_check.py -- FOLDER PICTURE.png PELAGIC
+# usage: blender -b --python-exit-code 1 -P mesh_check.py -- FOLDER IMAGE.png PELAGIC
 import json
 import math
 import sys
@@ -13,7 +13,7 @@ numpy.bool = bool  # Debian's importer of glTF is older than Debian's numpy
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from compare_with_query import ask, compare
 
-folder, picture, pelagic = sys.argv[sys.argv.index("--") + 1:]
+folder, image, pelagic = sys.argv[sys.argv.index("--") + 1:]
 record = json.loads((Path(folder) / "sea.json").read_text())
 frames = len(record["frames"])
 N = record["sea"]["resolution"]
@@ -90,7 +90,7 @@ for frame in range(frames + 1):  # the last one is the first
     scene.frame_set(int(at), subframe=at - int(at))
     compare(pelagic, folder, frame % frames, places_of(mesh))
 
-# A picture for whoever wants to look: the last file with its own material, foam by colour, under a sky.
+# An image for whoever wants to look: the last file with its own material, foam by colour, under a sky.
 scene.frame_set(0)
 world = scene.world = bpy.data.worlds.new("sky")
 world.use_nodes = True
@@ -108,5 +108,5 @@ scene.render.engine = "CYCLES"
 scene.cycles.samples = 32
 scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
 scene.render.resolution_x, scene.render.resolution_y = 640, 360
-scene.render.filepath = str(Path(picture).resolve())
+scene.render.filepath = str(Path(image).resolve())
 bpy.ops.render.render(write_still=True)

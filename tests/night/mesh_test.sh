@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Meshes of `pelagic export --mesh` and `pelagic quadtree` in programs that nobody here wrote: Khronos' validator of glTF, and Blender,
 # which reads every format and plays the point cache and the animation. Exits 77, which ctest calls skipped, where a program is missing.
-# usage: mesh_test.sh PELAGIC FOLDER    FOLDER keeps the picture, and the validator between runs
+# usage: mesh_test.sh PELAGIC FOLDER    FOLDER keeps the image, and the validator between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 pelagic=$(realpath "$1")

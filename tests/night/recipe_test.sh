@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a recipe of docs/users/recipes as its page says, and compares every vertex that the program draws with
 # `pelagic query`. Exits 77, which ctest calls skipped, where the program is missing.
-# usage: recipe_test.sh blender|three|godot PELAGIC FOLDER    FOLDER keeps the pictures, and three.js between runs
+# usage: recipe_test.sh blender|three|godot PELAGIC FOLDER    FOLDER keeps the images, and three.js between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 recipe=$1 pelagic=$2

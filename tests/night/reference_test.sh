@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The pictures of `pelagic render` beside those of a path tracer, by docs/images/reference/compare.py. Exits 77, which ctest calls
+# The images of `pelagic render` beside those of a path tracer, by docs/images/reference/compare.py. Exits 77, which ctest calls
 # skipped, where Blender is missing.
-# usage: reference_test.sh PELAGIC FOLDER    FOLDER keeps the pictures and the table
+# usage: reference_test.sh PELAGIC FOLDER    FOLDER keeps the images and the table
 set -euo pipefail
 reference=$(cd "$(dirname "$0")/../../docs/images/reference" && pwd)
 pelagic=$(realpath "$1")

@@ -1,5 +1,5 @@
 # Serves docs/users/recipes/three as its page says, opens it in Chromium without a window, and compares what it drew.
-# usage: three_check.py FOLDER PICTURE.png PELAGIC RECIPE NODE_MODULES
+# usage: three_check.py FOLDER IMAGE.png PELAGIC RECIPE NODE_MODULES
 import array
 import http.server
 import json
@@ -13,7 +13,7 @@ from pathlib import Path
 
 from compare_with_query import compare
 
-folder, picture, pelagic, recipe, node_modules = sys.argv[1:]
+folder, image, pelagic, recipe, node_modules = sys.argv[1:]
 record = json.loads((Path(folder) / "sea.json").read_text())
 N, length = record["sea"]["resolution"], record["sea"]["patch_size_m"]
 received = {}
@@ -50,7 +50,7 @@ with tempfile.TemporaryDirectory() as site:
     browser.wait()
 
 assert "done" in received, received.get("failed", b"the page sent nothing in five minutes").decode()
-Path(picture).write_bytes(received["picture"])
+Path(image).write_bytes(received["image"])
 for number in range(len(record["frames"])):
     floats = array.array("f", received[f"places_{number}"])
     places = [tuple(floats[4 * k:4 * k + 3]) for k in range((N + 1) ** 2)]

@@ -17,7 +17,7 @@ bool is_seen(const Session& session) {
     return session.state == XR_SESSION_STATE_VISIBLE || session.state == XR_SESSION_STATE_FOCUSED;
 }
 
-/// XR_SUCCESS for a layer that can be shown. \param swapchains  whose pictures it shows
+/// XR_SUCCESS for a layer that can be shown. \param swapchains  whose images it shows
 XrResult check_layer(const XrCompositionLayerBaseHeader* header, std::array<const Swapchain*, views>& swapchains) {
     const auto* layer = reinterpret_cast<const XrCompositionLayerProjection*>(header);
     if (!is(layer, XR_TYPE_COMPOSITION_LAYER_PROJECTION)) return XR_ERROR_LAYER_INVALID;
@@ -42,7 +42,7 @@ XrResult check_layer(const XrCompositionLayerBaseHeader* header, std::array<cons
     return XR_SUCCESS;
 }
 
-/// As a compositor would: takes the pictures at that moment.
+/// As a compositor would: takes the images at that moment.
 void record_layer(const Session& session, const XrCompositionLayerProjection& layer,
                   const std::array<const Swapchain*, views>& swapchains, XrTime display_time) {
     Record& record = the_instance()->record;

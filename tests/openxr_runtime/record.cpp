@@ -31,7 +31,7 @@ Json json_of(const Record::Frame& frame) {
         {"display_time_ns", frame.display_time_ns}, {"should_render", frame.should_render}, {"layers", frame.layers}};
 }
 
-void write_picture(const std::string& file, const Record::Eye& eye) {
+void write_image(const std::string& file, const Record::Eye& eye) {
     std::ofstream to(file, std::ios::binary);
     to << "P6\n" << eye.width << ' ' << eye.height << "\n255\n";
     to.write(reinterpret_cast<const char*>(eye.rgb.data()), static_cast<std::streamsize>(eye.rgb.size()));
@@ -50,8 +50,8 @@ void Record::write() const {
     for (const Frame& frame : frames) all["frames"].push_back(json_of(frame));
     std::ofstream(std::string(folder) + "/record.json") << all.dump(1) << '\n';
     if (eyes[0].rgb.empty()) return;
-    write_picture(std::string(folder) + "/left.ppm", eyes[0]);
-    write_picture(std::string(folder) + "/right.ppm", eyes[1]);
+    write_image(std::string(folder) + "/left.ppm", eyes[0]);
+    write_image(std::string(folder) + "/right.ppm", eyes[1]);
 }
 
 }  // namespace pelagic::openxr_stand_in

@@ -5,7 +5,7 @@
 // The environment tells it what to do:
 //
 //   PELAGIC_STAND_IN_FOLDER  where record.json, left.ppm and right.ppm go when the instance is destroyed; none: nowhere
-//   PELAGIC_STAND_IN_EYE     side of an eye's picture in pixels; 96
+//   PELAGIC_STAND_IN_EYE     side of an eye's image in pixels; 96
 //   PELAGIC_STAND_IN_EVENTS  what happens after which frame: "10:hide 20:show 30:stop 40:exit" (session.cpp)
 //   PELAGIC_STAND_IN_REFUSES a call that fails, and how: "xrGetSystem:-35"
 //

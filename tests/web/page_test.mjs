@@ -18,7 +18,7 @@ const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppete
 
 let server, address, browser, page, scratch;
 const problems = [];
-/** What a page of a test takes: the cheapest picture, standing still. */
+/** What a page of a test takes: the cheapest image, standing still. */
 const cheap = 'quality=low&shading=headset&scale=1&paused=true';
 
 before(async () => {
@@ -149,7 +149,7 @@ test('the server closes what an aborted download read, waits for no FIFO, and le
 
 // ---- Opening -------------------------------------------------------------------------------------------------------------------
 
-test('the first picture is drawn before the first slice of the sky, which takes several', async () => {
+test('the first image is drawn before the first slice of the sky, which takes several', async () => {
   await page.waitForFunction(() => globalThis.pelagicPage.timings.skyMs, {timeout: 300000});
   const timings = await page.evaluate(() => globalThis.pelagicPage.timings);
   assert.ok(timings.firstSliceMs >= timings.firstFrameMs);
@@ -157,12 +157,12 @@ test('the first picture is drawn before the first slice of the sky, which takes 
   assert.ok(await page.evaluate(() => globalThis.pelagicPage.view.hasSky()));
   // The last one hands the sky to GL, which is no script.
   const upload = timings.slices.pop();
-  console.log(`first picture after ${timings.firstFrameMs.toFixed(0)} ms, sky after ${timings.skyMs.toFixed(0)} ms, ` +
+  console.log(`first image after ${timings.firstFrameMs.toFixed(0)} ms, sky after ${timings.skyMs.toFixed(0)} ms, ` +
               `${timings.slices.length} slices, the longest ${Math.max(...timings.slices).toFixed(1)} ms, ${upload.toFixed(1)} ms with the upload`);
 });
 
 test('it shows a sea and no problem, and every control has a name', async () => {
-  const picture = await page.evaluate(() => {
+  const image = await page.evaluate(() => {
     const {gl, view} = globalThis.pelagicPage;
     globalThis.pelagicPage.isStale = true;
     return new Promise(resolve => {
@@ -173,9 +173,9 @@ test('it shows a sea and no problem, and every control has a name', async () => 
       look();
     });
   });
-  assert.deepEqual(picture, {error: 0, width: 320, height: 180});
+  assert.deepEqual(image, {error: 0, width: 320, height: 180});
   const screen = Buffer.from(await page.screenshot({encoding: 'binary'}));
-  assert.ok(screen.length > 10000, 'a picture without detail packs into less');
+  assert.ok(screen.length > 10000, 'an image without detail packs into less');
   assert.equal(await problemLine(), '');
   const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, button')]
     .filter(control => !(control.labels?.[0]?.textContent || control.textContent.trim())).map(control => control.outerHTML));
@@ -442,7 +442,7 @@ test('the button leads into a headset, for whose two eyes is drawn, and back to 
 
 // ---- The window ----------------------------------------------------------------------------------------------------------------
 
-test('the picture follows the window, and a phone begins with the sea alone', async () => {
+test('the image follows the window, and a phone begins with the sea alone', async () => {
   const phone = {width: 180, height: 320};
   await page.setViewport(phone);
   await page.waitForFunction(() => globalThis.pelagicPage.gl.drawingBufferHeight === 320, {timeout: 120000});

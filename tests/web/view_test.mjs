@@ -1,5 +1,5 @@
-// A page's SeaView in headless Chromium, which draws in software: usage: node view_test.mjs VIEW_PICTURE SERVE, in a folder that
-// view_test.sh has filled. Pictures stay there as .rgba files.
+// A page's SeaView in headless Chromium, which draws in software: usage: node view_test.mjs VIEW_IMAGE SERVE, in a folder that
+// view_test.sh has filled. Images stay there as .rgba files.
 import assert from 'node:assert/strict';
 import {execFileSync, spawn} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -9,7 +9,7 @@ import {after, before, test} from 'node:test';
 import {createRequire} from 'node:module';
 import {pathToFileURL} from 'node:url';
 
-const [viewPicture, serve] = process.argv.slice(2);
+const [viewImage, serve] = process.argv.slice(2);
 const require = createRequire(join(process.cwd(), 'package.json'));
 const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppeteer-core')));
 
@@ -22,9 +22,9 @@ const quickScene = {...scene, quality: 'low', shading: 'headset'};
 const viewOptions = ({preset, resolution, skyFaceSize, quality, shading}) => ({preset, resolution, skyFaceSize, quality, shading});
 
 /** What EGL draws of it: {pixels, hash, heights}. */
-function nativePicture(name, wanted) {
+function nativeImage(name, wanted) {
   writeFileSync(`${name}.json`, JSON.stringify(wanted));
-  const [hash, ...heights] = execFileSync(viewPicture, [`${name}.json`, `${name}_native.rgba`]).toString().trim().split('\n');
+  const [hash, ...heights] = execFileSync(viewImage, [`${name}.json`, `${name}_native.rgba`]).toString().trim().split('\n');
   return {hash, heights: heights.map(Number), pixels: readFileSync(`${name}_native.rgba`)};
 }
 
@@ -34,7 +34,7 @@ function saved(name, base64) {
   return bytes;
 }
 
-/** Peak signal over noise of two RGBA pictures' colours, in decibels. */
+/** Peak signal over noise of two RGBA images' colours, in decibels. */
 function psnr(a, b) {
   assert.equal(a.length, b.length);
   let squares = 0;
@@ -76,8 +76,8 @@ after(async () => {
   if (profile) rmSync(profile, {recursive: true, force: true});
 });
 
-test('the first picture has a plain sky, and the baked one is what EGL draws; hash and heights have its bits', {timeout: 120000}, async () => {
-  const native = nativePicture('mono', scene);
+test('the first image has a plain sky, and the baked one is what EGL draws; hash and heights have its bits', {timeout: 120000}, async () => {
+  const native = nativeImage('mono', scene);
   const drawn = await page.evaluate(async (scene, options) => {
     const {module, canvas, eyeOf, pixels, resize} = tested;
     const {width, height} = scene;
@@ -85,15 +85,15 @@ test('the first picture has a plain sky, and the baked one is what EGL draws; ha
     const view = tested.view = new module.SeaView(options);
     view.setLight({preset: scene.light});
     const eyes = [eyeOf(scene.camera, [0, 0, width, height])];
-    const picture = () => {
+    const image = () => {
       view.draw({width, height, eyes});
       return pixels(view.context, width, height);
     };
     view.simulate(scene.timeS);
-    const first = {picture: picture(), hasSky: view.hasSky()};
+    const first = {image: image(), hasSky: view.hasSky()};
     let slices = 1;
     while (!view.continueBaking(50)) ++slices;
-    const baked = picture();
+    const baked = image();
     const hash = view.hash(), heights = [...view.heights(new Float64Array(scene.points.flat())).heights];
 
     // Framebuffers of the page's own script: one with as many samples as the canvas has, and one that takes their means.
@@ -127,7 +127,7 @@ test('the first picture has a plain sky, and the baked one is what EGL draws; ha
   assert.equal(drawn.error, 0);
   assert.equal(drawn.first.hasSky, false);
   assert.equal(drawn.hasSky, true);
-  const first = saved('first', drawn.first.picture);
+  const first = saved('first', drawn.first.image);
   // The upper half is sky: as bright as a sky is, and without clouds that differ from column to column.
   const {width} = scene;
   const row = Array.from({length: width}, (_, x) => first[4 * (20 * width + x) + 2]);
@@ -167,9 +167,9 @@ test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000},
 });
 
 /** Where a band of rows of the left half lies in the right half: columns by which it moved to the left. */
-function disparity(picture, width, rows) {
+function disparity(image, width, rows) {
   const half = width / 2, largest = 12;
-  const at = (x, y) => picture[4 * (y * width + x) + 1];
+  const at = (x, y) => image[4 * (y * width + x) + 1];
   let best = [Infinity, 0];
   for (let shift = -largest; shift <= largest; ++shift) {
     let squares = 0;
@@ -204,17 +204,17 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
     const {width, height} = seen;
     assert.deepEqual(seen.viewports, [[0, 0, width / 2, height], [width / 2, 0, width / 2, height]]);
     const position = [x + 5, y + 1, z + 7];
-    const native = nativePicture(name, {...quickScene, timeS: seen.timeS, width, height, eyesApartM: 0.2,
+    const native = nativeImage(name, {...quickScene, timeS: seen.timeS, width, height, eyesApartM: 0.2,
       camera: {position, target: [position[0] + tx, position[1] + ty, position[2] + tz], verticalViewRad: 1.2}});
-    const picture = saved(name, seen.pixels);
-    assertAlike(`${name}, ${width} x ${height}`, picture, native.pixels, 40);
-    return {...seen, picture};
+    const image = saved(name, seen.pixels);
+    assertAlike(`${name}, ${width} x ${height}`, image, native.pixels, 40);
+    return {...seen, image};
   };
   const first = await seenFrom('stereo', [0.3, 1.7, -0.2], [0, 0, -1]);
   // The right eye sees the water before it further to the left, and the horizon where the left eye does.
   const rows = (from, to) => Array.from({length: to - from}, (_, i) => from + i);
-  const near = disparity(first.picture, first.width, rows(first.height - 16, first.height));
-  const far = disparity(first.picture, first.width, rows(6, first.height / 2 - 4));
+  const near = disparity(first.image, first.width, rows(first.height - 16, first.height));
+  const far = disparity(first.image, first.width, rows(6, first.height / 2 - 4));
   console.log(`disparity ${near} pixels near, ${far} far`);
   // 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is the half height / tan(0.6).
   assert.ok(near >= 2 && near <= 6, `near water is ${near} pixels further to the left`);
@@ -227,7 +227,7 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
   });
   const second = await seenFrom('moved', [-1.5, 2.5, 0.4], [0, -Math.sin(0.6), -Math.cos(0.6)]);
   assert.ok(second.timeS > first.timeS && second.timeS < first.timeS + 120, 'the sea runs with the display');
-  assert.ok(psnr(first.picture, second.picture) < 30, 'the head moved, and the picture did not');
+  assert.ok(psnr(first.image, second.image) < 30, 'the head moved, and the image did not');
 
   const after = await page.evaluate(async () => {
     await tested.xr.end();

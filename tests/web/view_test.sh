@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The page's view in headless Chromium against native pictures.
-# usage: view_test.sh MODULE_FOLDER VIEW_PICTURE FOLDER    MODULE_FOLDER has pelagic_view.js; FOLDER keeps pictures, and npm's packages between runs
+# The page's view in headless Chromium against native images.
+# usage: view_test.sh MODULE_FOLDER VIEW_IMAGE FOLDER    MODULE_FOLDER has pelagic_view.js; FOLDER keeps images, and npm's packages between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do

@@ -108,10 +108,10 @@ int frames_of_a_loop(double loop_period_s, double fps) {
 }
 
 /// "wave.png": what nobody would call a folder.
-bool is_picture_name(const std::filesystem::path& path) {
+bool is_image_name(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
-    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
-    return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+    constexpr std::array images = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
+    return std::find(images.begin(), images.end(), extension) != images.end();
 }
 
 struct OutputPlace {
@@ -140,7 +140,7 @@ OutputPlace checked_place(const std::optional<std::string>& text) {
             place.names = NamePattern::parse(path.filename().string());
             if (!place.names) throw bad_value("--out", *text, accepted);
             place.folder = path.has_parent_path() ? path.parent_path() : ".";
-        } else if (is_picture_name(path)) {
+        } else if (is_image_name(path)) {
             throw bad_value("--out", *text, accepted);
         }
     }
@@ -226,7 +226,7 @@ void ExportFlags::add_to(CLI::App& app) {
         "all frames side by side too: flipbook_MAP, one image a map and cascade, and flipbook.json, which says how");
     app.add_flag(
         "--preview", preview_,
-        "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "
+        "no frames: only preview.png, the maps and the sea in an image, preview.mp4 if ffmpeg is there, and "
         "how many files and bytes the export will have");
     add("shard", "I/N",
         "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "

@@ -12,11 +12,11 @@
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/mesh_sequences.hpp"
-#include "pelagic/tools/pictures/film.hpp"
-#include "pelagic/tools/pictures/map_picture.hpp"
-#include "pelagic/tools/pictures/picture.hpp"
-#include "pelagic/tools/pictures/picture_file.hpp"
-#include "pelagic/tools/pictures/shaded_sea.hpp"
+#include "pelagic/tools/preview/film.hpp"
+#include "pelagic/tools/preview/map_preview.hpp"
+#include "pelagic/tools/preview/rgba_image.hpp"
+#include "pelagic/tools/images/encode_image.hpp"
+#include "pelagic/tools/preview/shaded_sea.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
@@ -103,16 +103,16 @@ std::string expected_text(const Expected& expected) {
 
 /// A map of a cascade with what it is called below it.
 struct Cell {
-    Picture picture;
+    RgbaImage image;
     std::vector<std::string> texts;
 };
 
 Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
     const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     const MapImage map = map_image(cascade, part.map, 0, options);
-    MapPicture shown = picture_of(map, cell);
+    MapPreview shown = preview_of(map, cell);
     const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
-    Cell result{std::move(shown.picture),
+    Cell result{std::move(shown.image),
                 {file.name, rounded_text(cascade.grid.side_m, 3) + " m, " + side + " x " + side,
                  number_text(map.channels) + channels + sample_text(map.sample)}};
     if (is_floating(map.sample))
@@ -133,11 +133,11 @@ std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
     return cells;
 }
 
-Picture sheet_of(const std::vector<std::string>& titles, const Picture& still, const std::vector<Cell>& cells) {
+RgbaImage sheet_of(const std::vector<std::string>& titles, const RgbaImage& still, const std::vector<Cell>& cells) {
     constexpr int texts_height = 4 * line + margin;
     const int head = margin + 2 * line + static_cast<int>(titles.size() - 1) * line;
     const int rows = (static_cast<int>(cells.size()) + cells_a_row - 1) / cells_a_row;
-    Picture sheet(sheet_width, head + still.height() + margin + rows * (cell + texts_height), paper);
+    RgbaImage sheet(sheet_width, head + still.height() + margin + rows * (cell + texts_height), paper);
     int y = margin;
     for (const std::string& title : titles) {
         const bool is_first = &title == &titles.front();
@@ -149,7 +149,7 @@ Picture sheet_of(const std::vector<std::string>& titles, const Picture& still, c
         const int row = static_cast<int>(i) / cells_a_row, column = static_cast<int>(i) % cells_a_row;
         const int left = margin + column * (cell + margin);
         const int top = head + still.height() + margin + row * (cell + texts_height);
-        sheet.paste(left, top, cells[i].picture);
+        sheet.paste(left, top, cells[i].image);
         int text_top = top + cell + line / 2;
         for (const std::string& text : cells[i].texts) {
             const bool is_name = &text == &cells[i].texts.front();
@@ -160,17 +160,17 @@ Picture sheet_of(const std::vector<std::string>& titles, const Picture& still, c
     return sheet;
 }
 
-Picture picture_of(const ShadedSea& shaded, const std::vector<std::uint8_t>& rgba) {
+RgbaImage preview_of(const ShadedSea& shaded, const std::vector<std::uint8_t>& rgba) {
     return {shaded.width(), shaded.height(), rgba};
 }
 
-Picture strip_of(const std::vector<Picture>& pictures) {
-    const auto rows = static_cast<int>((pictures.size() + strip_columns - 1) / strip_columns);
-    const auto columns = static_cast<int>(std::min(strip_columns, pictures.size()));
-    Picture strip(columns * film_width, rows * film_height, paper);
-    for (std::size_t i = 0; i < pictures.size(); ++i)
+RgbaImage strip_of(const std::vector<RgbaImage>& images) {
+    const auto rows = static_cast<int>((images.size() + strip_columns - 1) / strip_columns);
+    const auto columns = static_cast<int>(std::min(strip_columns, images.size()));
+    RgbaImage strip(columns * film_width, rows * film_height, paper);
+    for (std::size_t i = 0; i < images.size(); ++i)
         strip.paste(static_cast<int>(i % strip_columns) * film_width,
-                    static_cast<int>(i / strip_columns) * film_height, pictures[i]);
+                    static_cast<int>(i / strip_columns) * film_height, images[i]);
     return strip;
 }
 
@@ -178,8 +178,8 @@ void write_bytes(const OutputFolder& folder, const char* name, const std::vector
     folder.write(name, std::as_bytes(std::span(bytes)));
 }
 
-void write_picture(const OutputFolder& folder, const char* name, const Picture& picture) {
-    write_bytes(folder, name, encode_picture(picture.pixels(), picture.width(), picture.height()));
+void write_image(const OutputFolder& folder, const char* name, const RgbaImage& image) {
+    write_bytes(folder, name, encode_png(image.pixels(), image.width(), image.height()));
 }
 
 /// Makes the film of the export's first frames, or shows some of them in a strip.
@@ -196,7 +196,7 @@ class FilmMaker {
         const bool has_ffmpeg = can_make_films();
         const double fps = times_.fps.value_or(static_cast<double>(times_.count()) / times_.loop_period_s);
         Film film(film_width, film_height, fps);
-        std::vector<Picture> strip;
+        std::vector<RgbaImage> strip;
         Progress progress("frame of the film", frames_);
         const std::size_t step = std::max<std::size_t>(1, frames_ / strip_frames);
         for (std::size_t i = 0; i < frames_; ++i) {
@@ -205,7 +205,7 @@ class FilmMaker {
             if (stop_signal() != 0) throw Stopped{stop_signal(), static_cast<int>(i), static_cast<int>(frames_)};
             progress.show(i);
             const std::vector<std::uint8_t>& pixels = shaded_.draw(ocean_.frame_at(times_.time_of(times_.number(i))));
-            if (is_in_strip) strip.push_back(picture_of(shaded_, pixels));
+            if (is_in_strip) strip.push_back(preview_of(shaded_, pixels));
             if (has_ffmpeg) film.add(pixels);
         }
         const std::string what = number_text(frames_) + " of " + number_text(times_.count()) + " frames";
@@ -216,7 +216,7 @@ class FilmMaker {
             return (folder.path() / preview_film_name).string() + ": " + what + ", " + rounded_text(fps, 4) +
                    " a second";
         }
-        write_picture(folder, preview_strip_name, strip_of(strip));
+        write_image(folder, preview_strip_name, strip_of(strip));
         folder.remove(preview_film_name);
         return (folder.path() / preview_strip_name).string() + ": " + number_text(strip.size()) + " of the first " +
                what + ", and no film: " + encoded.reason;
@@ -232,7 +232,7 @@ class FilmMaker {
 }  // namespace
 
 void preview_export(const ExportOptions& options, OceanOptions how, const OutputFolder& folder) {
-    how.slopes = how.foam = true;  // for the picture of the sea
+    how.slopes = how.foam = true;  // for the image of the sea
     Ocean ocean(forecast_of(options.sea), how);
     const double first_s = options.times.time_of(options.times.number(0));
     Frame frame = ocean.frame_at(first_s);
@@ -242,10 +242,10 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
     const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
                             rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";
     ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
-    const Picture picture = picture_of(still, still.draw(frame));
-    write_picture(
+    const RgbaImage image = preview_of(still, still.draw(frame));
+    write_image(
         folder, preview_sheet_name,
-        sheet_of({sea, times_text(options.times), expected_text(expected)}, picture, cells_of(options, frame)));
+        sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
     const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
     std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
                 (folder.path() / preview_sheet_name).c_str(), sea.c_str(), film.c_str(),

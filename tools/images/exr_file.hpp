@@ -1,6 +1,6 @@
 // An OpenEXR file before it is bytes: parts, the layers in each, and what it says about itself.
 //
-//   file   several pictures, each with a name and attributes of its own: parts. A file of one part is what every reader knows
+//   file   several images, each with a name and attributes of its own: parts. A file of one part is what every reader knows
 //   part   one size, with one level or a chain of them down to one pixel
 //   layer  channels that belong together, "displacement.R", "displacement.G", "displacement.B"
 #pragma once

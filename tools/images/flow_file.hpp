@@ -1,4 +1,4 @@
-// A river's flow from a picture.
+// A river's flow from an image.
 #pragma once
 
 #include <string>

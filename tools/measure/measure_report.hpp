@@ -13,7 +13,7 @@ namespace pelagic::tools {
 /// Throws as ExportReader does.
 Json measure_export(const std::filesystem::path& folder);
 
-/// Both spectra of such a measurement as a picture.
+/// Both spectra of such a measurement as an image.
 std::string measurement_as_svg(const Json& measured);
 
 /// The same as a table on standard output, without the spectra.

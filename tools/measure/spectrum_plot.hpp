@@ -1,4 +1,4 @@
-// Spectra found beside those asked for, as a picture for people: SVG, logarithmic axes.
+// Spectra found beside those asked for, as an image for people: SVG, logarithmic axes.
 #pragma once
 
 #include <string>

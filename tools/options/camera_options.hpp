@@ -1,4 +1,4 @@
-// --camera, --target and --fov: where a picture or a selection is seen from.
+// --camera, --target and --fov: where an image or a selection is seen from.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -51,13 +51,13 @@ void RenderFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
-    add("out", "FILE.png", "the picture; with --frames FILE_0000.png and so on");
+    add("out", "FILE.png", "the image; with --frames FILE_0000.png and so on");
     add("hdr", "FILE.exr",
-        "the picture's radiance, linear, 32-bit floats; the sun above the air gives an irradiance of 1");
+        "the image's radiance, linear, 32-bit floats; the sun above the air gives an irradiance of 1");
     add("sky", "FILE.exr", "the sky around, 2048x1024, as an environment map without the sun's disc");
     add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
-    add("frames", "NUMBER", "how many pictures; 1 to 100000, default 1");
-    add("fps", "NUMBER", "pictures a second; (0, 1000], default 24");
+    add("frames", "NUMBER", "how many images; 1 to 100000, default 1");
+    add("fps", "NUMBER", "images a second; (0, 1000], default 24");
     add("rock", "X,Z",
         "a rock, about 12 m wide and 6 m high, stands in the sea there and is mirrored; metres, each in [-10000, "
         "10000]");
@@ -96,7 +96,7 @@ RenderOptions RenderFlags::resolve() const {
     });
     given("rock", [&](const auto& option, const auto& text) {
         options.rock_m = rock_place(option, text);
-        if (stereo_ || wireframe_) throw bad_value(option, text, "a picture without --stereo and --wireframe");
+        if (stereo_ || wireframe_) throw bad_value(option, text, "an image without --stereo and --wireframe");
     });
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");

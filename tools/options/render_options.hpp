@@ -15,7 +15,7 @@ namespace pelagic::tools {
 
 struct RenderOptions {
     SceneOptions scene;
-    /// At least one of them is not empty: the picture as PNG, its radiance as EXR, the sky as EXR.
+    /// At least one of them is not empty: the image as PNG, its radiance as EXR, the sky as EXR.
     std::filesystem::path file, hdr_file, sky_file;
     double time_s = 0;
     int frames = 1;

@@ -10,7 +10,7 @@
 //     view.continueBaking(10);
 //
 // Options of SeaView: those of a sea (sim/sea_state.hpp) in camelCase, `preset`, `waves`, `spectrum`, `spreading` by name, and of the
-// picture `quality` ('low', 'medium', 'high', 'ultra'), `sizeM`, `shading` ('headset', 'medium', 'high'), `skyFaceSize`, `foam`.
+// image `quality` ('low', 'medium', 'high', 'ultra'), `sizeM`, `shading` ('headset', 'medium', 'high'), `skyFaceSize`, `foam`.
 //
 //   setSea(options)         those of a sea; what is not in them is the preset's or the default
 //   setLight(options)       `preset` (noon, golden-hour, overcast, storm, moonlight), the others of gl/sky.hpp in camelCase, and `stops`,

@@ -167,7 +167,7 @@ void main() {
 }`;
 
 // Dull paint in the light of sun and sky, wet at the waterline; the curve is that of gl/shaders/film.glsl, or the boat would not be in the
-// picture's light.
+// image's light.
 const fragmentShader = `#version 300 es
 precision highp float;
 uniform vec3 sun, sun_irradiance, sky_irradiance;

@@ -98,7 +98,7 @@ export class Camera {
       right[1], up[1], back[1], 0,
       right[2], up[2], back[2], 0,
       dot(right), dot(up), dot(back), 1]);
-    // Upright pictures keep the width in view, or a phone would show a slit of sea.
+    // Upright images keep the width in view, or a phone would show a slit of sea.
     const scale = 1 / Math.tan(this.fov / 2) * Math.min(1, Math.sqrt(aspect));
     const projection = new Float64Array([
       scale / aspect, 0, 0, 0,

@@ -1,4 +1,4 @@
-// How large the drawn picture is beside its canvas: smaller where frames take longer than 30 a second.
+// How large the drawn image is beside its canvas: smaller where frames take longer than 30 a second.
 
 const goalMs = 33, smallest = 0.25;
 /** A frame says little; so many, together, are believed. */

@@ -20,7 +20,7 @@ const hashEveryMs = 500;
  * noon, 1.6 overcast, 1.3 in a storm, 1.4 by moonlight, 0.4 in the golden hour.
  */
 const meteredStops = 1.3;
-/** After so many frames a picture that rests is drawn in full size. */
+/** After so many frames an image that rests is drawn in full size. */
 const framesToRest = 12;
 /** While the sky is baked, a frame comes no later than this after the one before. */
 const longestRestMs = 1000;

@@ -3,7 +3,7 @@
 // An option is {name, group, default, accepted} and, if it is a number, {least, most}, if a word, {words}. Groups are the sea and the light,
 // whose tables and checks are the library's own, and the view, which the page adds.
 
-/** What the page adds to the library's options: camera, picture, clock. */
+/** What the page adds to the library's options: camera, image, clock. */
 function viewOptions(tables) {
   const number = (name, value, least, most, accepted = `[${least}, ${most}]`) =>
     ({name, group: 'view', default: value, least, most, accepted});

@@ -45,7 +45,7 @@ export class Panel {
         this.presetRow('light', tables.lightPresets, 'light', []),
         ...tables.lightSliders.map(slider => this.sliderRow(slider)),
         this.group('More of the light', false, ...others('light').map(option => this.optionRow(option)))),
-      this.group('Picture', innerWidth > 640,
+      this.group('RgbaImage', innerWidth > 640,
         ...['quality', 'shading', 'scale', 'boat', 'cameraFlies'].map(name => this.optionRow(this.options.get(name)))),
       element('p', {className: 'hint', textContent: 'Camera: drag, wheel or pinch, arrows, W A S D R F. H hides this, space pauses.'}));
     form.addEventListener('submit', event => event.preventDefault());

@@ -24,8 +24,8 @@ export class XrSession {
    * @param timeS      the sea's time at the first frame
    * @param origin     where the floor of the room stands, metres: [x, height above the sea, z]
    * @param drawMore   (framebuffer, eyes) => void after the sea of each frame, for what else is to be seen
-   * @param scale      of the picture's resolution, 1 is the headset's own advice
-   * @param foveation  how much coarser a picture may be at its edges, 0 to 1, where the headset offers that
+   * @param scale      of the image's resolution, 1 is the headset's own advice
+   * @param foveation  how much coarser an image may be at its edges, 0 to 1, where the headset offers that
    */
   static async enter(view, {xr = navigator.xr, timeS = 0, origin = [0, 3, 0], drawMore, scale = 1, foveation = 0.5} = {}) {
     const session = await xr.requestSession('immersive-vr', {optionalFeatures: ['local-floor']});

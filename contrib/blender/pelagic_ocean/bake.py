@@ -27,7 +27,7 @@ def folder_of(object):
     return os.path.join(bpy.path.abspath(settings.bake_folder), bpy.path.clean_name(object.name))
 
 
-def picture_name(frame):
+def image_name(frame):
     return f"foam_{frame:04d}.png"
 
 
@@ -100,7 +100,7 @@ def write_frames(settings, folder, baked):
             for frame in frames[len(hashes):]:
                 moved = sea_object.moved(settings, frame["time_s"])
                 if settings.foam:
-                    write_whole(os.path.join(folder, picture_name(frame["frame"])), foam_picture(moved.foam, settings.resolution))
+                    write_whole(os.path.join(folder, image_name(frame["frame"])), foam_view(moved.foam, settings.resolution))
                 writer.add(moved.vertices)
                 hashes.append(f"{moved.frame.hash:016x}")
                 print(hashes[-1], file=journal, flush=True)
@@ -133,7 +133,7 @@ def write_whole(path, content):
     os.replace(part, path)
 
 
-def foam_picture(foam, resolution):
+def foam_view(foam, resolution):
     """The vertex farthest in +Y stands in the uppermost row, as texture coordinates have it."""
     greys = numpy.floor(foam.reshape(resolution + 1, resolution + 1) * 255 + 0.5).astype(numpy.uint8)
     return grey_png(greys[::-1])
@@ -160,8 +160,8 @@ def play(object, folder, baked):
     grid.set_attribute(object.data, "velocity", "FLOAT_VECTOR", "vector", None)
     if settings.foam:
         first = frames[0]["frame"]
-        picture = beside_the_blend(os.path.join(folder, picture_name(first)))
-        change_material(object, material.live_name, material.baked_water(f"{material.live_name} {object.name}", picture, first, len(frames)))
+        image = beside_the_blend(os.path.join(folder, image_name(first)))
+        change_material(object, material.live_name, material.baked_water(f"{material.live_name} {object.name}", image, first, len(frames)))
 
 
 def go_live(object):

@@ -43,7 +43,7 @@ def fill(mesh, resolution, vertices):
     mesh.polygons.foreach_set("loop_total", numpy.full(len(corners), 4, numpy.int32))
     mesh.polygons.foreach_set("use_smooth", numpy.ones(len(corners), bool))
     mesh.update(calc_edges=True)
-    # Vertices lie on the centres of a picture's pixels, so a picture with as many pixels as there are vertices fits.
+    # Vertices lie on the centres of an image's pixels, so an image with as many pixels as there are vertices fits.
     uv = mesh.uv_layers.new(name="UVMap")
     places = numpy.stack([corners % side, corners // side], axis=2)
     uv.data.foreach_set("uv", ((places + 0.5) / side).astype(numpy.float32).ravel())

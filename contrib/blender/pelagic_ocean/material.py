@@ -59,8 +59,8 @@ def lace(add, links, amount):
     return cover.outputs["Result"]
 
 
-def baked_water(name, first_picture, first_frame, frames):
-    """The same with foam of a sequence of pictures, one a frame, in place of the attribute: it needs no add-on."""
+def baked_water(name, first_image, first_frame, frames):
+    """The same with foam of a sequence of images, one a frame, in place of the attribute: it needs no add-on."""
     old = bpy.data.materials.get(name)
     material = water().copy()
     if old:
@@ -68,19 +68,19 @@ def baked_water(name, first_picture, first_frame, frames):
         bpy.data.materials.remove(old)
     material.name = name
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    picture = nodes.new("ShaderNodeTexImage")
-    picture.name = picture.label = "Baked Foam"
-    picture.location = -900, 0
-    picture.image = bpy.data.images.load(first_picture)
-    picture.image.source = "SEQUENCE" if frames > 1 else "FILE"
-    picture.image.colorspace_settings.name = "Non-Color"
-    picture.extension = "EXTEND"
-    # Pictures are numbered as frames are, and frame_offset is added to 1 at frame_start.
-    picture.image_user.frame_start, picture.image_user.frame_offset = first_frame, first_frame - 1
-    picture.image_user.frame_duration = frames
-    picture.image_user.use_auto_refresh = True
+    image = nodes.new("ShaderNodeTexImage")
+    image.name = image.label = "Baked Foam"
+    image.location = -900, 0
+    image.image = bpy.data.images.load(first_image)
+    image.image.source = "SEQUENCE" if frames > 1 else "FILE"
+    image.image.colorspace_settings.name = "Non-Color"
+    image.extension = "EXTEND"
+    # Images are numbered as frames are, and frame_offset is added to 1 at frame_start.
+    image.image_user.frame_start, image.image_user.frame_offset = first_frame, first_frame - 1
+    image.image_user.frame_duration = frames
+    image.image_user.use_auto_refresh = True
     for node in [node for node in nodes if node.type == "ATTRIBUTE" and node.attribute_name == "foam"]:
         for link in list(node.outputs["Fac"].links):
-            links.new(picture.outputs["Color"], link.to_socket)
+            links.new(image.outputs["Color"], link.to_socket)
         nodes.remove(node)
     return material

@@ -1,4 +1,4 @@
-# The air between the eye and the sea, put over the reference's picture: the path tracer draws none.
+# The air between the eye and the sea, put over the reference's image: the path tracer draws none.
 #
 # A path adds its source function times 1 - T, T being what it lets through: the sun's light, scattered once by air (Rayleigh) and haze
 # (Cornette and Shanks 1992), and the sky's, taken as coming evenly from above. Coefficients, asymmetry and the heights in which air and

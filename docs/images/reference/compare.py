@@ -2,7 +2,7 @@
 #
 #   blender -b --python-exit-code 1 -P compare.py -- PELAGIC FOLDER [--samples K] [--only SCENE] [--reuse] [--check]
 #
-# FOLDER receives pictures, `table.md` and `figures.json`. --reuse keeps references that are in FOLDER already; they hold the sun's and
+# FOLDER receives images, `table.md` and `figures.json`. --reuse keeps references that are in FOLDER already; they hold the sun's and
 # the sky's light of their day. --check exits with 1 if a region's luminance differs by more than `scenes.largest_difference`.
 import argparse
 import json
@@ -38,13 +38,13 @@ def colours(file):
     return width, height, [tuple(pixels[i:i + 3]) for i in range(0, len(pixels), 4)]
 
 
-def write_png(file, pictures, width, height, exposure):
-    """Pictures beside one another, at one exposure, in sRGB without a filmic curve."""
-    image = bpy.data.images.new("pair", width * len(pictures), height)
+def write_png(file, images, width, height, exposure):
+    """Images beside one another, at one exposure, in sRGB without a filmic curve."""
+    image = bpy.data.images.new("pair", width * len(images), height)
     values = []
     for j in reversed(range(height)):
-        for picture in pictures:
-            for colour in picture[width * j:width * (j + 1)]:
+        for image in images:
+            for colour in image[width * j:width * (j + 1)]:
                 shown = [min(1, max(0, exposure * c)) for c in colour]
                 values += [12.92 * c if c < 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in shown] + [1]
     image.pixels.foreach_set(values)
@@ -72,16 +72,16 @@ class Comparison:
         return self.cascades
 
     def ours(self, name, camera, target, sun):
-        picture, sky = self.folder / f"{name}_ours.exr", self.folder / f"{name}_sky.exr"
+        image, sky = self.folder / f"{name}_ours.exr", self.folder / f"{name}_sky.exr"
         said = subprocess.check_output([
             self.pelagic, "render", *scenes.sea, "--clouds", "0", "--camera", numbers(camera), "--target", numbers(target),
             "--sun", numbers(sun), "--fov", str(scenes.fov_deg), "--size", f"{scenes.width}x{scenes.height}",
-            "--hdr", str(picture), "--sky", str(sky), "--json"])
+            "--hdr", str(image), "--sky", str(sky), "--json"])
         said = json.loads(said)
-        return picture, sky, said["sky"], said["water"]
+        return image, sky, said["sky"], said["water"]
 
     def reference(self, name, camera, target, light, water, sky):
-        """Two pictures, of the sun's light and of the sky's; their sum is the sea's."""
+        """Two images, of the sun's light and of the sky's; their sum is the sea's."""
         files = {kind: self.folder / f"{name}_{kind}.exr" for kind in ("sun", "skylight")}
         if not (self.reuse and all(file.exists() for file in files.values())):
             cascades = self.read_cascades()
@@ -103,11 +103,11 @@ class Comparison:
 
     def compare(self, name):
         camera, target, sun = scenes.scenes[name]
-        picture, sky_file, light, water = self.ours(name, camera, target, sun)
+        image, sky_file, light, water = self.ours(name, camera, target, sun)
         start = time.time()
         bare = self.reference(name, camera, target, light, water, sky_file)
         seconds = time.time() - start
-        width, height, ours = colours(picture)
+        width, height, ours = colours(image)
         rays = list(regions.rays_of(camera, target, scenes.fov_deg, width, height))
         reference = [air.through_air(c, ray, camera[1], light) for c, ray in zip(bare, rays)]
         write_png(self.folder / f"{name}.png", (ours, reference), width, height, light["exposure"] * 0.5)

@@ -1,4 +1,4 @@
-# The sea, its water, the sun and a sky for Cycles, and a path-traced picture of it.
+# The sea, its water, the sun and a sky for Cycles, and a path-traced image of it.
 #
 # Blender's z is up: (x, y, z) of Pelagic is (x, -z, y) there. Light keeps Pelagic's unit.
 import math
@@ -51,10 +51,10 @@ def add_world(scene, panorama):
         return
     nodes, links = world.node_tree.nodes, world.node_tree.links
     # Its middle column is +x and azimuths grow to the right, towards Pelagic's +z: Blender's own convention, so unturned.
-    picture = nodes.new("ShaderNodeTexEnvironment")
-    picture.image = bpy.data.images.load(str(panorama))
-    picture.image.colorspace_settings.name = "Non-Color"
-    links.new(picture.outputs["Color"], nodes["Background"].inputs["Color"])
+    image = nodes.new("ShaderNodeTexEnvironment")
+    image.image = bpy.data.images.load(str(panorama))
+    image.image.colorspace_settings.name = "Non-Color"
+    links.new(image.outputs["Color"], nodes["Background"].inputs["Color"])
 
 
 def add_sun(scene, direction, irradiance):
@@ -217,7 +217,7 @@ def add_surface(tree, sun):
     """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
 
     Slopes have Gauss' distribution, as Cox and Munk measured them. Cycles 3.4 takes the mean normal's Fresnel for a rough glass, three
-    times too much at grazing angles; so the parts are put together here, for the sun and for the sky in a picture each.
+    times too much at grazing angles; so the parts are put together here, for the sun and for the sky in an image each.
     """
     nodes = Nodes(tree)
     mean_square = nodes.add("ShaderNodeAttribute", attribute_name="roughness").outputs["Fac"]
@@ -290,7 +290,7 @@ def add_camera(scene, place, target, fov_deg):
     camera.data.clip_start, camera.data.clip_end = 0.1, 1e7
     camera.location = blender(place)
     forward = blender(target) - blender(place)
-    # Straight down, +x is at the top of the picture (quadtree/camera.hpp).
+    # Straight down, +x is at the top of the image (quadtree/camera.hpp).
     up = Vector((0, 0, 1)) if forward.xy.length > 1e-6 * forward.length else Vector((1, 0, 0))
     back = -forward.normalized()
     right = up.cross(back).normalized()

@@ -18,7 +18,7 @@ width, height = 128, 64
 looks = {"zenith": (0, 85), "45 degrees up, away from the sun": (180, 45), "horizon, across": (90, 2), "horizon, away": (180, 2)}
 
 
-def picture(file):
+def image(file):
     """A function of azimuth and elevation, degrees, and the irradiance on a level plane."""
     image = bpy.data.images.load(str(file))
     image.colorspace_settings.name = "Non-Color"
@@ -61,7 +61,7 @@ def main():
         ours = folder / "ours.exr"
         subprocess.check_output([pelagic, "render", "--clouds", "0", "--wind-speed", "5", "--sun", f"0,{elevation}", "--sky", str(ours)])
         nishita(folder / "nishita.exr", elevation)
-        (a, sum_a), (b, sum_b) = picture(ours), picture(folder / "nishita.exr")
+        (a, sum_a), (b, sum_b) = image(ours), image(folder / "nishita.exr")
         cells = []
         for azimuth, up in looks.values():
             level_a, level_b = regions.luminance(sum_a), regions.luminance(sum_b)

@@ -1,4 +1,4 @@
-# Pictures as lists of (r, g, b), row 0 at the top, and the parts of them that are compared: by where a pixel's ray goes, over a flat sea.
+# Images as lists of (r, g, b), row 0 at the top, and the parts of them that are compared: by where a pixel's ray goes, over a flat sea.
 import math
 
 from mathutils import Vector
@@ -40,10 +40,10 @@ def region_of(ray, sun):
     return "near"
 
 
-def means(picture, regions):
+def means(image, regions):
     """Mean colour by region, of those that are large enough."""
     sums = {}
-    for pixel, region in zip(picture, regions):
+    for pixel, region in zip(image, regions):
         if region:
             entry = sums.setdefault(region, [0, 0.0, 0.0, 0.0])
             entry[0] += 1

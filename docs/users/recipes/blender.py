@@ -1,6 +1,6 @@
 # A sea of `pelagic export` in Blender: a mesh that a modifier moves vertex by vertex, three patches by three, with foam.
 #
-#   blender -b --python-exit-code 1 -P blender.py -- FOLDER PICTURE.png
+#   blender -b --python-exit-code 1 -P blender.py -- FOLDER IMAGE.png
 #
 # FOLDER holds sea.json, displacement_*.exr and gradient_*.png. In the window: Scripting, open this file, set the two names.
 import json
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 
-folder, picture = sys.argv[sys.argv.index("--") + 1:][:2]
+folder, image = sys.argv[sys.argv.index("--") + 1:][:2]
 folder = Path(folder).resolve()
 record = json.loads((folder / "sea.json").read_text())
 N = record["sea"]["resolution"]
@@ -113,5 +113,5 @@ scene.cycles.samples = 32
 scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
 scene.render.resolution_x, scene.render.resolution_y = 640, 360
 scene.frame_set(1)
-scene.render.filepath = str(Path(picture).resolve())
+scene.render.filepath = str(Path(image).resolve())
 bpy.ops.render.render(write_still=True)

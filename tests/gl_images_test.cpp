@@ -1,4 +1,4 @@
-// Pictures: no holes, no line at the horizon, no sparkle far away.
+// Images: no holes, no line at the horizon, no sparkle far away.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,13 +86,13 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
     constexpr int width = 640, height = 360;
     for (const char* preset : {"calm", "moderate", "storm"}) {
         GlScene scene({.preset = preset, .width = width, .height = height});
-        constexpr PictureRows rows{height / 2 - 5, 17};
+        constexpr ImageRows rows{height / 2 - 5, 17};
         scene.resize(width, height, rows);
         for (const double above_m : {3.0, 30.0, 300.0}) {
             // Without foam, whose whitecaps are lines of their own: a fifth of a storm is white.
             const Frame& frame = scene.ocean.frame_at(0);
             const double at_m = frame.bounds.height_max_m + above_m;
-            const auto pixels = scene.picture({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, frame);
+            const auto pixels = scene.image({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, frame);
             double largest = 0;
             for (int y = 1; y < rows.count; ++y)
                 for (int x = 0; x < width; x += piece)
@@ -125,7 +125,7 @@ std::vector<double> box_means(const std::vector<double>& light, int side, int ha
     return means;
 }
 
-/// The light of a picture less what the sun's and sky's place give, in deviations of what is around: an eye sees patterns in dull water
+/// The light of an image less what the sun's and sky's place give, in deviations of what is around: an eye sees patterns in dull water
 /// as it does in glitter.
 std::vector<double> contrast_of(std::vector<double> light, int side, int half_box) {
     const std::vector<double> means = box_means(light, side, half_box);
@@ -139,7 +139,7 @@ std::vector<double> contrast_of(std::vector<double> light, int side, int half_bo
     return light;
 }
 
-/// The correlation of a picture with itself moved by so many pixels.
+/// The correlation of an image with itself moved by so many pixels.
 double correlation(const std::vector<double>& light, int side, int dx, int dy) {
     double product = 0, here = 0, there = 0;
     for (int y = 0; y < side - dy; ++y)
@@ -153,7 +153,7 @@ double correlation(const std::vector<double>& light, int side, int dx, int dy) {
     return product / std::sqrt(here * there);
 }
 
-// What is seen are the waves' slopes, a pixel being an eighth of the peak's, and gusts. The picture knows where the coarsest cascade
+// What is seen are the waves' slopes, a pixel being an eighth of the peak's, and gusts. The image knows where the coarsest cascade
 // does repeat.
 TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
     constexpr int pixels = 256;
@@ -172,7 +172,7 @@ TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
         }
     const double at_side =
         std::min(correlation(light, pixels, pixels / 2, 0), correlation(light, pixels, 0, pixels / 2));
-    std::printf("largest correlation of a picture from 200 to 900 m: %.3f; at %g m: %.3f\n", largest, coarsest_m,
+    std::printf("largest correlation of an image from 200 to 900 m: %.3f; at %g m: %.3f\n", largest, coarsest_m,
                 at_side);
     EXPECT_LE(largest, 0.25);
     EXPECT_GT(at_side, 2 * largest);
@@ -184,7 +184,7 @@ TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
     constexpr int side = 96, sectors = 8;
     GlScene scene({.preset = "moderate", .quality = "low", .width = side, .height = side});
     const auto pixels =
-        scene.picture({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
+        scene.image({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
     std::vector<double> sums(sectors), counts(sectors);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
@@ -203,7 +203,7 @@ TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
 }
 
 // Far water: what lies between 1.2 and 4 degrees below the horizon from 12 m, 170 to 570 m away.
-constexpr PictureRows far_rows(int height) { return {height / 2 + height / 36, height / 15}; }
+constexpr ImageRows far_rows(int height) { return {height / 2 + height / 36, height / 15}; }
 
 std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, int block) {
     std::vector<float> light;
@@ -219,10 +219,10 @@ std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, 
     return light;
 }
 
-/// How a strip of far water differs from a picture of four times as many samples along each side, over so many frames.
+/// How a strip of far water differs from an image of four times as many samples along each side, over so many frames.
 struct Sparkle {
     double error = 0, mean = 0;  ///< of light, as shown
-    double deviation_ratio = 0;  ///< of a pixel in time, over the finer picture's
+    double deviation_ratio = 0;  ///< of a pixel in time, over the finer image's
 };
 
 Sparkle sparkle_towards(glm::dvec3 target_m) {
@@ -232,18 +232,18 @@ Sparkle sparkle_towards(glm::dvec3 target_m) {
     GlScene scene({.preset = "moderate", .width = width, .height = height, .wind_speed_mps = 8, .foam = true});
     scene.resize(width, height, far_rows(height));
     std::vector<std::vector<float>> plain, reference;
-    for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.picture(camera, i / 30.0), width, 1));
+    for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.image(camera, i / 30.0), width, 1));
     scene.resize(width * finer, height * finer, far_rows(height * finer));
-    for (int i = 0; i < frames; ++i) reference.push_back(light_of(scene.picture(camera, i / 30.0), width, finer));
+    for (int i = 0; i < frames; ++i) reference.push_back(light_of(scene.image(camera, i / 30.0), width, finer));
 
     double squared_error = 0, mean = 0, plain_variance = 0, reference_variance = 0;
     const std::size_t count = plain[0].size();
     for (std::size_t p = 0; p < count; ++p) {
-        const auto variance = [&](const auto& pictures) {
+        const auto variance = [&](const auto& images) {
             double sum = 0, squares = 0;
-            for (const auto& picture : pictures) {
-                sum += picture[p];
-                squares += picture[p] * picture[p];
+            for (const auto& image : images) {
+                sum += image[p];
+                squares += image[p] * image[p];
             }
             return squares / frames - sum / frames * (sum / frames);
         };
@@ -262,7 +262,7 @@ Sparkle sparkle_towards(glm::dvec3 target_m) {
 
 // Measured: 0.076 of the mean and 0.9 to 1.04. A sparkling sea, one look a pixel and no roughness from mips, would have several
 // times the reference's deviation.
-TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
+TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledImage) {
     const Sparkle far = sparkle_towards({-70, 12, 100});
     std::printf("far water: error %.4f of a mean of %.3f, deviation in time %.2f of the reference's\n", far.error,
                 far.mean, far.deviation_ratio);
@@ -273,7 +273,7 @@ TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
 }
 
 // The test's sun stands at 0.7 rad, ahead.
-TEST(GlSparkle, GlintsAreAsCalmAsASupersampledPicture) {
+TEST(GlSparkle, GlintsAreAsCalmAsASupersampledImage) {
     const Sparkle glints = sparkle_towards({100, 12, 70});
     std::printf("glints: error %.4f of a mean of %.3f, deviation in time %.2f of the reference's\n", glints.error,
                 glints.mean, glints.deviation_ratio);

@@ -1,4 +1,4 @@
-#include "pelagic/gl/picture_pass.hpp"
+#include "pelagic/gl/image_pass.hpp"
 
 #include <string>
 
@@ -6,18 +6,18 @@
 
 namespace pelagic::gl {
 
-PicturePass::PicturePass(const Functions& gl, std::string_view fragment_file)
+ImagePass::ImagePass(const Functions& gl, std::string_view fragment_file)
     : gl_(gl), program_(gl, "screen.vert.glsl", fragment_file) {
     use();
 }
 
-void PicturePass::read(const char* name, GLint unit, const TexturePart& picture) const {
+void ImagePass::read(const char* name, GLint unit, const TexturePart& image) const {
     gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_.BindTexture(GL_TEXTURE_2D, picture.texture);
+    gl_.BindTexture(GL_TEXTURE_2D, image.texture);
     gl_.Uniform1i(program_.uniform(name), unit);
-    const auto width = static_cast<float>(picture.texture_width), height = static_cast<float>(picture.texture_height);
-    set((std::string(name) + "_used").c_str(), static_cast<float>(picture.width) / width,
-        static_cast<float>(picture.height) / height, 1 / width, 1 / height);
+    const auto width = static_cast<float>(image.texture_width), height = static_cast<float>(image.texture_height);
+    set((std::string(name) + "_used").c_str(), static_cast<float>(image.width) / width,
+        static_cast<float>(image.height) / height, 1 / width, 1 / height);
 }
 
 RadianceTexture::RadianceTexture(const Functions& gl, int of_width, int of_height)

@@ -1,4 +1,4 @@
-# Saves what the demo shows after ten seconds as picture.png beside the project.
+# Saves what the demo shows after ten seconds as image.png beside the project.
 extends SceneTree
 
 const SECONDS = 10.0
@@ -16,8 +16,8 @@ func _idle(_seconds):
 	frames += 1
 	if frames < 4:
 		return
-	var picture = root.get_texture().get_data()
-	picture.flip_y()
-	picture.convert(Image.FORMAT_RGB8)
-	picture.save_png("res://picture.png")
+	var image = root.get_texture().get_data()
+	image.flip_y()
+	image.convert(Image.FORMAT_RGB8)
+	image.save_png("res://image.png")
 	quit()

@@ -1,4 +1,4 @@
-// A cascade's displacement, slopes and foam at any place and any fineness, for pictures: levels like a texture's, read trilinearly.
+// A cascade's displacement, slopes and foam at any place and any fineness, for images: levels like a texture's, read trilinearly.
 #pragma once
 
 #include <glm/vec3.hpp>

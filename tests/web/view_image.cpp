@@ -1,4 +1,4 @@
-// The picture that a page's SeaView should show, drawn by EGL: `view_picture SCENE.json PICTURE` writes RGBA, the upper row first, and
+// The image that a page's SeaView should show, drawn by EGL: `view_image SCENE.json IMAGE` writes RGBA, the upper row first, and
 // prints the frame's hash and the heights at the scene's points. The scene is view_test.mjs's: a sea by its preset, a camera by where it looks, one eye or two.
 #include <cinttypes>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 glm::dvec3 vector_in(const nlohmann::json& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-void draw(const nlohmann::json& scene, const char* picture) {
+void draw(const nlohmann::json& scene, const char* image) {
     const int width = scene["width"], height = scene["height"];
     const std::string sea_name = scene["preset"], light_name = scene["light"], quality = scene["quality"],
                       shading = scene["shading"];
@@ -72,7 +72,7 @@ void draw(const nlohmann::json& scene, const char* picture) {
                    .lod_scale = selection.options().lod_scale,
                    .exposure = sky.exposure * std::exp2(light.bias_stops)});
     const std::vector<std::uint8_t> pixels = target.read();
-    std::ofstream(picture, std::ios::binary)
+    std::ofstream(image, std::ios::binary)
         .write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
 }
 
@@ -80,12 +80,12 @@ void draw(const nlohmann::json& scene, const char* picture) {
 
 int main(int count, char** arguments) try {
     if (count != 3) {
-        std::fputs("usage: view_picture SCENE.json PICTURE\n", stderr);
+        std::fputs("usage: view_image SCENE.json IMAGE\n", stderr);
         return 1;
     }
     std::ifstream file(arguments[1]);
     draw(nlohmann::json::parse(file), arguments[2]);
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "view_picture: %s\n", error.what());
+    std::fprintf(stderr, "view_image: %s\n", error.what());
     return 1;
 }

@@ -13,7 +13,7 @@ namespace pelagic::tools {
 /// The program ffmpeg is in PATH.
 bool can_make_films();
 
-/// Pictures of one size, kept without compression until the end.
+/// Images of one size, kept without compression until the end.
 class Film {
    public:
     /// Throws FileError if the system has no memory for it. \param width, height  even, as video wants them

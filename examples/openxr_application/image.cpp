@@ -1,4 +1,4 @@
-#include "picture.hpp"
+#include "image.hpp"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace openxr_application {
 
-void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height) {
+void write_image(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height) {
     std::string ppm = "P6\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
     for (int row = height; row-- > 0;)
         for (int column = 0; column < width; ++column)

@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/sea_light.hpp"
+#include "pelagic/tools/preview/sea_light.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// How bright the sea is in a picture: linear light, RGB, in no unit but the picture's own.
+// How bright the sea is in an image: linear light, RGB, in no unit but the image's own.
 #pragma once
 
 #include <glm/vec3.hpp>

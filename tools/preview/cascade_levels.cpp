@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/cascade_levels.hpp"
+#include "pelagic/tools/preview/cascade_levels.hpp"
 
 #include <algorithm>
 #include <array>

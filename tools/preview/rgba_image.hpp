@@ -1,4 +1,4 @@
-// A picture for people that is put together of parts.
+// An image for people that is put together of parts.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@ namespace pelagic::tools {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-class Picture {
+class RgbaImage {
    public:
-    Picture(int width, int height, Colour background);
+    RgbaImage(int width, int height, Colour background);
     /// \param rgba  the upper row first
-    Picture(int width, int height, std::vector<std::uint8_t> rgba);
+    RgbaImage(int width, int height, std::vector<std::uint8_t> rgba);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -23,7 +23,7 @@ class Picture {
 
     /// What is beyond an edge is left out.
     void fill(int left, int top, int width, int height, Colour colour);
-    void paste(int left, int top, const Picture& other);
+    void paste(int left, int top, const RgbaImage& other);
 
     /// One line of ASCII in letters of 7 x 12 dots; others become "?". \param dot  pixels of a dot along each axis
     void write(int left, int top, const std::string& text, Colour colour, int dot);

@@ -1,4 +1,4 @@
-// Pictures as image files, encoded in memory by the library of image_codec.hpp, which is opened for the first of them. They throw
+// Images as image files, encoded in memory by the library of image_codec.hpp, which is opened for the first of them. They throw
 // std::runtime_error with OpenImageIO's reason, and FileError if that library is not there.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace pelagic::tools {
 
-/// A picture for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
-std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height);
+/// An image for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
+std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int width, int height);
 
 /// Linear light for programs: EXR, 32-bit floats. \param rgb  the upper row first
 std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height);

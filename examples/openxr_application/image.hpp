@@ -1,4 +1,4 @@
-// A picture as a file that every viewer opens.
+// An image as a file that every viewer opens.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,6 @@
 namespace openxr_application {
 
 /// As PPM. \param rgba  the lower row first. Throws std::runtime_error.
-void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height);
+void write_image(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height);
 
 }  // namespace openxr_application

@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/map_picture.hpp"
+#include "pelagic/tools/preview/map_preview.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -32,7 +32,7 @@ float value_at(const MapImage& map, std::size_t index) {
     return 0;
 }
 
-/// Texels that a pixel of the picture shows, at least one.
+/// Texels that a pixel of the image shows, at least one.
 struct Span {
     std::size_t begin, end;
 };
@@ -46,9 +46,9 @@ Span texels_of(int pixel, int pixels, int texels) {
 
 }  // namespace
 
-MapPicture picture_of(const MapImage& map, int side) {
+MapPreview preview_of(const MapImage& map, int side) {
     const auto n = static_cast<std::size_t>(map.side), channels = static_cast<std::size_t>(map.channels);
-    MapPicture result{Picture(side, side, Colour{0, 0, 0}), value_at(map, 0), value_at(map, 0)};
+    MapPreview result{RgbaImage(side, side, Colour{0, 0, 0}), value_at(map, 0), value_at(map, 0)};
     for (std::size_t i = 1; i < n * n * channels; ++i) {
         const float value = value_at(map, i);
         result.least = std::min(result.least, value);
@@ -73,7 +73,7 @@ MapPicture picture_of(const MapImage& map, int side) {
             for (std::size_t channel = 0; channel < 3; ++channel)
                 colour[channel] = shade(sum[channels == 1 ? 0 : channel] / count);
             if (channels == 2) colour[2] = shade(0);
-            result.picture.fill(x, y, 1, 1, colour);
+            result.image.fill(x, y, 1, 1, colour);
         }
     return result;
 }

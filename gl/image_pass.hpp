@@ -1,4 +1,4 @@
-// A shader over a whole picture: what the display pass and the light meter are made of.
+// A shader over a whole image: what the display pass and the light meter are made of.
 #pragma once
 
 #include "pelagic/gl/program.hpp"
@@ -6,14 +6,14 @@
 
 namespace pelagic::gl {
 
-class PicturePass {
+class ImagePass {
    public:
     /// Throws GlError. Leaves its program in use.
-    PicturePass(const Functions& gl, std::string_view fragment_file);
+    ImagePass(const Functions& gl, std::string_view fragment_file);
 
     void use() const { gl_.UseProgram(program_.name()); }
-    /// To be used first. The shader's `NAME` reads the picture through that unit, `NAME_used` says which part.
-    void read(const char* name, GLint unit, const TexturePart& picture) const;
+    /// To be used first. The shader's `NAME` reads the image through that unit, `NAME_used` says which part.
+    void read(const char* name, GLint unit, const TexturePart& image) const;
     void set(const char* name, float x, float y, float z, float w) const {
         gl_.Uniform4f(program_.uniform(name), x, y, z, w);
     }

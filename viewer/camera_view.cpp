@@ -1,11 +1,11 @@
-#include "pelagic/viewer/camera_picture.hpp"
+#include "pelagic/viewer/camera_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace pelagic::viewer {
 
-void CameraPicture::begin(int window_width, int window_height, float scale, int samples) {
+void CameraView::begin(int window_width, int window_height, float scale, int samples) {
     if (!target_ || target_->width() != window_width || target_->height() != window_height || samples_ != samples) {
         target_.reset();
         target_.emplace(gl_, window_width, window_height, samples, gl::PixelKind::radiance);
@@ -22,16 +22,16 @@ void CameraPicture::begin(int window_width, int window_height, float scale, int 
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void CameraPicture::end(float luminance_of_unit) {
-    picture_ = target_->resolved(width_, height_);
+void CameraView::end(float luminance_of_unit) {
+    image_ = target_->resolved(width_, height_);
     luminance_of_unit_ = luminance_of_unit;
     if (is_metering_) return;
-    meter_.start(picture_);
+    meter_.start(image_);
     is_metering_ = true;
     metered_luminance_of_unit_ = luminance_of_unit;
 }
 
-void CameraPicture::follow(const gl::CameraSettings& settings, float unmetered_ev, double passed_s) {
+void CameraView::follow(const gl::CameraSettings& settings, float unmetered_ev, double passed_s) {
     if (const auto cells = meter_.finished()) {
         metered_ev_ = gl::metered_ev(*cells, metered_luminance_of_unit_);
         is_metering_ = false;
@@ -43,7 +43,7 @@ void CameraPicture::follow(const gl::CameraSettings& settings, float unmetered_e
         ev_ = (followed_.has_ev() ? followed_.ev() : unmetered_ev) - settings.bias_stops;
 }
 
-void CameraPicture::show(const gl::CameraSettings& settings, int window_width, int window_height) {
+void CameraView::show(const gl::CameraSettings& settings, int window_width, int window_height) {
     const gl::Look look{.exposure = gl::exposure_of_ev(ev_, luminance_of_unit_),
                         .luminance_of_unit = luminance_of_unit_,
                         .bloom = settings.bloom};
@@ -56,7 +56,7 @@ void CameraPicture::show(const gl::CameraSettings& settings, int window_width, i
         small_->bind();
     else
         gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    display_.show(picture_, look, {0, 0, width_, height_});
+    display_.show(image_, look, {0, 0, width_, height_});
     if (is_small) small_->show(width_, height_, window_width, window_height);
 }
 

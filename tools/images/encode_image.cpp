@@ -1,9 +1,9 @@
-#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/images/encode_image.hpp"
 
 #include "pelagic/tools/images/image_codec.hpp"
 
 namespace pelagic::tools {
-std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height) {
+std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int width, int height) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});

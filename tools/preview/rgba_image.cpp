@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/picture.hpp"
+#include "pelagic/tools/preview/rgba_image.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,24 +17,24 @@ std::string printable(std::string text) {
 
 }  // namespace
 
-Picture::Picture(int width, int height, Colour background)
+RgbaImage::RgbaImage(int width, int height, Colour background)
     : width_(width),
       height_(height),
       pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255) {
     fill(0, 0, width, height, background);
 }
 
-Picture::Picture(int width, int height, std::vector<std::uint8_t> rgba)
+RgbaImage::RgbaImage(int width, int height, std::vector<std::uint8_t> rgba)
     : width_(width), height_(height), pixels_(std::move(rgba)) {}
 
-void Picture::fill(int left, int top, int width, int height, Colour colour) {
+void RgbaImage::fill(int left, int top, int width, int height, Colour colour) {
     for (int y = std::max(top, 0); y < std::min(top + height, height_); ++y)
         for (int x = std::max(left, 0); x < std::min(left + width, width_); ++x)
             std::copy(colour.begin(), colour.end(),
                       pixels_.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * width_ + x));
 }
 
-void Picture::paste(int left, int top, const Picture& other) {
+void RgbaImage::paste(int left, int top, const RgbaImage& other) {
     for (int y = std::max(top, 0); y < std::min(top + other.height_, height_); ++y)
         for (int x = std::max(left, 0); x < std::min(left + other.width_, width_); ++x)
             std::copy_n(
@@ -42,7 +42,7 @@ void Picture::paste(int left, int top, const Picture& other) {
                 pixels_.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * width_ + x));
 }
 
-void Picture::write(int left, int top, const std::string& text, Colour colour, int dot) {
+void RgbaImage::write(int left, int top, const std::string& text, Colour colour, int dot) {
     struct Corner {
         float x, y, z;
         std::array<unsigned char, 4> colour;

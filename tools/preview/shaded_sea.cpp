@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/shaded_sea.hpp"
+#include "pelagic/tools/preview/shaded_sea.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/simd/det_math.hpp"
-#include "pelagic/tools/pictures/sea_light.hpp"
-#include "pelagic/tools/pictures/cascade_levels.hpp"
+#include "pelagic/tools/preview/sea_light.hpp"
+#include "pelagic/tools/preview/cascade_levels.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 /// Samples of a pixel along each axis.
 constexpr int fineness = 2;
-/// How much wider and lower than the picture the grid of reference points is, for waves move points out of it and into it.
+/// How much wider and lower than the image the grid of reference points is, for waves move points out of it and into it.
 constexpr float margin_aside = 1.3f, margin_below = 1.5f;
 // 40 and 12 degrees.
 constexpr double vertical_view_turns = 40. / 360, down_turns = 12. / 360;
@@ -39,7 +39,7 @@ struct View {
     float tangent = 0;  ///< of half the vertical angle
     float aspect = 1;
 
-    /// Not of unit length: 1 along `forward`. \param at  -1 to 1 in the picture, x to the right, y up
+    /// Not of unit length: 1 along `forward`. \param at  -1 to 1 in the image, x to the right, y up
     glm::vec3 ray(glm::vec2 at) const { return forward + tangent * (aspect * at.x * right + at.y * up); }
 
     struct Seen {
@@ -61,7 +61,7 @@ struct GridPoint {
     glm::vec3 light{0};
 };
 
-/// What the reference points of one row cover, so that a band of the picture looks at few rows.
+/// What the reference points of one row cover, so that a band of the image looks at few rows.
 struct Extent {
     float top = std::numeric_limits<float>::infinity(), bottom = -std::numeric_limits<float>::infinity();
 };
@@ -99,9 +99,9 @@ struct ShadedSea::State {
     std::unique_ptr<GraphRun> run;
 };
 
-ShadedSea::State::State(const SeaState& sea, int picture_width, int picture_height,
+ShadedSea::State::State(const SeaState& sea, int image_width, int image_height,
                         std::shared_ptr<Executor> executor_to_use)
-    : width(picture_width), height(picture_height), executor(std::move(executor_to_use)) {
+    : width(image_width), height(image_height), executor(std::move(executor_to_use)) {
     assert(width >= 2 && height >= 2);
     const ExpectedWaves waves = expected_waves(sea);
     wave_height_m = static_cast<float>(std::max(waves.significant_wave_height_m, 1e-3));
