@@ -15,11 +15,11 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
-constexpr double least_wavelength_m = 0.01;
+constexpr double min_wavelength_m = 0.01;
 
 constexpr std::array wave_fields = {
     NumericField<AnalyticWave>{"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
-    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, least_wavelength_m, 1000, "[0.01, 1000]"},
+    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, min_wavelength_m, 1000, "[0.01, 1000]"},
     NumericField<AnalyticWave>{"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<AnalyticWave>{"phase_rad", &AnalyticWave::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
 };
@@ -65,7 +65,7 @@ AnalyticSea family_sea(const AnalyticFamily& family, const Steepness& steepness)
     for (int i = 0; i < family.waves; ++i) {
         const double part = family.waves == 1 ? 0 : i / (family.waves - 1.0);
         const double wavelength_m =
-            std::max(least_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, part));
+            std::max(min_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, part));
         const double spread = 2 * (i * golden - std::floor(i * golden)) - 1, turn = i * golden * golden;
         const double k_a = steepness_at(steepness, i, family.waves) * (all / these) * 1e-3;
         double direction_rad = family.direction_rad + spread * (0.35 + part);
@@ -102,16 +102,16 @@ AnalyticSea with_significant_height(AnalyticSea sea, double height_m) {
 std::span<const NumericField<AnalyticWave>> analytic_wave_fields() { return wave_fields; }
 
 std::string check(const AnalyticSea& sea) {
-    if (sea.waves.empty() || sea.waves.size() > most_analytic_waves)
-        return invalid_value_message("waves", sea.waves.size(), "1 to " + number_text(most_analytic_waves) + " of them");
+    if (sea.waves.empty() || sea.waves.size() > max_analytic_waves)
+        return invalid_value_message("waves", sea.waves.size(), "1 to " + number_text(max_analytic_waves) + " of them");
     if (!(sea.choppiness >= 0 && sea.choppiness <= 1)) return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
     for (std::size_t i = 0; i < sea.waves.size(); ++i)
         if (const std::string reason = check_fields(sea.waves[i], wave_fields); !reason.empty())
             return one_line("waves[" + number_text(i) + "]." + reason);
     // What a sea is scaled to may round past the limit by a last digit.
-    if (const double steepness = steepness_of(sea); !(steepness <= most_steepness * (1 + 1e-12)))
+    if (const double steepness = steepness_of(sea); !(steepness <= max_steepness * (1 + 1e-12)))
         return invalid_value_message("steepness", rounded_text(steepness, 6),
-                       "at most " + number_text(most_steepness) + ", the sum of 2 pi amplitude_m / wavelength_m");
+                       "at most " + number_text(max_steepness) + ", the sum of 2 pi amplitude_m / wavelength_m");
     return {};
 }
 

@@ -26,7 +26,7 @@ struct AnalyticSea {
 
 /// The largest sum of k A. No crest folds below 1; up to here each step of a search takes off three fifths of its
 /// error.
-inline constexpr double most_steepness = 0.4;
+inline constexpr double max_steepness = 0.4;
 
 /// Sum of k A over the waves.
 double steepness_of(const AnalyticSea& sea);

@@ -71,7 +71,7 @@ struct Convergence {
     }
 
     /// One more than is promised, for the roundings of floats.
-    int most_steps() const {
+    int max_steps() const {
         int steps = 1;
         for (double r = first_m; r > search_target_m; r *= std::min(s, c * r)) ++steps;
         return steps;
@@ -91,7 +91,7 @@ AnalyticSurface::AnalyticSurface(PlaneWaves waves, std::optional<Isa> isa) : wav
     const Convergence search(waves_);
     contraction_ = static_cast<float>(search.s);
     curvature_ = static_cast<float>(search.c);
-    most_steps_ = search.most_steps();
+    max_steps_ = search.max_steps();
 }
 
 AnalyticSurface::~AnalyticSurface() = default;
@@ -110,7 +110,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
                                     const AnalyticSamples& samples) const {
     assert(std::isfinite(time_s));
     const DefaultFloatEnvironment environment;
-    std::array<double, most_analytic_waves> starts;
+    std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);
 
@@ -131,7 +131,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
                         .contraction = contraction_,
                         .curvature = curvature_,
                         .target_m = static_cast<float>(search_target_m),
-                        .most_steps = most_steps_};
+                        .max_steps = max_steps_};
         if (normals)
             job.out.normal_x = out[3], job.out.normal_y = out[4], job.out.normal_z = out[5],
             job.out.jacobian = out[6];

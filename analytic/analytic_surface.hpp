@@ -67,7 +67,7 @@ class AnalyticSurface {
 
     const PlaneWaves& waves() const { return waves_; }
     /// Steps after which a search has ended, wherever the point lies; analytic_surface.cpp says why.
-    int most_search_steps() const { return most_steps_; }
+    int max_search_steps() const { return max_steps_; }
 
    private:
     void sample_points(bool in_world, double time_s, const AnalyticPoints& points,
@@ -77,7 +77,7 @@ class AnalyticSurface {
     const AnalyticKernels* kernels_;
     std::vector<GerstnerTerms> terms_;
     float contraction_, curvature_;
-    int most_steps_;
+    int max_steps_;
 };
 
 }  // namespace pelagic

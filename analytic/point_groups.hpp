@@ -42,12 +42,12 @@ struct PointGroup {
 template <std::size_t Kinds, class Sample>
 void for_each_group(std::span<const double> x, std::span<const double> z, const AnswerArrays<Kinds>& arrays,
                     std::size_t multiple, Sample sample) {
-    constexpr std::size_t most = 8 * analytic_group;
+    constexpr std::size_t max = 8 * analytic_group;
     assert(x.size() == z.size());
-    float room[Kinds][most];
+    float room[Kinds][max];
     for (std::size_t first = 0; first < x.size();) {
         const std::size_t left = x.size() - first;
-        const std::size_t whole = std::min(left / analytic_group * analytic_group, most);
+        const std::size_t whole = std::min(left / analytic_group * analytic_group, max);
         const bool is_tail = whole == 0;
         double tail_x[analytic_group], tail_z[analytic_group];
         for (std::size_t i = 0; is_tail && i < analytic_group; ++i) {

@@ -20,17 +20,17 @@ namespace {
 constexpr double two_pi = 6.283185307179586;
 constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, over its density
 constexpr double golden = 0.6180339887498949;     // of a turn
-constexpr double least_exp = 0.1353352832366127;  // exp(-2)
+constexpr double min_exp = 0.1353352832366127;  // exp(-2)
 constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
 constexpr double shortest_wavelength_m = 1e-3;    // where water is smooth
 
 constexpr std::array fields = {
-    NumericField<PondSea>{"octaves", &PondSea::octaves, 1, most_analytic_waves, "1 to 64"},
-    NumericField<PondSea>{"height_m", &PondSea::height_m, 0, 10, "(0, 10]", Among::above_least},
+    NumericField<PondSea>{"octaves", &PondSea::octaves, 1, max_analytic_waves, "1 to 64"},
+    NumericField<PondSea>{"height_m", &PondSea::height_m, 0, 10, "(0, 10]", Among::above_min},
     NumericField<PondSea>{"wavelength_m", &PondSea::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
     NumericField<PondSea>{"direction_rad", &PondSea::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<PondSea>{"growth", &PondSea::growth, 1, 4, "[1, 4]"},
-    NumericField<PondSea>{"decay", &PondSea::decay, 0, 1, "(0, 1]", Among::above_least},
+    NumericField<PondSea>{"decay", &PondSea::decay, 0, 1, "(0, 1]", Among::above_min},
     NumericField<PondSea>{"drag", &PondSea::drag, 0, 1, "[0, 1]"},
 };
 
@@ -130,23 +130,23 @@ PondWaves PondWaves::of(std::vector<PondOctave> octaves, std::optional<Isa> isa)
 
 PondWaves::PondWaves(std::optional<Isa> isa, std::vector<PondOctave> octaves)
     : octaves_(std::move(octaves)), height_m_(0) {
-    assert(!octaves_.empty() && octaves_.size() <= most_analytic_waves);
+    assert(!octaves_.empty() && octaves_.size() <= max_analytic_waves);
     const DefaultFloatEnvironment environment;
     kernels_ = &analytic_kernels_for(choose_isa(isa));
-    double most_turns_per_m = 0;
+    double max_turns_per_m = 0;
     for (const PondOctave& octave : octaves_) {
         terms_.push_back(pond_terms_of(octave));
         height_m_ += octave.height_m;
-        most_turns_per_m = std::max(most_turns_per_m, octave.turns_per_m());
+        max_turns_per_m = std::max(max_turns_per_m, octave.turns_per_m());
     }
-    shortest_m_ = 1 / most_turns_per_m;
+    shortest_m_ = 1 / max_turns_per_m;
 }
 
 PondWaves::~PondWaves() = default;
 PondWaves::PondWaves(PondWaves&&) noexcept = default;
 PondWaves& PondWaves::operator=(PondWaves&&) noexcept = default;
 
-double PondWaves::lowest_m() const { return height_m_ * (least_exp - mean_exp); }
+double PondWaves::lowest_m() const { return height_m_ * (min_exp - mean_exp); }
 double PondWaves::highest_m() const { return height_m_ * (1 - mean_exp); }
 
 void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
@@ -154,7 +154,7 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
     assert(std::isfinite(time_s));
     assert(footprint_m.empty() || footprint_m.size() == points.x.size());
     const DefaultFloatEnvironment environment;
-    std::array<double, most_analytic_waves> starts;
+    std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
 

@@ -71,7 +71,7 @@ double turn_ms(const Contestant& contestant, double& time_s) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count() / contestant.batch;
 }
 
-void take_turns(std::vector<Contestant*> contestants, double seconds, std::size_t least_turns) {
+void take_turns(std::vector<Contestant*> contestants, double seconds, std::size_t min_turns) {
     double time_s = 0;
     for (Contestant* contestant : contestants) {
         // Turns of about a millisecond or more.
@@ -82,7 +82,7 @@ void take_turns(std::vector<Contestant*> contestants, double seconds, std::size_
     }
     const Clock::time_point start = Clock::now();
     for (std::size_t turn = 0;
-         turn < least_turns || std::chrono::duration<double>(Clock::now() - start).count() < seconds; ++turn)
+         turn < min_turns || std::chrono::duration<double>(Clock::now() - start).count() < seconds; ++turn)
         for (Contestant* contestant : contestants) contestant->turns_ms.push_back(turn_ms(*contestant, time_s));
 }
 

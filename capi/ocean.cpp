@@ -58,12 +58,12 @@ void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, st
 
 namespace {
 
-constexpr double least_tolerance_m = 1e-6, most_tolerance_m = 1000;
+constexpr double min_tolerance_m = 1e-6, max_tolerance_m = 1000;
 
 double query_tolerance_m(const pelagic_ocean_options& options) {
     const double wanted = options.query_tolerance_m;
     if (wanted == 0) return SurfaceQuery::default_tolerance_m;
-    if (!(wanted >= least_tolerance_m && wanted <= most_tolerance_m))
+    if (!(wanted >= min_tolerance_m && wanted <= max_tolerance_m))
         reject(invalid_value_message("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
     return wanted;
 }
@@ -108,10 +108,10 @@ pelagic_bounds bounds_of(const FrameBounds& bounds) {
 }
 
 /// Where the levels of a chain begin, in texels.
-constexpr int most_levels = 12;
-static_assert(mip_levels(2048) == most_levels);
+constexpr int max_levels = 12;
+static_assert(mip_levels(2048) == max_levels);
 
-void write_offsets(int resolution, std::uint32_t (&offset)[most_levels]) {
+void write_offsets(int resolution, std::uint32_t (&offset)[max_levels]) {
     for (int level = 0; level < mip_levels(resolution); ++level)
         offset[level] = static_cast<std::uint32_t>(mip_offset(resolution, level));
 }
@@ -225,8 +225,8 @@ class OfEachCascade {
     std::span<const Ours> all() const { return {cascades_.data(), count_}; }
 
    private:
-    static constexpr std::size_t most_cascades = 4;
-    std::array<Ours, most_cascades> cascades_;
+    static constexpr std::size_t max_cascades = 4;
+    std::array<Ours, max_cascades> cascades_;
     std::size_t count_;
 };
 

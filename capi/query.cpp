@@ -27,8 +27,8 @@ Interpolation interpolation_of(const pelagic_points& points) {
 
 SurfacePoints points_of(const pelagic_points& points) {
     // More can't be in memory, and a length in bytes still fits.
-    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-    if (points.count > most) reject(invalid_value_message("points.count", points.count, "at most " + number_text(most)));
+    constexpr std::size_t max = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+    if (points.count > max) reject(invalid_value_message("points.count", points.count, "at most " + number_text(max)));
     if (points.count == 0) return {};
     return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
 }

@@ -28,8 +28,8 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
                       .fade_m = from.fade_m,
                       .swash_m = from.swash_m};
     // Only as many as are there may be read.
-    constexpr int most = ShoreOptions::most_samples_a_side;
-    if (from.columns >= 2 && from.columns <= most && from.rows >= 2 && from.rows <= most) {
+    constexpr int max = ShoreOptions::max_samples_a_side;
+    if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
         const float* const heights = &needed(from.heights_m, "shore.heights_m");
         ours.heights_m.assign(heights,
                               heights + static_cast<std::size_t>(from.columns) * static_cast<std::size_t>(from.rows));

@@ -13,14 +13,14 @@
 namespace pelagic::capi {
 
 /// Larger ones are taken for a struct_size that nobody has set.
-inline constexpr std::uint32_t most_struct_bytes = 4096;
+inline constexpr std::uint32_t max_struct_bytes = 4096;
 
 /// The size of the first version, up to its last field: what padding follows may differ, and holds nothing.
 template <class T>
-inline constexpr std::size_t least_struct_bytes = 0;
+inline constexpr std::size_t min_struct_bytes = 0;
 #define PELAGIC_LAST_FIELD_AT_FIRST(type, field) \
     template <>                                  \
-    inline constexpr std::size_t least_struct_bytes<type> = offsetof(type, field) + sizeof(type::field)
+    inline constexpr std::size_t min_struct_bytes<type> = offsetof(type, field) + sizeof(type::field)
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_sea, loop_period_s);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_statistics, repeats_after_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_executor_options, user);
@@ -50,9 +50,9 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_hit, position_m);
 /// The size that the application states. Throws std::invalid_argument for null and a size that no struct has.
 template <class T>
 std::size_t struct_bytes(const T* pointer, const char* name) {
-    static_assert(least_struct_bytes<T> > 0, "say which field was its last at first");
+    static_assert(min_struct_bytes<T> > 0, "say which field was its last at first");
     const std::uint32_t bytes = needed(pointer, name).struct_size;
-    if (bytes < least_struct_bytes<T> || bytes > most_struct_bytes)
+    if (bytes < min_struct_bytes<T> || bytes > max_struct_bytes)
         reject(
             invalid_value_message(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
     return bytes;

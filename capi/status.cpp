@@ -7,7 +7,7 @@
 namespace pelagic::capi {
 namespace {
 
-thread_local char last_error[most_line_bytes + 1] = "";
+thread_local char last_error[max_line_bytes + 1] = "";
 
 struct ErrorCallback {
     pelagic_error_callback function = nullptr;

@@ -14,8 +14,8 @@ namespace {
 
 AnalyticSea waves_of(const pelagic_waves* pointer) {
     const pelagic_waves from = read_struct(pointer, "waves");
-    if (from.count > GerstnerInput::most_waves)
-        reject(invalid_value_message("waves.count", from.count, "at most " + number_text(GerstnerInput::most_waves)));
+    if (from.count > GerstnerInput::max_waves)
+        reject(invalid_value_message("waves.count", from.count, "at most " + number_text(GerstnerInput::max_waves)));
     AnalyticSea sea{.waves = {}, .choppiness = from.choppiness};
     if (from.count == 0) return sea;
     needed(from.amplitude_m, "waves.amplitude_m");

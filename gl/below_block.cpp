@@ -61,8 +61,8 @@ void place_crests(SceneBlock& block, const SeaFacts& sea, glm::dvec2 viewer) {
 }  // namespace
 
 glm::ivec2 floor_cells(const FloorFacts& floor) {
-    constexpr int most = 256;
-    return {std::clamp(floor.columns - 1, 1, most), std::clamp(floor.rows - 1, 1, most)};
+    constexpr int max = 256;
+    return {std::clamp(floor.columns - 1, 1, max), std::clamp(floor.rows - 1, 1, max)};
 }
 
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,

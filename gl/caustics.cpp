@@ -25,7 +25,7 @@ constexpr int parts = 2;
 constexpr float unit = 256;
 constexpr int weight_steps = 32;
 /// Widest blur, texels to either side.
-constexpr int most_radius = 10;
+constexpr int max_radius = 10;
 
 /// Of a sun that stands lower shadows of waves would count, which nobody sees: hardly any light comes in.
 constexpr float lowest_sun = 0.1f;
@@ -152,11 +152,11 @@ struct CausticsBaker::State {
         const glm::vec3 sun = as_high_as_needed(options.sun);
         const auto c = static_cast<float>(cascade.grid.cosine), s = static_cast<float>(cascade.grid.sine);
         sun_in_cascade = {c * sun.x + s * sun.z, sun.y, c * sun.z - s * sun.x};
-        const double sigma = std::min(blur_of(frame, chosen, options.depth_m), most_radius / 2.5);
+        const double sigma = std::min(blur_of(frame, chosen, options.depth_m), max_radius / 2.5);
         float sum = 0;
-        for (int i = -most_radius; i <= most_radius; ++i) {
+        for (int i = -max_radius; i <= max_radius; ++i) {
             const double way = i / std::max(sigma, 0.3);  // 0.3: next to nothing
-            sum += kernel[static_cast<std::size_t>(i + most_radius)] = static_cast<float>(std::exp(-0.5 * way * way));
+            sum += kernel[static_cast<std::size_t>(i + max_radius)] = static_cast<float>(std::exp(-0.5 * way * way));
         }
         for (float& weight : kernel) weight /= sum;
         for (std::atomic<std::uint32_t>& count : counts) count.store(0, std::memory_order_relaxed);
@@ -252,8 +252,8 @@ struct CausticsBaker::State {
     void blur_row(int j) {
         for (int i = 0; i < side; ++i) {
             float sum = 0;
-            for (int k = -most_radius; k <= most_radius; ++k)
-                sum += kernel[static_cast<std::size_t>(k + most_radius)] *
+            for (int k = -max_radius; k <= max_radius; ++k)
+                sum += kernel[static_cast<std::size_t>(k + max_radius)] *
                        static_cast<float>(counts[index_of(i + k, j)]);
             plain[index_of(i, j)] = sum;
         }
@@ -262,8 +262,8 @@ struct CausticsBaker::State {
     void blur_columns(int j) {
         for (int i = 0; i < side; ++i) {
             float sum = 0;
-            for (int k = -most_radius; k <= most_radius; ++k)
-                sum += kernel[static_cast<std::size_t>(k + most_radius)] * plain[index_of(i, j + k)];
+            for (int k = -max_radius; k <= max_radius; ++k)
+                sum += kernel[static_cast<std::size_t>(k + max_radius)] * plain[index_of(i, j + k)];
             blurred[index_of(i, j)] = sum;
         }
     }
@@ -294,7 +294,7 @@ struct CausticsBaker::State {
     Caustics making, made;
     Cascade cascade;
     glm::vec3 sun_in_cascade{0, 1, 0};
-    std::array<float, 2 * most_radius + 1> kernel{};
+    std::array<float, 2 * max_radius + 1> kernel{};
     std::vector<glm::vec3> surface;  ///< displacement along, up, across
     std::vector<glm::vec3>
         target;  ///< xy: texels from the corner to where its ray meets the plane; z: light of the cell

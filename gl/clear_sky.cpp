@@ -20,7 +20,7 @@ constexpr float lowest_modelled_rad = -6.0f * pi / 180;
 /// Published and modelled amounts change over between these elevations, degrees.
 constexpr float model_alone_deg = 2, published_alone_deg = -3;
 /// Half floats hold 6e-5 exactly: the whole light of a scene is to be no less than this, in units.
-constexpr float least_light = 1.f / 32;
+constexpr float min_light = 1.f / 32;
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
@@ -101,7 +101,7 @@ void ClearSky::finish() {
     twilight_scale_ = std::pow(published / std::max(luminance(all_light), 1e-12f), weight);
     irradiance_ = irradiance_of([&](glm::vec3 d) { return radiance(d); });
     const float light = luminance(irradiance_ + key_light().irradiance);
-    if (light < least_light) unit_ = std::exp2(std::floor(std::log2(light / least_light)));
+    if (light < min_light) unit_ = std::exp2(std::floor(std::log2(light / min_light)));
 }
 
 glm::vec3 ClearSky::radiance(glm::vec3 direction) const {

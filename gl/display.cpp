@@ -11,8 +11,8 @@ namespace pelagic::gl {
 namespace {
 
 /// Each half as large as the one before: the coarsest spreads light over a fifth of the image's height.
-constexpr int most_levels = 6;
-constexpr int least_side = 4;
+constexpr int max_levels = 6;
+constexpr int min_side = 4;
 
 TexturePart part_of(const RadianceTexture& level, const TexturePart& image, int halvings) {
     const auto halved = [&](int side) { return std::max(1, (side + (1 << halvings) - 1) >> halvings); };
@@ -35,7 +35,7 @@ struct Display::State {
         height = image.texture_height;
         fine.clear();
         spread.clear();
-        for (int i = 1; i <= most_levels && (std::min(width, height) >> i) >= least_side; ++i) {
+        for (int i = 1; i <= max_levels && (std::min(width, height) >> i) >= min_side; ++i) {
             // Rounded up: a part of the texture must find room at every level.
             const int w = (width + (1 << i) - 1) >> i, h = (height + (1 << i) - 1) >> i;
             fine.emplace_back(gl, w, h);

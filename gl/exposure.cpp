@@ -9,7 +9,7 @@ namespace {
 
 constexpr float middle_grey = 0.18f;
 constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
-constexpr float bright_part = 0.02f, shown_bright = 0.9f, most_protection_stops = 1.5f;
+constexpr float bright_part = 0.02f, shown_bright = 0.9f, max_protection_stops = 1.5f;
 constexpr float shown_median = 0.065f;
 constexpr float darkest_cd_m2 = 1e-5f;
 
@@ -49,16 +49,16 @@ float night_darkening(float luminance_cd_m2) {
 }
 
 float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
-    const float least = std::log2(darkest_cd_m2 / luminance_of_unit);
+    const float min = std::log2(darkest_cd_m2 / luminance_of_unit);
     double sum = 0;
     std::vector<float> means, logarithms;
     for (const MeteredCell& cell : cells) {
         if (!std::isfinite(cell.mean_of_log2) || !std::isfinite(cell.log2_of_mean)) continue;
-        logarithms.push_back(std::max(cell.mean_of_log2, least));
+        logarithms.push_back(std::max(cell.mean_of_log2, min));
         sum += static_cast<double>(logarithms.back());
-        means.push_back(std::max(cell.log2_of_mean, least));
+        means.push_back(std::max(cell.log2_of_mean, min));
     }
-    const float log_average = means.empty() ? least : static_cast<float>(sum / static_cast<double>(means.size()));
+    const float log_average = means.empty() ? min : static_cast<float>(sum / static_cast<double>(means.size()));
     const float luminance = std::exp2(log_average) * luminance_of_unit;
     const float by_average = std::log2(night_darkening(luminance)) - log_average;
     float stops = by_average;  // of the exposure, where EV is that of a grey card of luminance 1
@@ -73,9 +73,9 @@ float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
         const float by_median =
             std::log2(night_darkening(luminance) * film_input_of(shown_median) / film_input_of(middle_grey)) -
             *median;
-        stops = std::max({std::min(by_average, by_highlights), by_average - most_protection_stops, by_median});
+        stops = std::max({std::min(by_average, by_highlights), by_average - max_protection_stops, by_median});
     }
-    return std::clamp(std::log2(luminance_of_unit / calibration) - stops, least_ev, most_ev);
+    return std::clamp(std::log2(luminance_of_unit / calibration) - stops, min_ev, max_ev);
 }
 
 void FollowedExposure::follow(float metered, double passed_s) {

@@ -14,13 +14,13 @@ namespace pelagic::gl {
 /// relative to the sun's irradiance there, so this is also the luminance, in cd/m^2, that a radiance of 1 stands for.
 inline constexpr float sun_illuminance_lx = 133.1e3f;
 
-inline constexpr float least_ev = -10, most_ev = 20;
-inline constexpr float most_bias_stops = 5;
+inline constexpr float min_ev = -10, max_ev = 20;
+inline constexpr float max_bias_stops = 5;
 
 /// What a user may say of the camera.
 struct CameraSettings {
-    std::optional<float> fixed_ev;  ///< [least_ev, most_ev]; none: metered on what is in view
-    float bias_stops = 0;  ///< brighter than metered, [-most_bias_stops, most_bias_stops]; a fixed EV has none
+    std::optional<float> fixed_ev;  ///< [min_ev, max_ev]; none: metered on what is in view
+    float bias_stops = 0;  ///< brighter than metered, [-max_bias_stops, max_bias_stops]; a fixed EV has none
     float bloom = 0.04f;   ///< part of each pixel's light that the lens spreads around it; [0, 1]
 };
 

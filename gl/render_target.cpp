@@ -24,13 +24,13 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     if (kind == PixelKind::radiance && !gl.renders_to_half_floats)
         throw GlError("the driver can't draw radiance: it has no EXT_color_buffer_half_float");
     const GLenum format = kind == PixelKind::radiance ? GL_RGBA16F : GL_RGBA8;
-    GLint most_side = 0, most_samples = 0;
-    gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most_side);
-    gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
-    if (width > most_side || height > most_side)
+    GLint max_side = 0, max_samples = 0;
+    gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_side);
+    gl.GetIntegerv(GL_MAX_SAMPLES, &max_samples);
+    if (width > max_side || height > max_side)
         throw GlError("an image of " + number_text(width) + "x" + number_text(height) +
-                      " is too large for the driver, at most " + number_text(most_side) + " pixels a side");
-    samples = std::min(samples, static_cast<int>(most_samples));
+                      " is too large for the driver, at most " + number_text(max_side) + " pixels a side");
+    samples = std::min(samples, static_cast<int>(max_samples));
     colour_ = make_renderbuffer(gl, format, width, height, samples);
     depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height, samples);
     resolved_colour_ = Texture(gl);

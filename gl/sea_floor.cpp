@@ -24,10 +24,10 @@ std::string check(const SeaFloor& floor) {
     for (const float channel : {floor.albedo.x, floor.albedo.y, floor.albedo.z})
         if (!(channel >= 0 && channel <= 1)) return invalid_value_message("albedo", channel, "[0, 1]");
     if (floor.is_even() && floor.rows == 0) return {};
-    const std::string sides = "2 to " + std::to_string(SeaFloor::most_samples_a_side) + ", or 0 for an even floor";
-    if (floor.columns < 2 || floor.columns > SeaFloor::most_samples_a_side)
+    const std::string sides = "2 to " + std::to_string(SeaFloor::max_samples_a_side) + ", or 0 for an even floor";
+    if (floor.columns < 2 || floor.columns > SeaFloor::max_samples_a_side)
         return invalid_value_message("columns", floor.columns, sides);
-    if (floor.rows < 2 || floor.rows > SeaFloor::most_samples_a_side) return invalid_value_message("rows", floor.rows, sides);
+    if (floor.rows < 2 || floor.rows > SeaFloor::max_samples_a_side) return invalid_value_message("rows", floor.rows, sides);
     if (!(floor.metres_a_texel >= 0.001 && floor.metres_a_texel <= 1e4))
         return invalid_value_message("metres_a_texel", floor.metres_a_texel, "[0.001, 10000]");
     if (floor.heights_m.size() != static_cast<std::size_t>(floor.columns) * floor.rows)

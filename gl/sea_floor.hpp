@@ -13,7 +13,7 @@
 namespace pelagic::gl {
 
 struct SeaFloor {
-    static constexpr int most_samples_a_side = 4096;
+    static constexpr int max_samples_a_side = 4096;
 
     /// Samples along x and z, each from 2 to 4096; 0: an even floor at the depth of the sea that is drawn.
     int columns = 0, rows = 0;

@@ -56,9 +56,9 @@ Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
 }
 
 const RendererOptions& checked(const RendererOptions& options) {
-    if (options.cascades < 1 || options.cascades > most_cascades)
+    if (options.cascades < 1 || options.cascades > max_cascades)
         throw std::invalid_argument("RendererOptions::cascades is " + std::to_string(options.cascades) + ", needs 1 to " +
-                                    std::to_string(most_cascades));
+                                    std::to_string(max_cascades));
     return options;
 }
 

@@ -18,11 +18,11 @@ const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const vo
 /// To the nearest, of two equally near ones the even one; what is smaller than 6e-5 is 0 and what is larger than a half the largest, so
 /// that compilers make lanes of it.
 std::uint16_t half_of(float value) {
-    constexpr std::uint32_t least_normal = 0x38800000, largest = 0x477FE000;
+    constexpr std::uint32_t min_normal = 0x38800000, largest = 0x477FE000;
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t magnitude = std::min(bits & 0x7FFFFFFF, largest);
     const std::uint32_t rounded = (magnitude + 0xFFF + (magnitude >> 13 & 1)) >> 13;
-    return static_cast<std::uint16_t>((bits >> 16 & 0x8000) | (magnitude < least_normal ? 0 : rounded - (112 << 10)));
+    return static_cast<std::uint16_t>((bits >> 16 & 0x8000) | (magnitude < min_normal ? 0 : rounded - (112 << 10)));
 }
 
 /// Central differences; beyond the rectangle, as on its edges, the height is 0.

@@ -17,11 +17,11 @@ glm::vec2 wrapped(glm::vec2 at) { return at - glm::floor(at); }
 
 float uniform(std::minstd_rand& engine) { return static_cast<float>(engine()) * 0x1p-31f; }
 
-CellNoise::CellNoise(int cells, float most_radius, std::minstd_rand& engine) : cells_(cells) {
+CellNoise::CellNoise(int cells, float max_radius, std::minstd_rand& engine) : cells_(cells) {
     for (int i = 0; i < cells * cells; ++i) {
         const float x = uniform(engine), y = uniform(engine), size = uniform(engine);
         // Few are large: squared, as in froth, where small bubbles fill the gaps.
-        bubbles_.push_back({{x, y}, most_radius * size * size});
+        bubbles_.push_back({{x, y}, max_radius * size * size});
     }
 }
 

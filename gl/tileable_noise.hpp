@@ -17,8 +17,8 @@ float uniform(std::minstd_rand& engine);
 class CellNoise {
    public:
     /// \param cells  a side, 3 or more
-    /// \param most_radius  of the largest bubble, in squares of the grid, below 1; 0: straight walls
-    CellNoise(int cells, float most_radius, std::minstd_rand& engine);
+    /// \param max_radius  of the largest bubble, in squares of the grid, below 1; 0: straight walls
+    CellNoise(int cells, float max_radius, std::minstd_rand& engine);
 
     /// Distances to the nearest bubble's middle and to the next, less their radii, in squares of the grid.
     glm::vec2 nearest(glm::vec2 at) const;

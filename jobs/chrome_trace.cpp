@@ -51,7 +51,7 @@ std::string metadata(const char* key, std::uint32_t thread, const std::string& n
 
 }  // namespace
 
-ChromeTrace::ChromeTrace(std::size_t most_spans) : most_spans_(most_spans) { spans_.reserve(most_spans); }
+ChromeTrace::ChromeTrace(std::size_t max_spans) : max_spans_(max_spans) { spans_.reserve(max_spans); }
 
 void ChromeTrace::work(const TraceSpan& span) noexcept { keep(span, true); }
 
@@ -59,7 +59,7 @@ void ChromeTrace::in_flight(const TraceSpan& span) noexcept { keep(span, false);
 
 void ChromeTrace::keep(const TraceSpan& span, bool on_this_thread) noexcept {
     const std::lock_guard lock(mutex_);
-    if (spans_.size() == most_spans_) {
+    if (spans_.size() == max_spans_) {
         ++left_out_;
         return;
     }

@@ -27,11 +27,11 @@ class ChromeTrace final : public TraceSink {
     /// The room for 64 bytes a span is reserved at once, so that recording never moves it; most systems only hand it
     /// out where it is used. A million is about 15 thousand frames of N = 256, and as much as a viewer is
     /// comfortable with.
-    static constexpr std::size_t default_most_spans = 1'000'000;
+    static constexpr std::size_t default_max_spans = 1'000'000;
 
     /// Times are counted from here, and the calling thread is named the application.
-    /// \param most_spans  later ones are counted, but not kept
-    explicit ChromeTrace(std::size_t most_spans = default_most_spans);
+    /// \param max_spans  later ones are counted, but not kept
+    explicit ChromeTrace(std::size_t max_spans = default_max_spans);
 
     void work(const TraceSpan& span) noexcept override;
     void in_flight(const TraceSpan& span) noexcept override;
@@ -57,7 +57,7 @@ class ChromeTrace final : public TraceSink {
     void keep(const TraceSpan& span, bool on_this_thread) noexcept;
     std::string event(const Kept& kept, char phase, TraceClock::time_point when) const;
 
-    const std::size_t most_spans_;
+    const std::size_t max_spans_;
     mutable std::mutex mutex_;
     TraceClock::time_point origin_ = TraceClock::now();
     std::vector<std::string> names_;

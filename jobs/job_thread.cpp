@@ -28,7 +28,7 @@ struct JobThread::Handle {
         pthread_attr_t attributes;
         int error = pthread_attr_init(&attributes);
         if (error == 0) {
-            error = pthread_attr_setstacksize(&attributes, std::max(stack_bytes, least_stack_bytes()));
+            error = pthread_attr_setstacksize(&attributes, std::max(stack_bytes, min_stack_bytes()));
             if (error == 0) error = pthread_create(&thread, &attributes, &run, this);
             pthread_attr_destroy(&attributes);
         }

@@ -17,7 +17,7 @@ struct Stack {
 Stack stack_of_this_thread();
 
 /// The smallest stack that a thread may ask for.
-std::size_t least_stack_bytes();
+std::size_t min_stack_bytes();
 
 /// Whether threads can be kept on chosen CPUs.
 bool has_cpu_masks();

@@ -23,7 +23,7 @@ Stack stack_of_this_thread() {
     return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
 }
 
-std::size_t least_stack_bytes() { return static_cast<std::size_t>(PTHREAD_STACK_MIN); }
+std::size_t min_stack_bytes() { return static_cast<std::size_t>(PTHREAD_STACK_MIN); }
 
 bool has_cpu_masks() { return true; }
 

@@ -11,7 +11,7 @@ Stack stack_of_this_thread() {
     return {end - pthread_get_stacksize_np(pthread_self()), end};
 }
 
-std::size_t least_stack_bytes() { return PTHREAD_STACK_MIN; }
+std::size_t min_stack_bytes() { return PTHREAD_STACK_MIN; }
 
 bool has_cpu_masks() { return false; }
 std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }

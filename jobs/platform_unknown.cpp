@@ -5,7 +5,7 @@ namespace pelagic {
 
 Stack stack_of_this_thread() { return {}; }
 
-std::size_t least_stack_bytes() { return 16 << 10; }
+std::size_t min_stack_bytes() { return 16 << 10; }
 
 bool has_cpu_masks() { return false; }
 std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }

@@ -28,7 +28,7 @@ Stack stack_of_this_thread() {
     return end - begin > kept_bytes ? Stack{begin + kept_bytes, end} : Stack{};
 }
 
-std::size_t least_stack_bytes() { return 64 << 10; }  // the granularity of addresses
+std::size_t min_stack_bytes() { return 64 << 10; }  // the granularity of addresses
 
 bool has_cpu_masks() { return true; }
 

@@ -14,7 +14,7 @@ namespace pelagic {
 /// \param name      of the option or field
 /// \param value     a number, or a text as it was given
 /// \param accepted  a range or a list
-/// One line of at most most_line_bytes, whatever is in the parts.
+/// One line of at most max_line_bytes, whatever is in the parts.
 template <class Value>
 std::string invalid_value_message(std::string_view name, const Value& value, std::string_view accepted) {
     std::string text(name);

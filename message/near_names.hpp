@@ -40,13 +40,13 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 /// is so near.
 inline std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
     std::optional<std::string> nearest;
-    std::size_t least = std::min<std::size_t>(3, name.size() / 2) + 1;
+    std::size_t min = std::min<std::size_t>(3, name.size() / 2) + 1;
     for (const std::string& known : names) {
         // A text of megabytes is no slip: what it is longer by is part of its distance.
-        if (name.size() >= known.size() + least) continue;
+        if (name.size() >= known.size() + min) continue;
         const std::size_t distance = edit_distance(name, known);
-        if (distance >= least) continue;
-        least = distance;
+        if (distance >= min) continue;
+        min = distance;
         nearest = known;
     }
     return nearest;

@@ -9,15 +9,15 @@
 namespace pelagic {
 
 /// Which numbers from the least to the most.
-enum class Among { all, above_least, even, powers_of_two };
+enum class Among { all, above_min, even, powers_of_two };
 
 /// One numeric option of a struct.
 template <class Options>
 struct NumericField {
     std::string_view name;  ///< as the member is called, unit included: "wind_speed_mps"
     std::variant<int Options::*, float Options::*, double Options::*, std::uint32_t Options::*> member;
-    double least;
-    double most;
+    double min;
+    double max;
     std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
     Among among = Among::all;
     std::optional<double> also = {};  ///< one more number, which means something else: such as 0, chosen for you
@@ -25,9 +25,9 @@ struct NumericField {
     /// False for NaN and infinities.
     bool accepts(double value) const {
         if (also && value == *also) return true;
-        if (!(value >= least && value <= most)) return false;  // of NaN, too
+        if (!(value >= min && value <= max)) return false;  // of NaN, too
         if (among == Among::all) return true;
-        if (among == Among::above_least) return value > least;
+        if (among == Among::above_min) return value > min;
         const auto whole = static_cast<long long>(value);
         return static_cast<double>(whole) == value &&
                (among == Among::even ? whole % 2 == 0 : (whole & (whole - 1)) == 0);

@@ -11,7 +11,7 @@
 namespace pelagic {
 
 /// Most bytes of one_line(): with the program's name before it, a message stays under 300.
-inline constexpr std::size_t most_line_bytes = 280;
+inline constexpr std::size_t max_line_bytes = 280;
 
 /// Control characters of ASCII and of Latin 1 (a terminal takes U+009B for an escape), and the two line separators.
 inline bool is_control_character(std::string_view character) {
@@ -46,11 +46,11 @@ void write_escaped(std::string_view text, Write write) {
 /// The text escaped, and cut in its middle if it is long: what it begins with, "--wind-speed is ...", and what it ends
 /// with, "... needs (0, 60]", both say what to do. A line stays as it is.
 ///
-/// \param line  room for most_line_bytes
+/// \param line  room for max_line_bytes
 /// \return bytes written
 inline std::size_t write_one_line(std::string_view text, char* line) {
     constexpr std::string_view gap = " ... ";
-    constexpr std::size_t most_head = 140, most_tail = most_line_bytes - most_head - gap.size();
+    constexpr std::size_t max_head = 140, max_tail = max_line_bytes - max_head - gap.size();
     std::size_t all = 0;
     write_escaped(text, [&](std::string_view piece) { all += piece.size(); });
 
@@ -60,7 +60,7 @@ inline std::size_t write_one_line(std::string_view text, char* line) {
         const auto put = [&](std::string_view part) { length += part.copy(line + length, part.size()); };
         const std::size_t begin = at;
         at += piece.size();
-        if (all <= most_line_bytes || (at <= most_head && !has_gap) || begin + most_tail >= all) return put(piece);
+        if (all <= max_line_bytes || (at <= max_head && !has_gap) || begin + max_tail >= all) return put(piece);
         if (!has_gap) put(gap);
         has_gap = true;
     });
@@ -68,7 +68,7 @@ inline std::size_t write_one_line(std::string_view text, char* line) {
 }
 
 inline std::string one_line(std::string_view text) {
-    std::string line(most_line_bytes, '\0');
+    std::string line(max_line_bytes, '\0');
     line.resize(write_one_line(text, line.data()));
     return line;
 }

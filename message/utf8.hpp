@@ -19,9 +19,9 @@ inline std::size_t utf8_character_bytes(std::string_view text, std::size_t at) {
         if ((byte(at + i) & 0xc0) != 0x80) return 0;
         code = code << 6 | (byte(at + i) & 0x3fu);
     }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::uint32_t min[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-    return code < least[bytes] || code > 0x10ffff || is_surrogate ? 0 : bytes;
+    return code < min[bytes] || code > 0x10ffff || is_surrogate ? 0 : bytes;
 }
 
 }  // namespace pelagic

@@ -35,7 +35,7 @@ LevelMap::LevelMap(const QuadtreeOptions& options)
     }
 }
 
-std::size_t LevelMap::most_patches() const {
+std::size_t LevelMap::max_patches() const {
     std::size_t splits = 0;
     for (const Window& window : windows_) splits += window.measures.size();
     return 1 + 3 * splits;  // each split puts four in the place of one

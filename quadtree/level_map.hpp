@@ -35,7 +35,7 @@ class LevelMap {
     void update(const glm::dvec3& viewer_m);
 
     /// More are never drawn, wherever the viewer is.
-    std::size_t most_patches() const;
+    std::size_t max_patches() const;
 
     int deepest_level() const { return deepest_; }
     /// Cells of the finest level along a side.

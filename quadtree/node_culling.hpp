@@ -29,7 +29,7 @@ class NodeCulling {
     Sight sight_of(std::int32_t level, std::int32_t x, std::int32_t z) const;
 
    private:
-    static constexpr std::size_t planes = 6, most_levels = 9;
+    static constexpr std::size_t planes = 6, max_levels = 9;
     using Planes = std::array<double, planes>;
 
     glm::dvec2 corner_m_;
@@ -39,7 +39,7 @@ class NodeCulling {
         double size_m;
         Planes reach;  ///< of a box along the plane's normal, and what rounding may take
     };
-    std::array<Level, most_levels> levels_;
+    std::array<Level, max_levels> levels_;
 };
 
 }  // namespace pelagic

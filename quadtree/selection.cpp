@@ -35,7 +35,7 @@ void check_bounds(const SurfaceBounds& b) {
             "bounds need finite metres, height_min_m <= height_max_m and horizontal distances of 0 or more");
 }
 
-constexpr std::size_t most_views = 32;
+constexpr std::size_t max_views = 32;
 
 /// The neighbour's place across a side.
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
@@ -44,16 +44,16 @@ constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 }  // namespace
 
 Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)), levels_(options_) {
-    list_.instances.reserve(levels_.most_patches());
-    found_.reserve(levels_.most_patches());
+    list_.instances.reserve(levels_.max_patches());
+    found_.reserve(levels_.max_patches());
     list_.batches.reserve(16 + (options_.batch_limit > 0
-                                    ? levels_.most_patches() / static_cast<std::size_t>(options_.batch_limit)
+                                    ? levels_.max_patches() / static_cast<std::size_t>(options_.batch_limit)
                                     : 0));
     list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
     stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
-    culling_.reserve(most_views);
-    frusta_.reserve(most_views);
-    next_frusta_.reserve(most_views);
+    culling_.reserve(max_views);
+    frusta_.reserve(max_views);
+    next_frusta_.reserve(max_views);
 }
 
 const DrawList& Selection::select(const SelectionInput& input) {
@@ -61,7 +61,7 @@ const DrawList& Selection::select(const SelectionInput& input) {
     const glm::dvec2 centre = input.centre_m.value_or(glm::dvec2(input.viewer_m.x, input.viewer_m.z));
     check_position("centre_m", &centre.x, 2);
     check_bounds(input.bounds);
-    if (input.views.size() > most_views) throw std::invalid_argument("views are more than 32");
+    if (input.views.size() > max_views) throw std::invalid_argument("views are more than 32");
     next_frusta_.clear();  // apart, so that a bad view leaves the list as it is
     for (const glm::dmat4& view : input.views) next_frusta_.emplace_back(view, input.depth);
 

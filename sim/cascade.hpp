@@ -83,7 +83,7 @@ struct ContractionBound {
     float steepness = 0;  ///< and their heights by this times their distance
 
     /// The most of all blocks.
-    double most() const { return static_cast<double>(blocks.back()) / one; }
+    double max() const { return static_cast<double>(blocks.back()) / one; }
 
     bool empty() const { return blocks.empty(); }
 };

@@ -18,16 +18,16 @@ struct CascadePlan {
     CascadeGrid grid;
     int resolution = 0;  ///< N
     int number = 0;      ///< in the stack, 0 is the coarsest; cascades draw their waves independently of one another
-    /// Its waves have least_k <= |k| < most_k, rad/m. A cell of wave vectors that an end cuts holds the share inside.
-    double least_k = 0, most_k = std::numeric_limits<double>::infinity();
+    /// Its waves have min_k <= |k| < max_k, rad/m. A cell of wave vectors that an end cuts holds the share inside.
+    double min_k = 0, max_k = std::numeric_limits<double>::infinity();
     bool has_surface_tension =
         false;  ///< short waves feel it; a cascade whose side is given keeps to the paper, without
 
     /// Waves shorter than a metre break without white water.
-    bool makes_whitecaps() const { return least_k < 6.28318530717958647693; }
+    bool makes_whitecaps() const { return min_k < 6.28318530717958647693; }
 
     double spacing() const { return 6.28318530717958647693 / grid.side_m; }  ///< dk in rad/m
-    bool is_banded() const { return least_k > 0 || most_k < std::numeric_limits<double>::infinity(); }
+    bool is_banded() const { return min_k > 0 || max_k < std::numeric_limits<double>::infinity(); }
 };
 
 /// From which waves to which a stack of cascades reaches. Seas that turn into one another share one.

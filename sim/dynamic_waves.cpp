@@ -22,7 +22,7 @@ constexpr std::array fields = {
     NumericField<DynamicWavesOptions>{"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
     NumericField<DynamicWavesOptions>{"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
     NumericField<DynamicWavesOptions>{"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
-                                    Among::above_least},
+                                    Among::above_min},
     NumericField<DynamicWavesOptions>{"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
     NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100, "[0.001, 100]"},
 };
@@ -66,9 +66,9 @@ std::string check(const DynamicWavesOptions& options) {
         return invalid_value_message("border_m", options.border_m,
                        "at most a quarter of side_m, " + number_text(options.side_m / 4));
     const double courant = DynamicWaveGrid::courant_number(options);
-    if (options.step == DynamicWavesStep::verlet && courant * courant > DynamicWaveGrid::most_coupling)
+    if (options.step == DynamicWavesStep::verlet && courant * courant > DynamicWaveGrid::max_coupling)
         return invalid_value_message("wave_speed_mps", options.wave_speed_mps,
-                       "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(DynamicWaveGrid::most_coupling) +
+                       "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(DynamicWaveGrid::max_coupling) +
                            " at most, which is " + rounded_text(courant * courant, 3));
     return {};
 }

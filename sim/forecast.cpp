@@ -13,10 +13,10 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846, two_pi = 2 * pi;
 
-constexpr double most_time_s = 1e12;  // microseconds of it are still told apart
+constexpr double max_time_s = 1e12;  // microseconds of it are still told apart
 constexpr double longest_change_s = 1e9;
-constexpr double least_swell_from_m = 1e3, most_swell_from_m = 2e7;  // half of the way round the earth
-constexpr double most_peak_m = 1e5;
+constexpr double min_swell_from_m = 1e3, max_swell_from_m = 2e7;  // half of the way round the earth
+constexpr double max_peak_m = 1e5;
 
 /// Two peaks are one within what peak_of() finds out.
 constexpr double peak_tolerance = 1e-6;
@@ -105,10 +105,10 @@ ForecastMoment Forecast::at(double time_s) const {
 std::string check(const Forecast& forecast) {
     if (const std::string reason = check(forecast.first); !reason.empty()) return "first sea: " + reason;
     const double largest_m = forecast.largest_peak_m;
-    if (!(largest_m >= 0 && largest_m <= most_peak_m))
+    if (!(largest_m >= 0 && largest_m <= max_peak_m))
         return invalid_value_message("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
     if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
-    double over_s = -most_time_s;  // when the change before is over
+    double over_s = -max_time_s;  // when the change before is over
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
         const SeaChange& change = forecast.changes[i];
         const std::size_t number = i + 1;
@@ -121,11 +121,11 @@ std::string check(const Forecast& forecast) {
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))
             return invalid_value_message(of_change("over_s", number), change.over_s, "(0, 1e9]");
         if (const double afar = change.swell_from_m;
-            afar != 0 && !(afar >= least_swell_from_m && afar <= most_swell_from_m))
+            afar != 0 && !(afar >= min_swell_from_m && afar <= max_swell_from_m))
             return invalid_value_message(of_change("swell_from_m", number), afar, "[1e3, 2e7], or 0: all waves change together");
         if (change.swell_from_m > 0 && change.sea.swell_height_m == 0)
             return invalid_value_message(of_change("swell_from_m", number), change.swell_from_m, "0 where the sea has no swell");
-        if (!(change.from_s >= over_s && change.from_s <= most_time_s))
+        if (!(change.from_s >= over_s && change.from_s <= max_time_s))
             return invalid_value_message(
                 of_change("from_s", number), change.from_s,
                 i == 0 ? "[-1e12, 1e12]" : "at least " + number_text(over_s) + ", when the change before is over");

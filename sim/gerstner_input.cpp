@@ -39,9 +39,9 @@ struct GerstnerInput::State {
         circle.resize(resolution);
         for (std::size_t i = 0; i < resolution; ++i)
             circle[i] = det::sine_cosine_of_turns(static_cast<double>(i) / static_cast<double>(resolution));
-        columns = AlignedBuffer<float>(2 * resolution * most_waves);
+        columns = AlignedBuffer<float>(2 * resolution * max_waves);
         columns_of.fill(std::numeric_limits<int>::min());
-        held.reserve(most_waves);
+        held.reserve(max_waves);
     }
 
     /// The waves that are asked for, as the cascades can have them.
@@ -124,9 +124,9 @@ struct GerstnerInput::State {
     double choppiness = 0;
     std::vector<det::SineCosine> circle;     ///< of N parts of a turn
     AlignedBuffer<float> columns;            ///< of each wave N cosines and N sines
-    std::array<int, most_waves> columns_of;  ///< which m
+    std::array<int, max_waves> columns_of;  ///< which m
     /// Of each wave's angle at texel (0, 0), by the moment's place.
-    std::array<std::array<det::SineCosine, most_waves>, 2> starts;
+    std::array<std::array<det::SineCosine, max_waves>, 2> starts;
 };
 
 GerstnerInput::GerstnerInput(const AnalyticSea& waves) : state_(std::make_unique<State>(AnalyticSea{})) {
@@ -172,7 +172,7 @@ double GerstnerInput::largest_slope(std::size_t cascade) const {
 void GerstnerInput::add(const InputRows& rows) const {
     const Kernels& kernels = kernels_for(rows.moment.isa);
     const bool with_velocities = !rows.velocity_x.empty();
-    std::array<GridWaveRow, most_waves> waves, derivatives;
+    std::array<GridWaveRow, max_waves> waves, derivatives;
     for (std::size_t row = 0; row < rows.row_count; ++row) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < state_->held.size(); ++i) {
@@ -182,7 +182,7 @@ void GerstnerInput::add(const InputRows& rows) const {
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
             ++count;
         }
-        const auto add_to = [&](const std::array<GridWaveRow, most_waves>& of, std::span<float> x,
+        const auto add_to = [&](const std::array<GridWaveRow, max_waves>& of, std::span<float> x,
                                 std::span<float> y, std::span<float> z) {
             kernels.add_waves(
                 {.waves = of.data(),

@@ -17,7 +17,7 @@ namespace pelagic {
 
 class GerstnerInput final : public WaveInput {
    public:
-    static constexpr std::size_t most_waves = 64;
+    static constexpr std::size_t max_waves = 64;
 
     /// Throws what set() throws.
     explicit GerstnerInput(const AnalyticSea& waves = {});

@@ -18,7 +18,7 @@ namespace pelagic {
 namespace {
 
 // A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
-constexpr std::size_t most_texels_without_jobs = 64 * 64;
+constexpr std::size_t max_texels_without_jobs = 64 * 64;
 
 template <class Options>
 const Options& checked(const Options& options) {
@@ -54,7 +54,7 @@ struct Ocean::State {
             if (options.foam) shore->add_frame_stage(tick_and_frame_graph);
         }
         frames.add_spectrum_stages(spectrum_graph);
-        const bool is_small = frames.texels() <= most_texels_without_jobs;
+        const bool is_small = frames.texels() <= max_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
         frame_runs_ahead = frame_executor->runs_ahead();
         const auto frame_numbers = std::make_shared<std::uint64_t>();  // of both graphs that make some
@@ -109,8 +109,8 @@ struct Ocean::State {
         }
     }
     /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a cascade.
-    void bake_blocks(std::size_t most) {
-        for (; most > 0 && baking_stage < spectrum_graph.stages().size(); --most) {
+    void bake_blocks(std::size_t max) {
+        for (; max > 0 && baking_stage < spectrum_graph.stages().size(); --max) {
             const Stage& stage = spectrum_graph.stages()[baking_stage];
             run_block(stage, baking_block);
             if (++baking_block < block_count(stage)) continue;

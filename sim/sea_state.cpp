@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"pa
 
 // With 3 texels to its shortest wave and 6 steps of its grid to its longest, a cascade of N texels is N / 18 times shorter than
 // the one above it at most. Fewer texels make no stack.
-constexpr int least_resolution_of_stacks = 32;
+constexpr int min_resolution_of_stacks = 32;
 
 constexpr double two_pi = 6.283185307179586;
 
@@ -32,9 +32,9 @@ constexpr std::array fields = {
     SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048, or 0: chosen",
                   Among::powers_of_two, 0},
     SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen", Among::all, 0},
-    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_least},
+    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_min},
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_least},
+    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_min},
     SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
     SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Among::all, -1},
@@ -68,7 +68,7 @@ bool is_cascade_for_good(const SeaState& sea) {
 
 int cascades_of(const SeaState& sea) {
     if (sea.cascades != 0) return sea.cascades;
-    const bool is_one = is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
+    const bool is_one = is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
 }
 
@@ -119,7 +119,7 @@ std::string check(const SeaState& sea) {
         if (sea.patch_size_m > 0) return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");
         if (is_papers) return invalid_value_message("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
         if (sea.waves == WaveModel::pond) return invalid_value_message("cascades", sea.cascades, "1 where waves is pond");
-        if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
+        if (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks)
             return invalid_value_message("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
     }
     if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);

@@ -96,7 +96,7 @@ std::span<const SeaStateField> sea_state_fields();
 
 /// Empty if usable, else the first bad field: "wind_speed_mps is -3, needs (0, 60]". phillips-paper has no physical height
 /// to go with a swell, and knows no other spreading than its own. Only a spectrum has a swell. A given side is no shorter than
-/// the longest wave of the others, and an analytic sea, as its cascades hold it, no steeper than 0.4 (most_steepness).
+/// the longest wave of the others, and an analytic sea, as its cascades hold it, no steeper than 0.4 (max_steepness).
 std::string check(const SeaState&);
 
 /// Named seas for people who think in sea states, mildest first, and then the open sea of each force of wind, beaufort-0 to

@@ -25,8 +25,8 @@ constexpr double lowest_m = -11000, highest_m = 9000;
 constexpr double texels_a_wave = 8;
 
 constexpr std::array fields = {
-    NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::most_samples_a_side, "2 to 4096"},
-    NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::most_samples_a_side, "2 to 4096"},
+    NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
+    NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
     NumericField<ShoreOptions>{"corner_x_m", &ShoreOptions::corner_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<ShoreOptions>{"corner_z_m", &ShoreOptions::corner_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<ShoreOptions>{"metres_a_sample", &ShoreOptions::metres_a_sample, 0.001, 10000, "[0.001, 10000]"},

@@ -10,7 +10,7 @@
 namespace pelagic {
 
 struct ShoreOptions {
-    static constexpr int most_samples_a_side = 4096;
+    static constexpr int max_samples_a_side = 4096;
 
     /// Heights of the floor above rest, metres, [-11000, 9000]; sample (i, j) is heights_m[j * columns + i] and stands at
     /// x = corner_x_m + i metres_a_sample, z alike. Columns and rows are 2 to 4096. The field is the shore's rectangle. Beyond it the floor

@@ -15,9 +15,9 @@ namespace pelagic {
 /// Of one cascade of N^2 texels. Any map may be left out; it is in the frame then. Each byte is written once, in rows of whole
 /// registers, and none is read, so memory may be write-combined. None aliases another or the frame.
 struct TextureTargets {
-    static constexpr std::size_t alignment = 64, most_levels = 12;
+    static constexpr std::size_t alignment = 64, max_levels = 12;
     /// Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes.
-    using Chain = std::array<std::uint32_t*, most_levels>;
+    using Chain = std::array<std::uint32_t*, max_levels>;
 
     std::uint16_t* displacement_rgba16f = nullptr;  ///< 4 N^2 half floats in tight rows, at a multiple of `alignment`
     Chain gradient_rgba8{}, slopes_rgba8{}, moments_rgba8{};  ///< all mip_levels(N), or none

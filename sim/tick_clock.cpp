@@ -8,7 +8,7 @@
 namespace pelagic {
 namespace {
 constexpr double ticks_a_second = 10;
-constexpr double most_loops = 0x1p40;
+constexpr double max_loops = 0x1p40;
 }  // namespace
 
 TickClock::TickClock(double loop_period_s)
@@ -22,7 +22,7 @@ TickPlace TickClock::at(double time_s) const {
     const std::uint64_t place = turns * ticks + ticks;
     // The loop whose fraction that is: the nearest, because a fraction may have been rounded up to the next one's 0.
     const double loops = std::floor(time_s / loop_period_s_ - static_cast<double>(turns) * 0x1p-32 + 0.5);
-    const auto whole = static_cast<std::int64_t>(std::clamp(loops, -most_loops, most_loops));
+    const auto whole = static_cast<std::int64_t>(std::clamp(loops, -max_loops, max_loops));
     return {whole * ticks_ + static_cast<std::int64_t>(place >> 32), static_cast<std::uint32_t>(place)};
 }
 

@@ -60,7 +60,7 @@ class WaveInput {
    public:
     /// Of what is added, metres or metres a second. Anything else is refused: that frame is lost, complete() throws
     /// std::invalid_argument, and the next may be scheduled.
-    static constexpr float most = 1000;
+    static constexpr float max_value = 1000;
 
     WaveInput() = default;
     WaveInput(const WaveInput&) = delete;

@@ -506,7 +506,7 @@ TEST(AnalyticCascades, EdgesOfRangesGiveFiniteFrames) {
         int taken = 0;
         for (const SeaStateField& field : sea_state_fields()) {
             if (field.name == "resolution") continue;
-            for (const double edge : {field.least, std::nextafter(field.least, field.most), field.most}) {
+            for (const double edge : {field.min, std::nextafter(field.min, field.max), field.max}) {
                 SeaState sea = base;
                 sea.resolution = 32;
                 if (field.accepts(edge)) field.set(sea, edge);

@@ -323,7 +323,7 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
     Ocean ocean(small_storm, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     std::vector<FloatingBox> boxes = three_boxes();
     HullWater hull;
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < (is_sanitized ? 120 : 3600); ++i) {
         const Frame& frame = ocean.frame_at(i * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull);
@@ -344,14 +344,14 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
                 std::hypot(glm::length(state.velocity_mps), radius_m * glm::length(state.spin_radps));
             ASSERT_TRUE(std::isfinite(speed_mps) && std::isfinite(glm::length(state.position_m)));
             ASSERT_LE(speed_mps, fastest_mps) << "at " << i * step_s << " s, " << options.length_m << " m";
-            most = std::max(most, speed_mps / fastest_mps);
+            max = std::max(max, speed_mps / fastest_mps);
             ASSERT_NEAR(glm::length(state.orientation), 1, 1e-12);
             const double diagonal_m = radius_m * std::sqrt(12.0);
             ASSERT_GE(state.position_m.y, frame.bounds.height_min_m - diagonal_m);
             ASSERT_LE(state.position_m.y, frame.bounds.height_max_m + diagonal_m + 5);
         }
     }
-    RecordProperty("most", std::to_string(most));
+    RecordProperty("most", std::to_string(max));
 }
 
 TEST(Buoyancy, TheBowUpIsPitchAndStarboardDownIsRoll) {

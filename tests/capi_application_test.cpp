@@ -17,14 +17,14 @@ namespace {
 // ---- Memory ----------------------------------------------------------------------------------------------------
 
 struct CallerHeap {
-    std::size_t held = 0, most = SIZE_MAX, largest_alignment = 0;
+    std::size_t held = 0, max = SIZE_MAX, largest_alignment = 0;
     std::size_t shift = 0;  ///< how far off its place memory is handed out
     int calls = 0;
 
     static void* allocate(void* user, std::size_t bytes, std::size_t alignment) {
         auto* const heap = static_cast<CallerHeap*>(user);
         ++heap->calls;
-        if (bytes == 0 || heap->held + bytes > heap->most) return nullptr;
+        if (bytes == 0 || heap->held + bytes > heap->max) return nullptr;
         heap->held += bytes;
         heap->largest_alignment = std::max(heap->largest_alignment, alignment);
         auto* const memory = static_cast<char*>(allocate_aligned(bytes + alignment, alignment));
@@ -90,17 +90,17 @@ TEST(CInterfaceMemory, WhatTheApplicationDoesNotHaveIsACodeAndNoLeak) {
         ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK);
         wanted = heap.held;
         // A sea that finds no memory leaves the old one.
-        heap.most = heap.held;
+        heap.max = heap.held;
         EXPECT_EQ(pelagic_ocean_schedule_sea(made, &sea), PELAGIC_OUT_OF_MEMORY);
         EXPECT_EQ(pelagic_ocean_schedule(made, 0), PELAGIC_OK);
         pelagic_ocean_destroy(made);
     }
     // The first bake holds a second spectrum, so the most that is ever held is a little more than in the end.
-    for (std::size_t most = 0; most <= wanted; most += wanted / 20) {
-        heap.most = most;
+    for (std::size_t max = 0; max <= wanted; max += wanted / 20) {
+        heap.max = max;
         const pelagic_ocean_options options = with_heap(heap);
         pelagic_ocean* made = nullptr;
-        EXPECT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OUT_OF_MEMORY) << most;
+        EXPECT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OUT_OF_MEMORY) << max;
         EXPECT_EQ(made, nullptr);
         EXPECT_EQ(heap.held, 0u);
     }

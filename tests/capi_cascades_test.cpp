@@ -140,10 +140,10 @@ TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
             offset += 1024u >> 2 * level;
         }
         const auto highest = [&](const pelagic_plane& plane, double sign) {
-            float most = -1e9f;
+            float max = -1e9f;
             for (int texel = 0; texel < 1024; ++texel)
-                most = std::max(most, static_cast<float>(sign) * texel_of(plane, texel % 32, texel / 32));
-            return most;
+                max = std::max(max, static_cast<float>(sign) * texel_of(plane, texel % 32, texel / 32));
+            return max;
         };
         EXPECT_EQ(cascade.bounds.height_max_m, highest(cascade.height, 1));
         EXPECT_EQ(cascade.bounds.height_min_m, -highest(cascade.height, -1));

@@ -59,15 +59,15 @@ TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
     buffers[0].cascade_count = 2;
     for (std::size_t i = 0; i < 2; ++i) buffers[i].foam_count = chain, buffers[i].foam_r8 = copies[i].data();
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), buffers.data()), PELAGIC_OK) << pelagic_last_error();
-    int most = 0;
+    int max = 0;
     for (std::int32_t i = 0; i < 2; ++i) {
         auto cascade = sized<pelagic_cascade>();
         ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), i, &cascade), PELAGIC_OK);
         EXPECT_EQ(std::vector<std::uint8_t>(cascade.foam_r8, cascade.foam_r8 + chain), copies[static_cast<std::size_t>(i)]);
         EXPECT_GT(cascade.whitecap_ramp, 0);
-        for (std::size_t texel = 0; texel < 32 * 32; ++texel) most = std::max<int>(most, cascade.foam_r8[texel]);
+        for (std::size_t texel = 0; texel < 32 * 32; ++texel) max = std::max<int>(max, cascade.foam_r8[texel]);
     }
-    EXPECT_GT(most, 127) << "nothing breaks here";
+    EXPECT_GT(max, 127) << "nothing breaks here";
 
     std::vector<double> x(500), z(500, 3);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = 17.7 * static_cast<double>(i);

@@ -37,7 +37,7 @@ double energy_of_cell(const SeaState& sea, const CascadePlan& cascade, int m, in
             const auto [kx, kz] = cascade.grid.in_world((m + (column + 0.5) / places - 0.5) * cascade.spacing(),
                                                         (n + (row + 0.5) / places - 0.5) * cascade.spacing());
             const double k = std::hypot(kx, kz);
-            if (k >= cascade.least_k && k < cascade.most_k) sum += oracle::density(sea, kx, kz);
+            if (k >= cascade.min_k && k < cascade.max_k) sum += oracle::density(sea, kx, kz);
         }
     }
     return sum / (places * places);
@@ -59,7 +59,7 @@ std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade
         for (int m = -last; m <= last; ++m) {
             const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
             const double k = std::hypot(kx, kz), reach = cascade.spacing();
-            if (k + reach < cascade.least_k || k - reach > cascade.most_k || k == 0) continue;
+            if (k + reach < cascade.min_k || k - reach > cascade.max_k || k == 0) continue;
             const double phase = frequency(k, sea.loop_period_s) * time_s;
             waves.push_back(
                 {kx, kz, drawn(m, n) * std::polar(1.0, -phase) + std::conj(drawn(-m, -n)) * std::polar(1.0, phase)});
@@ -119,7 +119,7 @@ std::map<std::size_t, double> octaves_of_cell(const CascadeWaves& waves, int m, 
         for (int column = 0; column < places; ++column) {
             const double k =
                 cascade.spacing() * std::hypot(m + (column + 0.5) / places - 0.5, n + (row + 0.5) / places - 0.5);
-            if (k < cascade.least_k || k >= cascade.most_k) continue;
+            if (k < cascade.min_k || k >= cascade.max_k) continue;
             const double energy = waves.spectrum().radial_density(k) / k;
             parts[octave(k)] += energy;
             all += energy;
@@ -136,15 +136,15 @@ TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
             const SeaState sea{.cascades = cascades, .resolution = resolution, .wind_speed_mps = wind_speed_mps};
             const std::vector<CascadePlan> plans = plan_cascades(sea);
             ASSERT_EQ(static_cast<int>(plans.size()), cascades);
-            EXPECT_EQ(plans.front().least_k, 0);
+            EXPECT_EQ(plans.front().min_k, 0);
             std::vector<double> held(40), model(40);
             for (std::size_t i = 0; i < plans.size(); ++i) {
                 const CascadePlan& cascade = plans[i];
-                const double texels = 2 * pi / cascade.most_k / (cascade.grid.side_m / resolution);
+                const double texels = 2 * pi / cascade.max_k / (cascade.grid.side_m / resolution);
                 EXPECT_GE(texels, 3 - 1e-9);
                 if (i > 0) {
-                    EXPECT_EQ(cascade.least_k, plans[i - 1].most_k);
-                    EXPECT_GE(cascade.least_k / cascade.spacing(), 6 - 1e-9);
+                    EXPECT_EQ(cascade.min_k, plans[i - 1].max_k);
+                    EXPECT_GE(cascade.min_k / cascade.spacing(), 6 - 1e-9);
                 }
                 const CascadeWaves waves(sea, cascade);
                 for (int n = 0; n < resolution / 2; ++n) {
@@ -156,8 +156,8 @@ TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
                     }
                 }
                 // The model over the same band: the midpoint rule in log k, in steps of 0.1 %.
-                for (double k = std::max(cascade.least_k, 1e-5); k < cascade.most_k; k *= 1.001) {
-                    const double next = std::min(k * 1.001, cascade.most_k), middle = (k + next) / 2;
+                for (double k = std::max(cascade.min_k, 1e-5); k < cascade.max_k; k *= 1.001) {
+                    const double next = std::min(k * 1.001, cascade.max_k), middle = (k + next) / 2;
                     model[octave(middle)] += waves.spectrum().radial_density(middle) * (next - k);
                 }
             }
@@ -199,13 +199,13 @@ double correlation(const std::vector<CascadeWaves>& cascades, double x, double z
 double largest_correlation(SeaState sea) {
     std::vector<CascadeWaves> cascades;
     for (const CascadePlan& cascade : plan_cascades(sea)) cascades.emplace_back(sea, cascade);
-    double most = 0;
+    double max = 0;
     for (double lag_m = 200; lag_m <= 900; lag_m += 50)
         for (int direction = 0; direction < 8; ++direction) {
             const double angle = direction * pi / 8;
-            most = std::max(most, correlation(cascades, lag_m * std::cos(angle), lag_m * std::sin(angle)));
+            max = std::max(max, correlation(cascades, lag_m * std::cos(angle), lag_m * std::sin(angle)));
         }
-    return most;
+    return max;
 }
 
 // From above a sea shows no pattern that comes again. Waves of one cascade of 250 m do, wholly, after 250 m.

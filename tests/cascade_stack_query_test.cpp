@@ -207,8 +207,8 @@ TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
                     };
                     sum += cascade.contraction.around[static_cast<std::size_t>(block(across) * half + block(along))];
                     const bool is_last = &cascade == &stack.frame().cascades.back();
-                    is_within &= sum <= ContractionBound::one * (1 - (is_last ? ContractionMap::least_slack_of_all
-                                                                         : ContractionMap::least_slack));
+                    is_within &= sum <= ContractionBound::one * (1 - (is_last ? ContractionMap::min_slack_of_all
+                                                                         : ContractionMap::min_slack));
                 }
                 proven += is_within;
                 ASSERT_TRUE(!is_within || intersections.size() == 1) << points.x[i] << ", " << points.z[i];

@@ -248,7 +248,7 @@ TEST(DynamicWavesGridRefuses, NumbersThatAreNoneAndHugeOnes) {
         }
     }
     EXPECT_EQ(pool.grid.hash(), before);
-    for (std::size_t i = 0; i < DynamicWaveSources::most; ++i) pool.grid.sources().disturb({.height_m = 0.1});
+    for (std::size_t i = 0; i < DynamicWaveSources::max_count; ++i) pool.grid.sources().disturb({.height_m = 0.1});
     EXPECT_THROW(pool.grid.sources().disturb({.height_m = 0.1}), std::invalid_argument);
     pool.tick();
     pool.grid.sources().disturb({.height_m = 0.1});
@@ -436,7 +436,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         options.border_m = 4;
         DynamicWavePool pool(options);
         std::vector<double> first_round;
-        double highest = 0, most = 0, farthest = 0, left_over = 0;
+        double highest = 0, max = 0, farthest = 0, left_over = 0;
         int denormal = 0;
         const int rounds = is_sanitized || is_emulated ? 2 : of_sweep(3, 100);
         for (int round = 0; round < rounds; ++round) {
@@ -454,7 +454,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
                 const Texels texels = texels_of(pool.grid);
                 denormal += texels.denormal;
                 highest = std::max(highest, texels.highest);
-                most = std::max(most, texels.squares);
+                max = std::max(max, texels.squares);
                 const std::size_t at = static_cast<std::size_t>(tick / 100);
                 if (round == 0) first_round.push_back(texels.squares);
                 farthest = std::max(farthest, std::fabs(texels.squares - first_round[at]));
@@ -470,7 +470,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         }
         const std::string name = step == DynamicWavesStep::spectral ? "spectral_" : "verlet_";
         RecordProperty(name + "highest_m", std::to_string(highest));
-        RecordProperty(name + "squares", std::to_string(most));
+        RecordProperty(name + "squares", std::to_string(max));
         RecordProperty(name + "squares_off_the_first_round", std::to_string(farthest));
         RecordProperty(name + "highest_at_rest_m", std::to_string(left_over));
         EXPECT_EQ(denormal, 0);
@@ -478,7 +478,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         // by twice that part. Of Verlet's it leaves the longest waves, which a border of a quarter of the grid sends back, and those of
         // two texels, which do not move: as many as the step in double leaves.
         EXPECT_LT(left_over, 5e-4 * highest);
-        EXPECT_LT(farthest, 1e-3 * most);
+        EXPECT_LT(farthest, 1e-3 * max);
         EXPECT_GT(highest, 0.3);
     }
 }

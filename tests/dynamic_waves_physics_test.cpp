@@ -357,15 +357,15 @@ TEST(DynamicWavesWaves, OfVerletNeverGrowWithoutASource) {
         double before = verlet_energy(pool.grid);
         ASSERT_GT(before, 0.1);
         for (int second = 0; second < 10; ++second) {
-            double most = 0;
+            double max = 0;
             for (int i = 0; i < 60; ++i) {
                 pool.tick();
-                most = std::max(most, verlet_energy(pool.grid));
+                max = std::max(max, verlet_energy(pool.grid));
             }
             if (second > 0) {
-                ASSERT_LE(most, before) << "second " << second << " with a border of " << border_m;
+                ASSERT_LE(max, before) << "second " << second << " with a border of " << border_m;
             }
-            before = most;
+            before = max;
         }
     }
 }

@@ -75,13 +75,13 @@ TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
     std::fill(height_only.dz.begin(), height_only.dz.end(), 0);
     const auto full = oracle::levels_of(surface, sea.patch_size_m, 0).front().normal;
     const auto plain = oracle::levels_of(height_only, sea.patch_size_m, 0).front().normal;
-    double most = 0;
+    double max = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
         const double cosine = full[i][0] * plain[i][0] + full[i][1] * plain[i][1] + full[i][2] * plain[i][2];
-        most = std::max(most, std::acos(std::min(1.0, cosine)) * 180 / pi);
+        max = std::max(max, std::acos(std::min(1.0, cosine)) * 180 / pi);
     }
-    RecordProperty("degrees", std::to_string(most));
-    EXPECT_GT(most, 3);
+    RecordProperty("degrees", std::to_string(max));
+    EXPECT_GT(max, 3);
 }
 
 // One wave h = a cos(kx - phase) moved horizontally by -lambda a sin: x -> x + Dx is a trochoid, whose tangent along x is

@@ -240,7 +240,7 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
 /// Hydrodynamics, 255), with what the water of a grid loses.
 double ring(double amplitude, double radius, double r, double t, double depth) {
     constexpr int steps = 4000;
-    const double most_k = 12 / radius, step = most_k / steps;
+    const double max_k = 12 / radius, step = max_k / steps;
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
         const double k = (i + 0.5) * step, gravity_and_tension = 9.80665 * k + 0.074 / 1025 * k * k * k;
@@ -262,16 +262,16 @@ TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
         for (const int frame : {2, 3, 5}) {
             const ReadImage image = map("drop", "dynamic-waves_000" + std::to_string(frame) + ".exr");
             ASSERT_EQ(image.width, 256);
-            double worst = 0, most = 0;
+            double worst = 0, max = 0;
             for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
                 const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5, std::stod(depth));
-                most = std::max(most, std::fabs(wanted));
+                max = std::max(max, std::fabs(wanted));
                 for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
                     worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
             }
             // The grid has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
             EXPECT_LT(worst, 0.01 * 0.4) << frame << " at " << depth << " m";
-            EXPECT_GT(most, 0.05);
+            EXPECT_GT(max, 0.05);
         }
         std::filesystem::remove_all(place("drop"));
     }

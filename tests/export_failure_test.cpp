@@ -119,8 +119,8 @@ TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
                   .exit_code,
               0);
     const Outcome failed = run_pelagic(arguments_of(folder.path(), {"--overwrite"}), [] {
-        const rlimit least{20000, 20000};
-        ::setrlimit(RLIMIT_FSIZE, &least);
+        const rlimit min{20000, 20000};
+        ::setrlimit(RLIMIT_FSIZE, &min);
         ::signal(SIGXFSZ, SIG_IGN);
     });
     ASSERT_EQ(failed.exit_code, 1) << failed.err;
@@ -165,8 +165,8 @@ TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
     }
     const TemporaryFolder folder;
     const Outcome outcome = run_pelagic(arguments_of(folder.path()), [] {
-        const rlimit least{4096, 4096};
-        ::setrlimit(RLIMIT_FSIZE, &least);
+        const rlimit min{4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &min);
         ::signal(SIGXFSZ, SIG_IGN);
     });
     expect_write_error(outcome, folder.path(), "File too large");

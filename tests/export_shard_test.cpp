@@ -122,17 +122,17 @@ TEST(ShardPartitions, KilledInAnyOrderAndTwoAtOnceAreOneRun) {
 
 TEST(ShardedExport, SharesFramesOutEvenlyAndInRuns) {
     for (const auto& [total, count] : {std::pair(11, 3), {2, 5}, {1'000'000, 7}, {999'999, 1'000'000}}) {
-        std::size_t next = 0, least = SIZE_MAX, most = 0;
+        std::size_t next = 0, min = SIZE_MAX, max = 0;
         for (int index = 1; index <= count; ++index) {
             const tools::Shard shard{index, count};
             const auto n = static_cast<std::size_t>(total);
             ASSERT_EQ(shard.begin(n), next);
             next = shard.end(n);
-            least = std::min(least, next - shard.begin(n));
-            most = std::max(most, next - shard.begin(n));
+            min = std::min(min, next - shard.begin(n));
+            max = std::max(max, next - shard.begin(n));
         }
         EXPECT_EQ(next, static_cast<std::size_t>(total));
-        EXPECT_LE(most - least, 1u);
+        EXPECT_LE(max - min, 1u);
     }
 }
 

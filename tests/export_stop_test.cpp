@@ -109,8 +109,8 @@ TEST(KilledReplacement, LeavesNothingOfTheExportBeforeItAfterResume) {
 TEST(FileSizeLimit, IsAWriteErrorAndNoSignal) {
     const TemporaryFolder folder;
     const Outcome outcome = run_pelagic(export_arguments(folder.path(), {}), [] {
-        const rlimit least{4096, 4096};
-        ::setrlimit(RLIMIT_FSIZE, &least);
+        const rlimit min{4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &min);
     });
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find("can't write "), std::string::npos) << outcome.err;

@@ -118,17 +118,17 @@ TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
             const ComplexField h = transformed(cascade.height), dx = transformed(cascade.dx), dz = transformed(cascade.dz);
             const ComplexField up = transformed(cascade.velocity_y), vx = transformed(cascade.velocity_x),
                                vz = transformed(cascade.velocity_z);
-            double most = 0, most_up = 0;
-            for (const Complex& wave : h) most = std::max(most, std::abs(wave));
-            for (const Complex& wave : up) most_up = std::max(most_up, std::abs(wave));
+            double max = 0, max_up = 0;
+            for (const Complex& wave : h) max = std::max(max, std::abs(wave));
+            for (const Complex& wave : up) max_up = std::max(max_up, std::abs(wave));
             int seen = 0;
             CascadeSpectrum(cascade).each([&](std::size_t at, double kx, double kz) {
                 const double k = std::hypot(kx, kz), airy = sea.choppiness / std::tanh(k * depth);
-                if (std::abs(h[at]) > 0.01 * most) {  // the rest drowns in float
+                if (std::abs(h[at]) > 0.01 * max) {  // the rest drowns in float
                     EXPECT_NEAR(std::abs((kx * dx[at] + kz * dz[at]) / k) / std::abs(h[at]), airy, 0.001 * airy);
                     ++seen;
                 }
-                if (std::abs(up[at]) > 0.01 * most_up) {
+                if (std::abs(up[at]) > 0.01 * max_up) {
                     EXPECT_NEAR(std::abs((kx * vx[at] + kz * vz[at]) / k) / std::abs(up[at]), airy, 0.001 * airy);
                 }
             });

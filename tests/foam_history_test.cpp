@@ -85,13 +85,13 @@ TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
         for (std::size_t t = 0; t < expected.size(); ++t) {
             const std::vector<int> foam = foam_of(frame.cascades[t]);
             EXPECT_EQ(foam, foam_in_halves(frame.cascades[t]));
-            int most = 0;
+            int max = 0;
             for (std::size_t i = 0; i < foam.size(); ++i) {
                 // A tick adds J up in another order than a frame, so where it stands between two bytes it may take the other.
                 ASSERT_NEAR(foam[i], expected[t][i], 1) << "cascade " << t << ", texel " << i;
-                most = std::max(most, foam[i]);
+                max = std::max(max, foam[i]);
             }
-            EXPECT_GT(most, 127) << "nothing breaks here";
+            EXPECT_GT(max, 127) << "nothing breaks here";
         }
     }
 }

@@ -99,8 +99,8 @@ TEST(FrameInFlight, AChangeInThePastOfItsTicksIsNoneOfItsOwn) {
 
 TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
     std::mt19937 random(31);
-    const auto uniform = [&](double least, double most) {
-        return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
+    const auto uniform = [&](double min, double max) {
+        return min + (max - min) * static_cast<double>(random()) * 0x1p-32;
     };
     for (int run = 0; run < (is_sanitized ? 1 : 2); ++run) {
         const Forecast forecast{.first = windy(run), .largest_peak_m = largest_peak_m};

@@ -31,14 +31,14 @@ class FramesAtOnce final : public TraceSink {
     }
     void in_flight(const TraceSpan&) noexcept override {}
 
-    std::size_t most() const {
-        std::size_t most = 0;
+    std::size_t max() const {
+        std::size_t max = 0;
         for (const Span& one : spans_)
-            most = std::max(
-                most, static_cast<std::size_t>(std::count_if(spans_.begin(), spans_.end(), [&](const Span& other) {
+            max = std::max(
+                max, static_cast<std::size_t>(std::count_if(spans_.begin(), spans_.end(), [&](const Span& other) {
                     return other.start <= one.start && one.start < other.end;
                 })));
-        return most;
+        return max;
     }
     std::size_t frames() const { return spans_.size(); }
 
@@ -72,7 +72,7 @@ class NoThreads {
 };
 
 /// How many of 24 frames are written at once by 8 threads in so much memory, and that all of them are.
-std::size_t frames_at_once(std::size_t most_bytes) {
+std::size_t frames_at_once(std::size_t max_bytes) {
     const TemporaryFolder path;
     ExportOptions options;
     options.sea.sea = {.resolution = 64, .patch_size_m = 250};
@@ -88,12 +88,12 @@ std::size_t frames_at_once(std::size_t most_bytes) {
     std::map<int, FrameRecord> records;
     FramesAtOnce seen;
     Ocean ocean(options.sea.sea, {.executor = make_serial_executor()});
-    FrameWriter writer(options, folder, journal, records, &seen, most_bytes);
+    FrameWriter writer(options, folder, journal, records, &seen, max_bytes);
     for (int frame = 0; frame < 24; ++frame) writer.write(frame, ocean.frame_at(options.times.time_of(frame)));
     writer.finish();
     EXPECT_EQ(seen.frames(), 24u);
     EXPECT_EQ(records.size(), 24u);
-    return seen.most();
+    return seen.max();
 }
 
 constexpr std::size_t bytes_of_a_frame = 64 * 64 * bytes_per_texel_in_flight;

@@ -17,13 +17,13 @@ constexpr int width = 200, height = 150;
 constexpr double pi = 3.14159265358979323846;
 
 struct Box {
-    glm::dvec3 least, most;
+    glm::dvec3 min, max;
 
     /// Metres along a ray of unit length to where it enters; infinity if it does not.
     double met(glm::dvec3 from, glm::dvec3 along) const {
         double enters = 0, leaves = std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
-            const double a = (least[axis] - from[axis]) / along[axis], b = (most[axis] - from[axis]) / along[axis];
+            const double a = (min[axis] - from[axis]) / along[axis], b = (max[axis] - from[axis]) / along[axis];
             enters = std::max(enters, std::min(a, b));
             leaves = std::min(leaves, std::max(a, b));
         }

@@ -326,11 +326,11 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
     const auto pixels = scene.image({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
                                       scene.level_frame(30), std::nullopt);
     // Air dims and adds the same everywhere: half way between the brightest, which is land, and the darkest.
-    double most = 0, least = 1e9;
+    double max = 0, min = 1e9;
     for (int y = 0; y < scene.height(); ++y)
         for (int x = 0; x < scene.width(); ++x) {
-            most = std::max(most, scene.green(pixels, x, y));
-            least = std::min(least, scene.green(pixels, x, y));
+            max = std::max(max, scene.green(pixels, x, y));
+            min = std::min(min, scene.green(pixels, x, y));
         }
     // The highest water is 0.53 as bright as dry land; the soft shore, 0.3 m deep, is half-way there in half of that.
     const auto wrong_pixels = [&](double shift_m) {
@@ -341,7 +341,7 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
                 const double across = ((x + 0.5) / scene.width() * 2 - 1) * half_m,
                              up = (1 - (y + 0.5) / scene.height() * 2) * half_m;
                 const bool is_land = floor.height_at(up + shift_m, across + shift_m) > -0.15;
-                wrong += is_land != (scene.green(pixels, x, y) > least + 0.77 * (most - least));
+                wrong += is_land != (scene.green(pixels, x, y) > min + 0.77 * (max - min));
             }
         return wrong;
     };

@@ -97,7 +97,7 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
         probe.gl().BindTexture(GL_TEXTURE_2D, textures.texels());
         const std::vector<float> rgba = probe.ask(block);
 
-        std::array<double, 4> worst{}, most{};
+        std::array<double, 4> worst{}, max{};
         int outside = 0;
         for (int row = 0; row < GlProbe::side; ++row)
             for (int column = 0; column < GlProbe::side; ++column) {
@@ -114,17 +114,17 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
                 }
                 for (std::size_t i = 0; i < 4; ++i) {
                     worst[i] = std::max(worst[i], std::fabs(static_cast<double>(read[i]) - all[i]));
-                    most[i] = std::max(most[i], std::fabs(all[i]));
+                    max[i] = std::max(max[i], std::fabs(all[i]));
                 }
             }
         std::printf("off by %.5f m of %.2f, slopes by %.5f and %.5f of %.2f and %.2f, foam by %.5f\n", worst[0],
-                    most[0], worst[1], worst[2], most[1], most[2], worst[3]);
+                    max[0], worst[1], worst[2], max[1], max[2], worst[3]);
         EXPECT_GT(outside, 1000);
-        EXPECT_GT(most[0], 0.3);
+        EXPECT_GT(max[0], 0.3);
         // Drivers mix texels in 256ths, and from one to the next a wave may go by all of its range; halves have 11 bits.
         EXPECT_LT(worst[0], 2 * 0.8 / 256);
-        EXPECT_LT(worst[1], 4 * most[1] / 256);
-        EXPECT_LT(worst[2], 4 * most[2] / 256);
+        EXPECT_LT(worst[1], 4 * max[1] / 256);
+        EXPECT_LT(worst[2], 4 * max[2] / 256);
         EXPECT_LT(worst[3], 2.0 / 256);
     }
 }
@@ -321,12 +321,12 @@ class FlatScene : public GlScene {
 
 /// Largest difference, as a part of the brightest.
 double apart(const std::vector<float>& a, const std::vector<float>& b) {
-    double worst = 0, most = 0;
+    double worst = 0, max = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         worst = std::max(worst, std::fabs(static_cast<double>(a[i] - b[i])));
-        most = std::max(most, static_cast<double>(a[i]));
+        max = std::max(max, static_cast<double>(a[i]));
     }
-    return worst / most;
+    return worst / max;
 }
 
 // The same slope in the cascade's map and in the grid gives the same light; another way round it does not.
@@ -386,9 +386,9 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
     for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 128; ++x) {
             const std::size_t at = 4 * static_cast<std::size_t>(y * 128 + x);
-            int most = 0;
+            int max = 0;
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                most = std::max(most, std::abs(with[at + channel] - before[at + channel]));
+                max = std::max(max, std::abs(with[at + channel] - before[at + channel]));
                 moved = std::max(moved, std::abs(resting[at + channel] - before[at + channel]));
             }
             // From 30 m the image is 33 m high; the camera's right is +z, its up is +x. Waves of the wind bring water nearer by
@@ -397,8 +397,8 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
             const glm::dvec2 place(-(y + 0.5 - 48) * metres, (x + 0.5 - 64) * metres);
             const glm::dvec2 from = glm::abs(place - waves.middle());
             const double half = 0.5 * Grid::n * 0.25;
-            changed += most > 2 && std::max(from.x, from.y) < half;
-            beyond += most > 0 && std::max(from.x, from.y) > half + 3;
+            changed += max > 2 && std::max(from.x, from.y) < half;
+            beyond += max > 0 && std::max(from.x, from.y) > half + 3;
         }
     std::printf("%d pixels within the grid changed, %d beyond; a flat grid moved a channel by %d\n", changed,
                 beyond, moved);

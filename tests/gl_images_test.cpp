@@ -164,9 +164,9 @@ TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
     const std::vector<float> seen = scene.light_from_above(scene.ocean.frame_at(3), pixels, 2 * coarsest_m);
     const std::vector<double> light = contrast_of({seen.begin(), seen.end()}, pixels, 12);
     double largest = 0;
-    const int most = static_cast<int>(900 / pixel_m);
-    for (int dy = 0; dy <= most; ++dy)
-        for (int dx = -most; dx <= most; ++dx) {
+    const int max = static_cast<int>(900 / pixel_m);
+    for (int dy = 0; dy <= max; ++dy)
+        for (int dx = -max; dx <= max; ++dx) {
             const double lag_m = std::hypot(dx, dy) * pixel_m;
             if (lag_m >= 200 && lag_m <= 900) largest = std::max(largest, correlation(light, pixels, dx, dy));
         }
@@ -195,11 +195,11 @@ TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
             ++counts[sector];
         }
     for (int i = 0; i < sectors; ++i) sums[static_cast<std::size_t>(i)] /= counts[static_cast<std::size_t>(i)];
-    const auto [least, most] = std::minmax_element(sums.begin(), sums.end());
-    std::printf("around the nadir: the brightest sector is %.2f of the darkest\n", *most / *least);
+    const auto [min, max] = std::minmax_element(sums.begin(), sums.end());
+    std::printf("around the nadir: the brightest sector is %.2f of the darkest\n", *max / *min);
     // Measured 1.02: 20 degrees apart the sky and the haze's angle to the sun differ. With the horizon's colour of each azimuth
     // on the haze it was 8.4.
-    EXPECT_LE(*most / *least, 1.3);
+    EXPECT_LE(*max / *min, 1.3);
 }
 
 // Far water: what lies between 1.2 and 4 degrees below the horizon from 12 m, 170 to 570 m away.

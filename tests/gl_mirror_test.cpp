@@ -90,18 +90,18 @@ TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
     float passed = 1.0 - mean_fresnel(cos(theta), alpha * sqrt(0.5)) * sky_share;
     result = vec4(64.0 * (sum + passed - 1.0), sum, passed, 1.0);  // halves have steps of 1e-3 around 1
 )");
-    double least = 2, most = 0, least_rough = 2;
+    double min = 2, max = 0, min_rough = 2;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const double all = 1 + values[4 * static_cast<std::size_t>(row * columns + column)] / 64;
-            most = std::max(most, all);
-            (roughness(row) <= 0.3 ? least : least_rough) =
-                std::min(roughness(row) <= 0.3 ? least : least_rough, all);
+            max = std::max(max, all);
+            (roughness(row) <= 0.3 ? min : min_rough) =
+                std::min(roughness(row) <= 0.3 ? min : min_rough, all);
         }
-    std::printf("white furnace: %.4f to %.4f, at least %.4f where alpha is over 0.3\n", least, most, least_rough);
-    EXPECT_GE(least, 0.97);
-    EXPECT_LE(most, 1.001);
-    EXPECT_GE(least_rough, 0.85);
+    std::printf("white furnace: %.4f to %.4f, at least %.4f where alpha is over 0.3\n", min, max, min_rough);
+    EXPECT_GE(min, 0.97);
+    EXPECT_LE(max, 1.001);
+    EXPECT_GE(min_rough, 0.85);
 }
 
 TEST_F(GlMirror, LightTakesTheSameWayBack) {

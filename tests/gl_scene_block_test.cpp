@@ -26,7 +26,7 @@ TEST(SceneBlock, KnowsTheLongestWavesOfEachCascade) {
         ASSERT_EQ(facts.cascades.size(), plans.size());
         EXPECT_EQ(facts.cascades[0].longest_wave_m, plans[0].grid.side_m);
         for (std::size_t i = 1; i < plans.size(); ++i) {
-            const double longest_m = 2 * std::numbers::pi / plans[i].least_k;
+            const double longest_m = 2 * std::numbers::pi / plans[i].min_k;
             EXPECT_GE(facts.cascades[i].longest_wave_m, longest_m * (1 - 1e-12)) << preset.name << ", cascade " << i;
             EXPECT_LE(facts.cascades[i].longest_wave_m, longest_m * 1.01) << preset.name << ", cascade " << i;
         }

@@ -46,7 +46,7 @@ struct HandmadeShore {
     }
 
     ShoreSurface view() const {
-        const auto [least, most] = std::minmax_element(height_m.begin(), height_m.end());
+        const auto [min, max] = std::minmax_element(height_m.begin(), height_m.end());
         return {.columns = columns,
                 .rows = rows,
                 .texel_m = texel_m,
@@ -59,8 +59,8 @@ struct HandmadeShore {
                 .potential_m2ps = vertical_velocity_mps,
                 .reach_m = reach_m,
                 .foam = foam,
-                .height_min_m = *least,
-                .height_max_m = *most};
+                .height_min_m = *min,
+                .height_max_m = *max};
     }
 
     glm::dvec2 corner;
@@ -154,11 +154,11 @@ class GlShore : public testing::Test {
     };
     Heights heights_beside(GlScene& scene, const SquareFromAbove& square, int cuts,
                            const std::vector<double>& exact) {
-        const auto [least, most] = std::minmax_element(exact.begin(), exact.end());
-        Heights off{.step_m = (*most - *least) / cuts};
-        std::vector<double> drawn(exact.size(), *least);
+        const auto [min, max] = std::minmax_element(exact.begin(), exact.end());
+        Heights off{.step_m = (*max - *min) / cuts};
+        std::vector<double> drawn(exact.size(), *min);
         for (int cut = 0; cut < cuts; ++cut) {
-            const double top_m = *least + (cut + 0.5) * off.step_m;
+            const double top_m = *min + (cut + 0.5) * off.step_m;
             draw(scene, square, top_m);
             const std::vector<std::uint8_t> rgba = scene.target->read();
             for (std::size_t i = 0; i < drawn.size(); ++i)
@@ -171,7 +171,7 @@ class GlShore : public testing::Test {
             off.worst_m = std::max(off.worst_m, difference);
         }
         std::printf("heights over %.2f m: %.4f m off in the mean, %.3f m at most, of cuts %.3f m apart\n",
-                    *most - *least, off.mean_m, off.worst_m, off.step_m);
+                    *max - *min, off.mean_m, off.worst_m, off.step_m);
         return off;
     }
     static GlScene::Options options(int pixels) {

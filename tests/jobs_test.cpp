@@ -172,19 +172,19 @@ TEST_P(EachExecutor, IsNotDoneWhileABodyRuns) {
 
 TEST_P(EachExecutor, NeverUsesMoreThreadsThanItsLimit) {
     EXPECT_EQ(executor_->thread_limit(), GetParam().threads);
-    std::atomic<int> inside = 0, most = 0;
+    std::atomic<int> inside = 0, max = 0;
     JobGraph graph;
     for (int stage = 0; stage < 2; ++stage) {
         graph.add({.name = "crowd", .count = 64, .body = [&](std::size_t, std::size_t) {
                        const int here = ++inside;
-                       for (int seen = most; here > seen && !most.compare_exchange_weak(seen, here);) {
+                       for (int seen = max; here > seen && !max.compare_exchange_weak(seen, here);) {
                        }
                        std::this_thread::sleep_for(std::chrono::microseconds(200));
                        --inside;
                    }});
     }
     run_once(*executor_->prepare(graph));
-    EXPECT_LE(most, GetParam().threads);
+    EXPECT_LE(max, GetParam().threads);
 }
 
 TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {

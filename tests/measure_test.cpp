@@ -181,12 +181,12 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(figure(found, "mean_direction_deg"), std::atan2(4.0, -3.0) * 180 / pi, 1e-4);
     EXPECT_NEAR(figure(found, "directional_spread_deg"), 0, 0.1);  // a root of a float's rounding
     // All of it in one band and one ring.
-    double most = 0, all = 0;
+    double max = 0, all = 0;
     for (const json& ring : found["by_wave_number"]) {
-        most = std::max(most, ring["found_m3"].get<double>());
+        max = std::max(max, ring["found_m3"].get<double>());
         all += ring["found_m3"].get<double>();
     }
-    EXPECT_NEAR(most / all, 1, 1e-9);
+    EXPECT_NEAR(max / all, 1, 1e-9);
 }
 
 // Its cascades are rotated against each other, and each holds a band of the waves.
@@ -231,11 +231,11 @@ std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double ampl
 // Two cascades, the finer one turned by 40 degrees: energies add, and directions are the world's.
 TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     const double turn = 40 * pi / 180, loop_s = 30;
-    const CascadePlan coarse{.grid = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
+    const CascadePlan coarse{.grid = {.side_m = 200}, .resolution = 16, .max_k = 0.2};
     const CascadePlan fine{.grid = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
                         .resolution = 16,
                         .number = 1,
-                        .least_k = 0.2};
+                        .min_k = 0.2};
     const int frames = 90;
     std::vector<tools::WaveMeasurement> cascades;
     for (const CascadePlan& cascade : {coarse, fine})

@@ -83,11 +83,11 @@ TEST(OneLine, IsShortAndKeepsBothEnds) {
             std::string value;
             while (value.size() < length) value += piece;
             const std::string line = invalid_value_message("wind_speed_mps", value, "(0, 60]");
-            ASSERT_LE(line.size(), most_line_bytes);
+            ASSERT_LE(line.size(), max_line_bytes);
             ASSERT_TRUE(line.starts_with("wind_speed_mps is ")) << line;
             ASSERT_TRUE(line.ends_with(", needs (0, 60]")) << line;
             ASSERT_EQ(one_line(line), line) << "cut within a character";
-            if (piece == "x" && line.size() < most_line_bytes - 5) {
+            if (piece == "x" && line.size() < max_line_bytes - 5) {
                 ASSERT_EQ(line.find(" ... "), std::string::npos) << line;
             }
         }
@@ -101,7 +101,7 @@ TEST(OneLine, IsWhatAGraphSaysOfAApplicationsStage) {
         FAIL();
     } catch (const std::invalid_argument& error) {
         const std::string what = error.what();
-        EXPECT_LE(what.size(), most_line_bytes);
+        EXPECT_LE(what.size(), max_line_bytes);
         EXPECT_EQ(what.find('\n'), std::string::npos);
         EXPECT_TRUE(what.ends_with("has a batch of 0, needs at least 1")) << what;
     }

@@ -67,8 +67,8 @@ RgbaImage read_ppm(const std::filesystem::path& file) {
     RgbaImage image;
     std::istringstream text(read_file(file));
     std::string kind;
-    int most = 0;
-    text >> kind >> image.width >> image.height >> most;
+    int max = 0;
+    text >> kind >> image.width >> image.height >> max;
     text.get();
     image.rgb.assign(std::istreambuf_iterator<char>(text), {});
     EXPECT_EQ(image.rgb.size(), 3u * static_cast<std::size_t>(image.width * image.height)) << file;

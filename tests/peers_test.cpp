@@ -92,11 +92,11 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
     std::size_t texel(int i, int j) const { return static_cast<std::size_t>(j) * resolution() + i; }
 
     double largest(Component component) const {
-        double most = 0;
+        double max = 0;
         for (int j = 0; j < resolution(); ++j)
             for (int i = 0; i < resolution(); ++i)
-                most = std::max(most, std::fabs(static_cast<double>(plane_value(ours_, component, i, j))));
-        return most;
+                max = std::max(max, std::fabs(static_cast<double>(plane_value(ours_, component, i, j))));
+        return max;
     }
 
     Ocean ocean_;

@@ -120,7 +120,7 @@ TEST(RainDrops, HasDropsOfItsShape) {
         const std::vector<Crater> fallen = craters(added, sparse.height_m);
         if (fallen.size() != 1) return;
         const Crater deepest = fallen.front();
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         std::int64_t best_x = 0, best_z = 0;
         for (std::int64_t part = 0; part < 17 * 17; ++part) {  // its middle is within a texel, at an eighth of one
             const std::int64_t eighths_x = 8 * deepest.x + part % 17 - 8, eighths_z = 8 * deepest.z + part / 17 - 8;
@@ -135,12 +135,12 @@ TEST(RainDrops, HasDropsOfItsShape) {
                 const double q = s * s + t * t, height = sparse.height_m * (q - 1) * std::exp(-q);
                 largest = std::max(largest, std::fabs(added[static_cast<std::size_t>(z * 64 + x)] - height));
             }
-            if (largest >= least) continue;
-            least = largest;
+            if (largest >= min) continue;
+            min = largest;
             best_x = eighths_x, best_z = eighths_z;
         }
         // It ends where it is 9 e^-9 of its height.
-        EXPECT_LT(least, 1.2e-3 * sparse.height_m);
+        EXPECT_LT(min, 1.2e-3 * sparse.height_m);
         for (const std::int64_t at : {best_x, best_z})
             ++seen, same += (at & 7) == (at >> 3 & 7), parts += static_cast<double>(at & 7);
     });

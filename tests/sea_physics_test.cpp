@@ -169,9 +169,9 @@ TEST(WaveHeight, DependsOnNeitherResolutionNorPatch) {
     for (const double patch : {150.0, 300.0, 600.0})
         heights.push_back(expected_waves({.resolution = 512, .patch_size_m = patch, .wind_speed_mps = 10})
                               .significant_wave_height_m);
-    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+    const auto [min, max] = std::minmax_element(heights.begin(), heights.end());
     // What the coarsest grid (4.7 m) and the smallest patch (three peak waves) miss.
-    EXPECT_LT(*most / *least, 1.03);
+    EXPECT_LT(*max / *min, 1.03);
     // And so do the waves themselves, of the same seeds.
     const double coarse = mean_significant_height({.resolution = 64, .patch_size_m = 300, .wind_speed_mps = 10}, 4);
     const double fine = mean_significant_height({.resolution = 512, .patch_size_m = 300, .wind_speed_mps = 10}, 4);

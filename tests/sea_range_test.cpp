@@ -24,10 +24,10 @@ using Edges = std::vector<double>;
 /// Least, most, and what lies next to them inside; a range that is open below begins with the smallest number there is.
 Edges edges_of(const SeaStateField& field) {
     if (field.name == "resolution") return {16, 32};  // a frame of 2048 is no more at an edge than one of 32
-    if (std::holds_alternative<std::uint32_t SeaState::*>(field.member)) return {field.least, 1, field.most};
+    if (std::holds_alternative<std::uint32_t SeaState::*>(field.member)) return {field.min, 1, field.max};
     const auto inside = [](double edge, double towards) { return std::nextafter(edge, towards); };
-    Edges edges = {inside(field.least, field.most), inside(field.most, field.least), field.most};
-    if (field.among != Among::above_least) edges.push_back(field.least);
+    Edges edges = {inside(field.min, field.max), inside(field.max, field.min), field.max};
+    if (field.among != Among::above_min) edges.push_back(field.min);
     if (field.also) edges.push_back(*field.also);
     return edges;
 }
@@ -43,21 +43,21 @@ bool is_finite_half(std::uint16_t half) { return (half & 0x7C00) != 0x7C00; }
 
 /// Empty, or what is wrong with the cascade.
 std::string fault_of(const Cascade& cascade) {
-    float least = std::numeric_limits<float>::infinity(), most = -least, most_dx = 0, most_dz = 0;
+    float min = std::numeric_limits<float>::infinity(), max = -min, max_dx = 0, max_dz = 0;
     for (int j = 0; j < cascade.resolution(); ++j) {
         for (int i = 0; i < cascade.resolution(); ++i) {
             for (const PlaneView* plane :
                  {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z})
                 if (!std::isfinite(plane->at(i, j))) return "a plane is not finite";
-            least = std::min(least, cascade.height.at(i, j));
-            most = std::max(most, cascade.height.at(i, j));
-            most_dx = std::max(most_dx, std::fabs(cascade.dx.at(i, j)));
-            most_dz = std::max(most_dz, std::fabs(cascade.dz.at(i, j)));
+            min = std::min(min, cascade.height.at(i, j));
+            max = std::max(max, cascade.height.at(i, j));
+            max_dx = std::max(max_dx, std::fabs(cascade.dx.at(i, j)));
+            max_dz = std::max(max_dz, std::fabs(cascade.dz.at(i, j)));
         }
     }
     const FrameBounds& bounds = cascade.bounds;
-    if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.horizontal_x_max_m != most_dx ||
-        bounds.horizontal_z_max_m != most_dz)
+    if (bounds.height_min_m != min || bounds.height_max_m != max || bounds.horizontal_x_max_m != max_dx ||
+        bounds.horizontal_z_max_m != max_dz)
         return "bounds are not the extremes";
     for (const std::uint16_t half : cascade.displacement_rgba16f)
         if (!is_finite_half(half)) return "a half is not finite";
@@ -176,10 +176,10 @@ TEST_P(SeaRange, AllAtAnEdgeAtOnceGiveFiniteFramesAndFigures) {
 TEST(SeaRange, WhatLiesBeyondAnEdgeIsRefused) {
     for (const SeaStateField& field : sea_state_fields()) {
         const double infinity = std::numeric_limits<double>::infinity();
-        EXPECT_FALSE(field.accepts(std::nextafter(field.least, -infinity))) << field.name;
-        EXPECT_FALSE(field.accepts(std::nextafter(field.most, infinity))) << field.name;
-        EXPECT_EQ(field.accepts(field.least), field.among != Among::above_least) << field.name;
-        EXPECT_TRUE(field.accepts(field.most)) << field.name;
+        EXPECT_FALSE(field.accepts(std::nextafter(field.min, -infinity))) << field.name;
+        EXPECT_FALSE(field.accepts(std::nextafter(field.max, infinity))) << field.name;
+        EXPECT_EQ(field.accepts(field.min), field.among != Among::above_min) << field.name;
+        EXPECT_TRUE(field.accepts(field.max)) << field.name;
         for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
             EXPECT_FALSE(field.accepts(value)) << field.name;
     }

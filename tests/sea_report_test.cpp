@@ -173,7 +173,7 @@ TEST(SeaReport, MeanPeriodsOfASwellAreTheirClosedForms) {
 // Moments of JONSWAP's own frequency spectrum, up to the shortest wave that the cascades hold, by Simpson's rule.
 TEST(SeaReport, MeanPeriodsOfJonswapAreItsIntegrals) {
     const SeaState sea{.wind_speed_mps = 10, .loop_period_s = 2000};
-    const double last = std::sqrt(oracle::gravity * plan_cascades(sea).back().most_k), first = last / 100;
+    const double last = std::sqrt(oracle::gravity * plan_cascades(sea).back().max_k), first = last / 100;
     double m0 = 0, m1 = 0, m2 = 0;
     constexpr int steps = 20000;
     for (int i = 0; i <= steps; ++i) {

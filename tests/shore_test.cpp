@@ -241,7 +241,7 @@ TEST(Shore, CountsPartsOfFoldedCascadesToo) {
     SurfaceQuery(frame).sample({x, z}, {.height_m = height, .normal_x = normal});
     SurfaceQuery(expected.frame()).sample({x, z}, {.height_m = expected_height, .normal_x = expected_normal});
     double contracted = 0;
-    for (const Cascade& cascade : expected.frame().cascades) contracted += cascade.contraction.most();
+    for (const Cascade& cascade : expected.frame().cascades) contracted += cascade.contraction.max();
     int differ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         // On a fold's edge a rounding decides which sheet there is.
@@ -277,16 +277,16 @@ TEST(Shore, RisesAsItsHeightChanges) {
 TEST(Shore, HasReachesNoLowerThanItsHeights) {
     Ocean ocean(breeze, with_bay());
     const Frame& frame = ocean.frame_at(13);
-    float most = 0, least = 0;
+    float max = 0, min = 0;
     for (std::size_t i = 0; i < frame.shore.height_m.size(); ++i) {
         EXPECT_GE(frame.shore.reach_m[i], frame.shore.height_m[i] - 1e-5f);
-        most = std::max(most, frame.shore.height_m[i]);
-        least = std::min(least, frame.shore.height_m[i]);
+        max = std::max(max, frame.shore.height_m[i]);
+        min = std::min(min, frame.shore.height_m[i]);
     }
-    EXPECT_GT(most, 0.1f);
+    EXPECT_GT(max, 0.1f);
     // Between texels a cubic is beyond the range by 0.28125 of it at most.
-    EXPECT_FLOAT_EQ(frame.shore.height_max_m, most + 0.28125f * (most - least));
-    EXPECT_FLOAT_EQ(frame.shore.height_min_m, least - 0.28125f * (most - least));
+    EXPECT_FLOAT_EQ(frame.shore.height_max_m, max + 0.28125f * (max - min));
+    EXPECT_FLOAT_EQ(frame.shore.height_min_m, min - 0.28125f * (max - min));
     // Culling boxes hold it.
     EXPECT_GE(frame.bounds.height_max_m, frame.shore.height_max_m);
     EXPECT_LE(frame.bounds.height_min_m, frame.shore.height_min_m);
@@ -363,18 +363,18 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
                 height += here.parts[t] * cascade_at(frame.cascades[t], frame.cascades[t].height, x, z);
             return ray.origin_m[1] + distance * tilt / length - height;
         };
-        double expected = 0, inside_m = 0, most_inside_m = 0;
+        double expected = 0, inside_m = 0, max_inside_m = 0;
         constexpr double step = 1.0 / 256;
         for (double distance = 0; distance < ray.reach_m; distance += step) {
             inside_m = clearance(distance) < 0 ? inside_m + step : 0;
             if (inside_m > 0 && expected == 0) expected = distance;
-            most_inside_m = std::max(most_inside_m, inside_m);
+            max_inside_m = std::max(max_inside_m, inside_m);
         }
         // What a ray only grazes, for less than half a texel of the finest cascade, it may miss.
         const double texel_m = frame.cascades.back().texel_m();
-        if (most_inside_m > 0 && most_inside_m < 0.6 * texel_m) continue;
+        if (max_inside_m > 0 && max_inside_m < 0.6 * texel_m) continue;
         const auto hit = first_hit(SurfaceQuery(frame), ray);
-        ASSERT_EQ(hit.has_value(), most_inside_m > 0) << i << ", at " << expected;
+        ASSERT_EQ(hit.has_value(), max_inside_m > 0) << i << ", at " << expected;
         if (hit) {
             EXPECT_NEAR(hit->distance_m, expected, 2 * step) << i;
         }

@@ -77,7 +77,7 @@ TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
     }
     const double open_speed = group_velocity_at(wave.omega, 4000);
     int shoaling = 0, green = 0;
-    double least_ratio = 10, most_ratio = 0, green_height_m = 0, green_depth_m = 0;
+    double min_ratio = 10, max_ratio = 0, green_height_m = 0, green_depth_m = 0;
     for (std::size_t column = 0; column < highest.size(); ++column) {
         const double d = static_cast<double>(depth[column]);
         const double x = static_cast<double>(column) * ocean.complete().shore.texel_m;
@@ -88,8 +88,8 @@ TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
         const double spread = wave.along_x / std::sqrt(1 - sine * sine);
         const double expected = wave.amplitude_m * std::sqrt(spread * open_speed / group_velocity_at(wave.omega, d));
         EXPECT_NEAR(amplitude / expected, 1, 0.03) << "depth " << d;
-        least_ratio = std::min(least_ratio, amplitude / wave.amplitude_m);
-        most_ratio = std::max(most_ratio, amplitude / wave.amplitude_m);
+        min_ratio = std::min(min_ratio, amplitude / wave.amplitude_m);
+        max_ratio = std::max(max_ratio, amplitude / wave.amplitude_m);
         ++shoaling;
         if (wave_number_at(wave.omega, d) * d > 0.3) continue;
         if (green == 0) green_height_m = amplitude, green_depth_m = d;
@@ -99,8 +99,8 @@ TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
     EXPECT_GT(shoaling, 100);
     EXPECT_GT(green, 8);
     // It was lower in between and is higher at the end, or nothing would have been told.
-    EXPECT_LT(least_ratio, 0.93);
-    EXPECT_GT(most_ratio, 1.3);
+    EXPECT_LT(min_ratio, 0.93);
+    EXPECT_GT(max_ratio, 1.3);
 }
 
 TEST(Shoaling, EndsWhereWavesBreak) {
@@ -370,14 +370,14 @@ TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestCascade) {
         const CascadePlan cascade = plan_cascades(sea).front();
         const WaveSpectrum spectrum(sea, cascade);
         double expected = 0, found = 0, x = 0, z = 0;
-        const double most_k = std::min(cascade.most_k, pi * cascade.resolution / cascade.grid.side_m);
+        const double max_k = std::min(cascade.max_k, pi * cascade.resolution / cascade.grid.side_m);
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
-            const double k = (i + 0.5) / steps * most_k;
-            expected += spectrum.radial_density(k) * most_k / steps;
+            const double k = (i + 0.5) / steps * max_k;
+            expected += spectrum.radial_density(k) * max_k / steps;
         }
         const std::vector<ShoreWave> waves = shore_waves(sea, cascade);
-        ASSERT_EQ(waves.size(), most_shore_waves);
+        ASSERT_EQ(waves.size(), max_shore_waves);
         for (std::size_t i = 0; i < waves.size(); ++i) {
             found += waves[i].variance();
             x += waves[i].along_x;

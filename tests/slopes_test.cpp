@@ -44,18 +44,18 @@ struct WaveCascade {
     double mean_square_slope;
 };
 
-/// Random waves of `least_steps` to N/3 steps of the grid in a side, each octave as steep as every other, from everywhere.
-WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double least_steps, double mean_square_slope,
+/// Random waves of `min_steps` to N/3 steps of the grid in a side, each octave as steep as every other, from everywhere.
+WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double min_steps, double mean_square_slope,
                      std::mt19937& random) {
     constexpr int count = 80;
     WaveCascade cascade{resolution, side_m, angle_rad, {}, mean_square_slope};
     std::uniform_real_distribution<double> part;
     std::normal_distribution<double> draw;
     while (cascade.waves.size() < count) {
-        const double steps = least_steps * std::pow(resolution / 3.0 / least_steps, part(random));
+        const double steps = min_steps * std::pow(resolution / 3.0 / min_steps, part(random));
         const double direction = 2 * pi * part(random);
         const double m = std::round(steps * std::cos(direction)), n = std::round(steps * std::sin(direction));
-        if (std::hypot(m, n) > resolution / 3.0 || std::hypot(m, n) < least_steps) continue;
+        if (std::hypot(m, n) > resolution / 3.0 || std::hypot(m, n) < min_steps) continue;
         const double step = 2 * pi / side_m, c = std::cos(angle_rad), s = std::sin(angle_rad);
         Wave wave{step * (m * c - n * s), step * (m * s + n * c), {}};
         // |a|^2/2 k^2 in the mean, of which both parts of the draw have half.
@@ -156,13 +156,13 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
     std::vector<CascadeSlopes> maps;
     for (std::size_t t = 0; t < 4; ++t) {
         // Where the cascade before ends, which is 6 to 7 steps of this one.
-        const double least_steps = t == 0 ? 16 : n / 3.0 * sides[t] / sides[t - 1];
-        const double part = std::log(n / 3.0 / least_steps) / octaves;
-        cascades.push_back(random_cascade(n, sides[t], angles[t], least_steps, part * mean_square_slope, random));
+        const double min_steps = t == 0 ? 16 : n / 3.0 * sides[t] / sides[t - 1];
+        const double part = std::log(n / 3.0 / min_steps) / octaves;
+        cascades.push_back(random_cascade(n, sides[t], angles[t], min_steps, part * mean_square_slope, random));
         maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(cascades[t], choppiness),
                                  slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope)));
     }
-    double normal_squares = 0, normal_most = 0, jacobian_squares = 0, jacobian_most = 0, steepness = 0;
+    double normal_squares = 0, normal_max = 0, jacobian_squares = 0, jacobian_max = 0, steepness = 0;
     constexpr int points = 4000;
     std::uniform_real_distribution<double> place(-2000, 2000);
     for (int p = 0; p < points; ++p) {
@@ -176,18 +176,18 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
         const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
         const double difference = std::fabs(normal_of(exact).y - normal_of(shown).y);
         normal_squares += degrees * degrees / points;
-        normal_most = std::max(normal_most, degrees);
+        normal_max = std::max(normal_max, degrees);
         jacobian_squares += difference * difference / points;
-        jacobian_most = std::max(jacobian_most, difference);
+        jacobian_max = std::max(jacobian_max, difference);
         steepness += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
     }
     EXPECT_NEAR(steepness, mean_square_slope, 0.2 * mean_square_slope) << "the sea that the bounds are for";
     EXPECT_LE(std::sqrt(normal_squares), 2);
     EXPECT_LE(std::sqrt(jacobian_squares), 0.03);
     RecordProperty("normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
-    RecordProperty("normal_most_deg", std::to_string(normal_most));
+    RecordProperty("normal_max_deg", std::to_string(normal_max));
     RecordProperty("jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
-    RecordProperty("jacobian_most", std::to_string(jacobian_most));
+    RecordProperty("jacobian_max", std::to_string(jacobian_max));
 }
 
 /// All waves that a cascade of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
@@ -259,12 +259,12 @@ double against_itself(double t) { return (2 + std::cos(t)) / 3; }
 
 /// What is integrated in docs/equations.md.
 double filtered_error(double far_weight) {
-    const double near_weight = 0.5 - 2 * far_weight, least = 2 * pi * 6 / 128, most = 2 * pi / 3;
+    const double near_weight = 0.5 - 2 * far_weight, min = 2 * pi * 6 / 128, max = 2 * pi / 3;
     double error = 0;
     constexpr int lengths = 300, directions = 40;
     for (int i = 0; i < lengths; ++i) {
         for (int j = 0; j < directions; ++j) {
-            const double t = least * std::pow(most / least, (i + 0.5) / lengths);
+            const double t = min * std::pow(max / min, (i + 0.5) / lengths);
             const double direction = pi / 2 * (j + 0.5) / directions;
             const double x = t * std::cos(direction), z = t * std::sin(direction);
             const double d = 2 * near_weight * std::sin(x) + 2 * far_weight * std::sin(2 * x);
@@ -277,12 +277,12 @@ double filtered_error(double far_weight) {
 }
 
 TEST(SlopeStencil, IsTheBestOfItsKind) {
-    const double least = filtered_error(SlopesJob::far_weight);
-    EXPECT_LT(least, filtered_error(SlopesJob::far_weight - 1e-3));
-    EXPECT_LT(least, filtered_error(SlopesJob::far_weight + 1e-3));
+    const double min = filtered_error(SlopesJob::far_weight);
+    EXPECT_LT(min, filtered_error(SlopesJob::far_weight - 1e-3));
+    EXPECT_LT(min, filtered_error(SlopesJob::far_weight + 1e-3));
     EXPECT_NEAR(2 * SlopesJob::near_weight + 4 * SlopesJob::far_weight, 1, 1e-15) << "a constant slope";
     // Central differences, the paper's, are a quarter of the way off.
-    EXPECT_LT(least, filtered_error(0) / 6);
+    EXPECT_LT(min, filtered_error(0) / 6);
 }
 
 // A wave along x has a slope at texels that is known: the factor of the stencil. A byte is within one step of it.

@@ -48,15 +48,15 @@ TEST(SteeredBoat, TurnsToStarboardInACircleAndNotWithoutWay) {
     for (int i = 0; i < 60; ++i) boat.step(1 / 60., {.rudder = 1}, calm, 0);
     EXPECT_EQ(boat.heading_rad(), 0);
     for (int i = 0; i < 60 * 20; ++i) boat.step(1 / 60., {.thrust = 0.5, .rudder = 1}, calm, 0);
-    double most_x = -1e9, least_x = 1e9;
+    double max_x = -1e9, min_x = 1e9;
     const double from = boat.heading_rad();
     ASSERT_GT(from, 1);
     while (boat.heading_rad() < from + 2 * pi) {
         boat.step(1 / 60., {.thrust = 0.5, .rudder = 1}, calm, 0);
-        most_x = std::max(most_x, boat.place_m().x);
-        least_x = std::min(least_x, boat.place_m().x);
+        max_x = std::max(max_x, boat.place_m().x);
+        min_x = std::min(min_x, boat.place_m().x);
     }
-    EXPECT_NEAR(most_x - least_x, 22, 0.5);
+    EXPECT_NEAR(max_x - min_x, 22, 0.5);
 }
 
 // A plane of water: a boat on it lies in it, with its own axes.
@@ -140,15 +140,15 @@ TEST(SteeredBoat, LeavesAWake) {
     Voyage voyage;
     voyage.go(12, {.thrust = 1}, [](const Frame&) {});
     const Frame& frame = voyage.ocean.complete();
-    const auto most_between = [&](double from_m, double to_m) {
-        double most = 0;
+    const auto max_between = [&](double from_m, double to_m) {
+        double max = 0;
         for (double x = from_m; x < to_m; x += 0.25)
             for (double z = -8; z < 8; z += 0.25)
-                most = std::max(most, std::fabs(sample(frame.dynamic_waves, voyage.boat.place_m().x + x, z).height_m));
-        return most;
+                max = std::max(max, std::fabs(sample(frame.dynamic_waves, voyage.boat.place_m().x + x, z).height_m));
+        return max;
     };
-    EXPECT_GT(most_between(-18, -8), 0.1);
-    EXPECT_LT(most_between(8, 18), 0.03);
+    EXPECT_GT(max_between(-18, -8), 0.1);
+    EXPECT_LT(max_between(8, 18), 0.03);
 }
 
 // What a click meets is where the camera's own matrix shows it.

@@ -157,10 +157,10 @@ TEST_P(TraceOnEachExecutor, NoMoreThreadsThanTheLimitWorkAtOnce) {
         changes.emplace_back(recorded.span.end, -1);
     }
     std::sort(changes.begin(), changes.end());  // of two changes at one moment the end comes first
-    int working = 0, most = 0;
-    for (const auto& [time, change] : changes) most = std::max(most, working += change);
-    EXPECT_GE(most, 1);
-    EXPECT_LE(most, GetParam().threads);
+    int working = 0, max = 0;
+    for (const auto& [time, change] : changes) max = std::max(max, working += change);
+    EXPECT_GE(max, 1);
+    EXPECT_LE(max, GetParam().threads);
 }
 
 TEST_P(TraceOnEachExecutor, AFrameIsInFlightFromScheduleToCompleteAroundItsJobs) {
@@ -237,10 +237,10 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
 }
 
 /// A trace of spans that start at whole milliseconds from now and take a quarter of one.
-std::string written(std::size_t most_spans, const std::vector<TraceSpan>& spans) {
-    ChromeTrace trace(most_spans);
+std::string written(std::size_t max_spans, const std::vector<TraceSpan>& spans) {
+    ChromeTrace trace(max_spans);
     for (const TraceSpan& span : spans) trace.work(span);
-    EXPECT_EQ(trace.left_out(), spans.size() - std::min(spans.size(), most_spans));
+    EXPECT_EQ(trace.left_out(), spans.size() - std::min(spans.size(), max_spans));
     std::ostringstream json;
     trace.write(json);
     return json.str();

@@ -23,7 +23,7 @@ using Line = std::vector<std::complex<double>>;
 // Only some outputs, so that 2048 stays quick: every one of a small size, 64 spread ones of a large size.
 std::vector<std::size_t> outputs_to_check(std::size_t size) {
     std::vector<std::size_t> outputs;
-    const std::size_t most = is_sanitized ? 16 : 64, step = size <= most ? 1 : size / most - 1;
+    const std::size_t max = is_sanitized ? 16 : 64, step = size <= max ? 1 : size / max - 1;
     for (std::size_t x = 0; x < size; x += step) outputs.push_back(x);
     outputs.push_back(size - 1);
     return outputs;

@@ -143,10 +143,10 @@ TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
             for_differences(a, b, [&](std::size_t cascade, std::size_t plane, double difference, int i, int j) {
                 const double expected = closed_form(some_waves(), a.cascades, cascade, i, j, t).of[plane];
                 ASSERT_NEAR(difference, expected, float_m) << cascade << ' ' << plane << ' ' << i << ' ' << j;
-                double& most = largest[6 * cascade + plane];
-                most = std::max(most, std::fabs(expected));
+                double& max = largest[6 * cascade + plane];
+                max = std::max(max, std::fabs(expected));
             });
-            for (const double most : largest) EXPECT_GT(most, 0.004);  // each cascade and field had some
+            for (const double max : largest) EXPECT_GT(max, 0.004);  // each cascade and field had some
         }
     }
 }
@@ -409,10 +409,10 @@ TEST(WaveInput, QueriesFindTheSum) {
 
 /// The largest byte of h_x away from none, and what it means.
 std::pair<int, double> steepest(const Cascade& cascade) {
-    int most = 0;
+    int max = 0;
     for (const std::uint32_t texel : cascade.level_of(cascade.slopes_rgba8, 0))
-        most = std::max(most, std::abs(static_cast<int>(texel & 0xFF) - 128));
-    return {most, most / 127.0 * static_cast<double>(cascade.slope_ranges.slope)};
+        max = std::max(max, std::abs(static_cast<int>(texel & 0xFF) - 128));
+    return {max, max / 127.0 * static_cast<double>(cascade.slope_ranges.slope)};
 }
 
 // A calm sea's bytes count in slopes of thousandths.

@@ -82,9 +82,9 @@ TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
     EXPECT_EQ(invalid_value_of(weather_of(1001)), "pelagic: " + (folder_ / "weather.toml").string() +
                                                 " is a forecast of 1001 changes, needs at most 1000\n");
     write_file(folder_ / "points.csv", "0,0\n");
-    const Outcome most = run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--time", "900",
+    const Outcome max = run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--time", "900",
                                       "--weather", file(weather_of(1000))});
-    EXPECT_EQ(most.exit_code, 0) << most.err;
+    EXPECT_EQ(max.exit_code, 0) << max.err;
 }
 
 TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {

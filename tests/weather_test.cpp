@@ -121,9 +121,9 @@ TEST(CascadePlan, SeasThatTurnIntoOneAnotherShareGridsAndBands) {
     for (std::size_t cascade = 0; cascade < of_calm.size(); ++cascade) {
         EXPECT_EQ(of_calm[cascade].grid.side_m, of_storm[cascade].grid.side_m);
         EXPECT_EQ(of_calm[cascade].grid.sine, of_storm[cascade].grid.sine);
-        EXPECT_EQ(of_calm[cascade].least_k, of_storm[cascade].least_k);
+        EXPECT_EQ(of_calm[cascade].min_k, of_storm[cascade].min_k);
         if (cascade + 1 < of_calm.size()) {
-            EXPECT_EQ(of_calm[cascade].most_k, of_storm[cascade].most_k);
+            EXPECT_EQ(of_calm[cascade].max_k, of_storm[cascade].max_k);
         }
     }
 }
@@ -142,8 +142,8 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveGoesOver) {
     const std::size_t lanes = kernels().lanes, pairs = 32, row = lanes, floats = pairs * wave_quantities * row;
     AlignedBuffer<float> before(floats), after(floats), out(floats);
     std::mt19937 random(3);
-    const auto uniform = [&](double least, double most) {
-        return least + (most - least) * static_cast<double>(random()) / 0x1p32;
+    const auto uniform = [&](double min, double max) {
+        return min + (max - min) * static_cast<double>(random()) / 0x1p32;
     };
     for (const float part : {1e-6f, 0.25f, 0.5f, 0.999f}) {
         std::vector<std::array<double, 4>> expected;

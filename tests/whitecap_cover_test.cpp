@@ -50,9 +50,9 @@ double mean_cover(SeaState sea, int seeds, int frames) {
             for (int place = number * places; place < (number + 1) * places; ++place) {
                 const double x_m = square_m * part_of(place * 0.7548776662466927);
                 const double z_m = square_m * part_of(place * 0.5698402909980532);
-                double most = 0;
-                for (const Cascade& cascade : frame.cascades) most = std::max(most, foam_at(cascade, x_m, z_m));
-                sum += most;
+                double max = 0;
+                for (const Cascade& cascade : frame.cascades) max = std::max(max, foam_at(cascade, x_m, z_m));
+                sum += max;
             }
         }
     }

@@ -98,7 +98,7 @@ void BenchFlags::add_to(CLI::App& app) {
 
 TimingPlan BenchFlags::resolve() const {
     const ComputeOptions compute = compute_.resolve();
-    const int most_threads = make_default_executor(compute.threads)->thread_limit();
+    const int max_threads = make_default_executor(compute.threads)->thread_limit();
     TimingPlan plan;
     if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
     plan.isas = compute_.names_isa() ? std::vector{*compute.isa} : isas_here();
@@ -106,14 +106,14 @@ TimingPlan BenchFlags::resolve() const {
         if (sizes_) throw InputError("--sizes is given, but --headset has seas of its own: leave out one of them");
         plan.seas = headset_seas();
         plan.isas = {plan.isas.back()};
-        plan.threads.resize(static_cast<std::size_t>(std::min(most_threads, most_headset_threads)));
+        plan.threads.resize(static_cast<std::size_t>(std::min(max_threads, max_headset_threads)));
         std::iota(plan.threads.begin(), plan.threads.end(), 1);
         return plan;
     }
     if (!sizes_) plan.seas.emplace_back();
     for (const int n : sizes_ ? sizes_from(*sizes_) : std::vector{64, 128, 256, 512, 1024})
         plan.seas.push_back({.resolution = n, .patch_size_m = 250});
-    plan.threads = thread_counts(most_threads);
+    plan.threads = thread_counts(max_threads);
     return plan;
 }
 

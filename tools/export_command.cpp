@@ -60,12 +60,12 @@ Stopped stopped(const ExportOptions& options, std::size_t done) {
 /// Puts a copy of the events beside the frames, from which `pelagic merge`, `verify` and --resume take them. Shards of one export
 /// may do so at the same moment: whoever of them is late finds it done.
 void keep_events(const EventFile& events, const OutputFolder& folder) {
-    constexpr int most_tries = 50;
+    constexpr int max_tries = 50;
     for (int tries = 1;; ++tries) try {
             if (folder.read_text(events_copy_name, events.text.size()) == events.text) return;
             return folder.write(events_copy_name, events.text);
         } catch (const FileError&) {
-            if (tries == most_tries) throw;
+            if (tries == max_tries) throw;
             std::this_thread::sleep_for(std::chrono::milliseconds(tries));
         }
 }
@@ -179,7 +179,7 @@ void run_export(const ExportOptions& options) {
             "without --half and --format ktx2\n");
     if (trace && trace->left_out() > 0)
         std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
-                    ChromeTrace::default_most_spans, trace->left_out());
+                    ChromeTrace::default_max_spans, trace->left_out());
 }
 
 }  // namespace pelagic::tools

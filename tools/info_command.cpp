@@ -62,7 +62,7 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
 }
 
 /// What rounding leaves of 0.
-constexpr double least_shown = 1e-9;
+constexpr double min_shown = 1e-9;
 
 /// Four digits of what is computed, and six of what was asked for: more mean nothing to a reader, and --json has all.
 std::string value_text(const Json& value, int digits) {
@@ -70,7 +70,7 @@ std::string value_text(const Json& value, int digits) {
     if (!value.is_number_float()) return value.dump();
     const double number = value.get<double>();
     if (!std::isfinite(number)) return "none";  // such as a period of a sea without waves
-    return std::fabs(number) < least_shown ? "0" : rounded_text(number, digits);
+    return std::fabs(number) < min_shown ? "0" : rounded_text(number, digits);
 }
 
 /// Directions to a hundredth of a degree.

@@ -22,7 +22,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t most_lines = Findings::most_kept;
+constexpr std::size_t max_lines = Findings::max_kept;
 
 /// What is in the folder, but for images.
 struct FolderNames {
@@ -195,7 +195,7 @@ class Merge {
         const std::filesystem::path record = folder_.path() / (is_finished_ ? record_name({}) : first_name_);
         std::size_t lines = 0;
         for (const int wrong : wrong_) {
-            if (lines++ == most_lines) break;
+            if (lines++ == max_lines) break;
             ExportOptions again = options_;
             again.shard = shard_of(wrong);
             again.resume = true;
@@ -211,12 +211,12 @@ class Merge {
 
     /// "3,7-12", as a scheduler takes it.
     std::string text_of_wrong() const {
-        constexpr std::size_t most_ranges = 100;
+        constexpr std::size_t max_ranges = 100;
         std::vector<FrameRange> ranges;
         for (const int index : wrong_) {
             if (!ranges.empty() && ranges.back().last + 1 == index)
                 ranges.back().last = index;
-            else if (ranges.size() == most_ranges)
+            else if (ranges.size() == max_ranges)
                 return tools::text_of(ranges) + ",...";
             else
                 ranges.push_back({index, index});

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double latest_time_s = 1e9;  // as `export --start`
 constexpr double longest_loop_s = 86400;
-constexpr std::size_t most_times = 1'000'000;
+constexpr std::size_t max_times = 1'000'000;
 
 /// Points in memory at once: some megabytes, and enough for each of many threads.
 constexpr std::size_t block_points = std::size_t{1} << 15;
@@ -61,14 +61,14 @@ class SpanNote {
 
    private:
     struct Extent {
-        double least = std::numeric_limits<double>::infinity(), most = -least;
+        double min = std::numeric_limits<double>::infinity(), max = -min;
 
         void extend(const std::vector<double>& to) {
             const auto [low, high] = std::minmax_element(to.begin(), to.end());
-            least = std::min(least, *low);
-            most = std::max(most, *high);
+            min = std::min(min, *low);
+            max = std::max(max, *high);
         }
-        double length() const { return most - least; }
+        double length() const { return max - min; }
     };
     double repeat_m_;
     Extent x_, z_;
@@ -86,7 +86,7 @@ std::vector<double> series(const std::string& text) {
         throw bad_value("--times", text, a_series);
     // 0:1:0.1 has 11 times, though ten tenths are not quite one.
     const double steps = std::floor((*last - *first) / *step + 1e-6);
-    if (steps >= static_cast<double>(most_times)) throw bad_value("--times", text, a_series);
+    if (steps >= static_cast<double>(max_times)) throw bad_value("--times", text, a_series);
     std::vector<double> times;
     for (double i = 0; i <= steps; ++i) times.push_back(std::min(*first + i * *step, *last));
     return times;

@@ -18,12 +18,12 @@ constexpr float panel_width = 360;
 constexpr float to_deg = 180 / std::numbers::pi_v<float>;
 
 bool slide(const Slider& slider, double& value) {
-    return ImGui::SliderScalar(slider.label, ImGuiDataType_Double, &value, &slider.least, &slider.most,
+    return ImGui::SliderScalar(slider.label, ImGuiDataType_Double, &value, &slider.min, &slider.max,
                                slider.format);
 }
 
 bool slide(const Slider& slider, float& value) {
-    return ImGui::SliderFloat(slider.label, &value, static_cast<float>(slider.least), static_cast<float>(slider.most),
+    return ImGui::SliderFloat(slider.label, &value, static_cast<float>(slider.min), static_cast<float>(slider.max),
                               slider.format);
 }
 
@@ -60,8 +60,8 @@ void choose_waves(SeaState& sea) {
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
     if (!is_cascade_for_good(sea) &&
-        ImGui::SliderInt(sliders::cascades.label, &cascades, static_cast<int>(sliders::cascades.least),
-                         static_cast<int>(sliders::cascades.most)))
+        ImGui::SliderInt(sliders::cascades.label, &cascades, static_cast<int>(sliders::cascades.min),
+                         static_cast<int>(sliders::cascades.max)))
         sea.cascades = cascades;
     std::string sides;
     for (const double side : sides_m) sides += (sides.empty() ? "" : ", ") + number_text(side);
@@ -95,7 +95,7 @@ void choose_exposure(gl::CameraSettings& camera, float ev) {
     if (ImGui::Checkbox("automatic exposure", &automatic))
         camera.fixed_ev = automatic ? std::nullopt : std::optional<float>(ev);
     if (camera.fixed_ev) {
-        ImGui::SliderFloat("EV", &*camera.fixed_ev, gl::least_ev, gl::most_ev, "%.1f");
+        ImGui::SliderFloat("EV", &*camera.fixed_ev, gl::min_ev, gl::max_ev, "%.1f");
     } else {
         ImGui::SameLine();
         ImGui::Text("EV %.1f", static_cast<double>(ev));

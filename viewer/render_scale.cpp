@@ -14,7 +14,7 @@ constexpr double far_too_long = 3;
 constexpr int looked_at = 4, convinced_after = 12;
 /// No single frame counts for more than this, over the mean: hitches are not slowness.
 constexpr double one_frame_says = 1.5;
-constexpr int first_closed_frames = 120, most_closed_frames = 100'000;
+constexpr int first_closed_frames = 120, max_closed_frames = 100'000;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void RenderScale::follow(double frame_ms) {
     far_too_long_ = frame_ms > far_too_long * goal_ms_ ? far_too_long_ + 1 : 0;
     if (counted < looked_at && far_too_long_ < 2) return;
     if (mean_ms_ > too_long * goal_ms_ && rung_ + 1 < ladder_.size()) {
-        closed_for_[rung_] = std::clamp(2 * closed_for_[rung_], first_closed_frames, most_closed_frames);
+        closed_for_[rung_] = std::clamp(2 * closed_for_[rung_], first_closed_frames, max_closed_frames);
         closed_until_[rung_] = frame_ + closed_for_[rung_];
         // As many steps at once as pixels alone call for.
         std::size_t rung = rung_ + 1;

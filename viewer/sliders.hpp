@@ -11,7 +11,7 @@ namespace pelagic::viewer {
 struct Slider {
     const char* label;
     std::string_view option;  ///< a field of SeaState or gl::SkyOptions, or one of gl::CameraSettings
-    double least, most;       ///< of angles, whose option ends in _rad, in degrees
+    double min, max;       ///< of angles, whose option ends in _rad, in degrees
     const char* format;       ///< as printf's: "%.1f m/s"
 };
 
@@ -28,7 +28,7 @@ inline constexpr std::array sea = {wind, wind_direction, choppiness, strength, d
 inline constexpr Slider sun_direction{"sun towards", "sun_azimuth_rad", -180, 180, "%.0f deg"};
 inline constexpr Slider sun_height{"sun height", "sun_elevation_rad", -40, 90, "%.0f deg"};
 inline constexpr Slider clouds{"clouds", "cloud_cover", 0, 1, "%.2f"};
-inline constexpr Slider brighter{"brighter", "bias_stops", -double{gl::most_bias_stops}, double{gl::most_bias_stops},
+inline constexpr Slider brighter{"brighter", "bias_stops", -double{gl::max_bias_stops}, double{gl::max_bias_stops},
                                  "%+.1f stops"};
 inline constexpr std::array light = {sun_direction, sun_height, clouds, brighter};
 

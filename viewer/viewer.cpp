@@ -48,14 +48,14 @@ constexpr int fewest_vertices = 8;
 
 /// A spectrum is baked in less, beside frames.
 constexpr double baking_s = 0.1;
-constexpr double least_change_s = 0.1;
+constexpr double min_change_s = 0.1;
 
 /// The window in which the water answers: a tick is a seventh of a millisecond, and a boat's wake has room in it.
 constexpr DynamicWavesOptions dynamic_waves{.resolution = 256, .side_m = 128, .border_m = 16};
 constexpr double tick_s = 1.0 / dynamic_waves.ticks_per_s;
 /// A click that makes a splash rather than turning the camera.
-constexpr float most_pixels_of_a_click = 4;
-constexpr double most_s_of_a_click = 0.4;
+constexpr float max_pixels_of_a_click = 4;
+constexpr double max_s_of_a_click = 0.4;
 constexpr double splash_reach_m = 400;
 constexpr Disturbance splash{.mode = Disturbance::Mode::impulse, .radius_m = 1.2, .height_m = 1};
 /// Where a boat is put: so far ahead of the camera.
@@ -182,8 +182,8 @@ class Viewer {
         }
         if (io.WantCaptureMouse) return;
         if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-            io.MouseDragMaxDistanceSqr[0] <= most_pixels_of_a_click * most_pixels_of_a_click &&
-            static_cast<double>(io.MouseDownDurationPrev[0]) <= most_s_of_a_click)
+            io.MouseDragMaxDistanceSqr[0] <= max_pixels_of_a_click * max_pixels_of_a_click &&
+            static_cast<double>(io.MouseDownDurationPrev[0]) <= max_s_of_a_click)
             clicked_ = glm::dvec2(io.MousePos.x, io.MousePos.y);
         // Not io.MouseDelta, which in the frame of a press holds the movement before it, too.
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) camera_.turn(radians_a_pixel * window_.dragged_px());
@@ -233,7 +233,7 @@ class Viewer {
 
     /// The sea turns into the one that is chosen, if that fits the cascades.
     bool turns_slowly() {
-        if (settings_.frozen || settings_.change_over_s < least_change_s) return false;
+        if (settings_.frozen || settings_.change_over_s < min_change_s) return false;
         try {
             ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
         } catch (const std::invalid_argument&) {  // longer waves, another kind of cascades, or weather to come

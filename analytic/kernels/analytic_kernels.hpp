@@ -7,7 +7,7 @@
 
 namespace pelagic {
 
-inline constexpr int most_analytic_waves = 64;
+inline constexpr int max_analytic_waves = 64;
 
 /// Points that the octaves' kernel takes together: a multiple of every instruction set's lanes.
 inline constexpr std::size_t analytic_group = 16;
@@ -49,7 +49,7 @@ struct GerstnerJob {
     float contraction;  ///< a fixed-point step leaves at most this part of an error
     float curvature;    ///< a Newton step leaves at most this, 1/m, times the error's square
     float target_m;
-    int most_steps;
+    int max_steps;
 };
 
 /// One octave of exp(sin - 1) waves.

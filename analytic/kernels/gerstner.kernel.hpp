@@ -49,7 +49,7 @@ template <class Arch>
 PELAGIC_INLINE void search_reference(const GerstnerJob& job, GerstnerPoints<Arch>& at) {
     using V = xsimd::batch<float, Arch>;
     V error_left(1e30f);
-    for (int step = 0; step < job.most_steps; ++step) {
+    for (int step = 0; step < job.max_steps; ++step) {
         const auto open = error_left > V(job.target_m);
         if (!xsimd::any(open)) return;
         HorizontalSum<Arch> d;

@@ -79,7 +79,7 @@ class PointPhases {
         return (turns - whole) + D(0x1.8p20);
     }
 
-    alignas(64) std::uint32_t phases_[most_analytic_waves * U::size];
+    alignas(64) std::uint32_t phases_[max_analytic_waves * U::size];
 };
 
 /// Turns of a few thousand at most as a phase.

@@ -77,7 +77,7 @@ void evolve_separate(const FftwEvolveJob& job) {
 
 void finalize(const FftwFinalizeJob& job) {
     const V factor(job.choppiness);
-    V least(3.4e38f), most(-3.4e38f), most_x(0.f), most_z(0.f);
+    V min(3.4e38f), max(-3.4e38f), max_x(0.f), max_z(0.f);
     for (std::size_t i = 0; i < job.texels; i += V::size) {
         Pair<Arch> horizontal{V::load_unaligned(job.dx + i), V::load_unaligned(job.dz + i)};
         if (job.horizontal)
@@ -87,13 +87,13 @@ void finalize(const FftwFinalizeJob& job) {
         dx.store_unaligned(job.dx + i);
         dz.store_unaligned(job.dz + i);
         const V height = V::load_unaligned(job.height + i);
-        least = xsimd::min(least, height);
-        most = xsimd::max(most, height);
-        most_x = xsimd::max(most_x, xsimd::abs(dx));
-        most_z = xsimd::max(most_z, xsimd::abs(dz));
+        min = xsimd::min(min, height);
+        max = xsimd::max(max, height);
+        max_x = xsimd::max(max_x, xsimd::abs(dx));
+        max_z = xsimd::max(max_z, xsimd::abs(dz));
     }
-    *job.bounds = {kernels::least_lane<Arch>(least), kernels::most_lane<Arch>(most), kernels::most_lane<Arch>(most_x),
-                   kernels::most_lane<Arch>(most_z)};
+    *job.bounds = {kernels::min_lane<Arch>(min), kernels::max_lane<Arch>(max), kernels::max_lane<Arch>(max_x),
+                   kernels::max_lane<Arch>(max_z)};
 }
 
 /// Three planes with tight rows.

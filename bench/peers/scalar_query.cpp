@@ -83,10 +83,10 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
         const float off_x = static_cast<float>(at.cell_x - world.cell_x) + (at.u - world.u) + dx.value;
         const float off_z = static_cast<float>(at.cell_z - world.cell_z) + (at.v - world.v) + dz.value;
         squared = off_x * off_x + off_z * off_z;
-        if (squared <= target * target || step == InvertSurfaceJob::most_steps) break;
+        if (squared <= target * target || step == InvertSurfaceJob::max_steps) break;
         const float j_xx = 1 + dx.along_u, j_zz = 1 + dz.along_v;
         const float determinant = j_xx * j_zz - dx.along_v * dz.along_u;
-        if (determinant > InvertSurfaceJob::least_determinant &&
+        if (determinant > InvertSurfaceJob::min_determinant &&
             std::max(std::fabs(off_x), std::fabs(off_z)) < InvertSurfaceJob::newton_reach) {
             const float inverse = 1 / determinant;
             move(at.cell_x, at.u, (j_zz * off_x - dx.along_v * off_z) * inverse);

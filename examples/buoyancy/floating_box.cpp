@@ -28,9 +28,9 @@ std::string check(const BoxOptions& box) {
     if (!(box.length_m > 0 && box.length_m <= 1000)) return invalid_value_message("length_m", box.length_m, "(0, 1000]");
     if (!(box.height_m > 0 && box.height_m <= 1000)) return invalid_value_message("height_m", box.height_m, "(0, 1000]");
     if (!(box.beam_m > 0 && box.beam_m <= 1000)) return invalid_value_message("beam_m", box.beam_m, "(0, 1000]");
-    const double most_kg = water_density_kgpm3 * box.length_m * box.height_m * box.beam_m;
-    if (!(box.mass_kg > 0 && box.mass_kg < most_kg))
-        return invalid_value_message("mass_kg", box.mass_kg, "(0, " + number_text(most_kg) + ") to float");
+    const double max_kg = water_density_kgpm3 * box.length_m * box.height_m * box.beam_m;
+    if (!(box.mass_kg > 0 && box.mass_kg < max_kg))
+        return invalid_value_message("mass_kg", box.mass_kg, "(0, " + number_text(max_kg) + ") to float");
     if (!(std::fabs(box.centre_of_mass_m) <= box.height_m / 2))
         return invalid_value_message("centre_of_mass_m", box.centre_of_mass_m, "at most half the height");
     if (box.inertia_kgm2)

@@ -39,9 +39,9 @@ constexpr std::array<Panel, 3> panels = {{
 }};
 
 /// 1, 2 or 5 times a power of ten, so that `range` holds at most `most` of them.
-double tick_of(double range, int most) {
+double tick_of(double range, int max) {
     double tick = 1e-3;
-    for (int i = 0; tick * most < range; ++i) tick *= i % 3 == 1 ? 2.5 : 2;
+    for (int i = 0; tick * max < range; ++i) tick *= i % 3 == 1 ? 2.5 : 2;
     return tick;
 }
 
@@ -50,10 +50,10 @@ void draw_text(std::ostream& svg, double x, double y, const char* more, const st
 }
 
 void draw_panel(std::ostream& svg, const Panel& panel, double above, const std::vector<BoatTrace>& boats) {
-    double most = 1e-3;
+    double max = 1e-3;
     for (const BoatTrace& boat : boats)
-        for (const Moment& moment : boat.moments) most = std::max(most, std::fabs(panel.value(moment)));
-    const double tick = tick_of(2 * most, 6), reach = std::ceil(most / tick) * tick;
+        for (const Moment& moment : boat.moments) max = std::max(max, std::fabs(panel.value(moment)));
+    const double tick = tick_of(2 * max, 6), reach = std::ceil(max / tick) * tick;
     const double first_s = boats[0].moments.front().time_s, last_s = boats[0].moments.back().time_s;
     const double seconds = std::max(last_s - first_s, 1e-3), tick_s = tick_of(seconds, 12);
     const auto x_of = [&](double time) { return left + (time - first_s) / seconds * (width - left - right); };

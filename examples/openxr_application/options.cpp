@@ -12,12 +12,12 @@ namespace {
 constexpr const char* usage =
     "needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--images FOLDER] [--hashes FILE]";
 
-int whole_number(std::string_view option, std::string_view text, int least) {
+int whole_number(std::string_view option, std::string_view text, int min) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || number < least)
+    if (error != std::errc{} || end != text.data() + text.size() || number < min)
         throw std::invalid_argument(std::string(option) + " is " + std::string(text) +
-                                    ", needs a whole number from " + std::to_string(least));
+                                    ", needs a whole number from " + std::to_string(min));
     return number;
 }
 

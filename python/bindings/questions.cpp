@@ -119,7 +119,7 @@ struct Vectors {
     }
 };
 
-constexpr double least_tolerance_m = 1e-6, most_tolerance_m = 1000;  // as the C interface has it
+constexpr double min_tolerance_m = 1e-6, max_tolerance_m = 1000;  // as the C interface has it
 
 /// Which answers are wanted.
 class Fields {
@@ -211,7 +211,7 @@ class AnswerArrays {
 };
 
 SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolation) {
-    if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
+    if (!(tolerance_m >= min_tolerance_m && tolerance_m <= max_tolerance_m))
         throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const std::optional<Interpolation> named = interpolation_named(interpolation);
     if (!named) throw std::invalid_argument(invalid_value_message("interpolation", interpolation, "linear or cubic"));
@@ -222,10 +222,10 @@ SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolat
 void warn_of_span(const Places& places, double repeat_m) {
     double span_m = 0;
     for (const std::vector<double>* along : {&places.x, &places.z}) {
-        double least = std::numeric_limits<double>::infinity(), most = -least;
+        double min = std::numeric_limits<double>::infinity(), max = -min;
         for (const double at : *along)
-            if (std::isfinite(at)) least = std::min(least, at), most = std::max(most, at);
-        span_m = std::max(span_m, most - least);
+            if (std::isfinite(at)) min = std::min(min, at), max = std::max(max, at);
+        span_m = std::max(span_m, max - min);
     }
     if (!(span_m > repeat_m)) return;
     // Without the span: of warnings with one text Python shows and keeps one for each line of a program.
@@ -296,7 +296,7 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
 
 py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach, double tolerance_m) {
     const auto reader = handle.read();
-    if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
+    if (!(tolerance_m >= min_tolerance_m && tolerance_m <= max_tolerance_m))
         throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const SurfaceQuery surface(handle.frame, tolerance_m);
     const py::object extended = doubles_of(reach, "reach").attr("__getitem__")(
@@ -342,11 +342,11 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
 
 /// Where water rests that is to be looked at there, without a search.
 Places reference_places_of(py::handle points, py::handle z) {
-    constexpr double most_m = 1e9;  // as for rays
+    constexpr double max_m = 1e9;  // as for rays
     Places places = places_of(points, z);
     for (std::size_t i = 0; i < places.x.size(); ++i)
         for (const double at : {places.x[i], places.z[i]})
-            if (!(std::fabs(at) <= most_m))
+            if (!(std::fabs(at) <= max_m))
                 throw std::invalid_argument("point " + number_text(i) + ": " + invalid_value_message("a coordinate", at, "[-1e9, 1e9]"));
     return places;
 }
@@ -368,15 +368,15 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
 
 /// Foam of the water that has the reference position (x, z): the largest of the cascades', as a query has it.
 float resting_foam(const Frame& frame, double x_m, double z_m) {
-    double most = 0;
+    double max = 0;
     for (const Cascade& cascade : frame.cascades) {
         const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
+        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
                                       z - row));
     }
-    return static_cast<float>(most);
+    return static_cast<float>(max);
 }
 
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {

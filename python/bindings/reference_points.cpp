@@ -91,17 +91,17 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
                 throw std::invalid_argument(invalid_value_message("points[" + number_text(point) + "]",
                                                     number_text(at[0]) + ", " + number_text(at[1]), "metres in [-1e9, 1e9]"));
-            double sum[3] = {}, speed[3] = {}, most_foam = 0;
+            double sum[3] = {}, speed[3] = {}, max_foam = 0;
             for (const ReferenceCascade& cascade : cascades) {
                 const ReferenceCascade::Cell cell = cascade.cell_at(at[0], at[1]);
                 cascade.add(displacements, cell, sum);
                 if (has_velocities) cascade.add(velocities, cell, speed);
-                if (has_foam) most_foam = std::max(most_foam, cascade.foam(cell));
+                if (has_foam) max_foam = std::max(max_foam, cascade.foam(cell));
             }
             for (const double part : sum) *moved++ = static_cast<float>(part);
             if (has_velocities)
                 for (const double part : speed) *moves++ = static_cast<float>(part);
-            if (has_foam) *white++ = static_cast<float>(most_foam);
+            if (has_foam) *white++ = static_cast<float>(max_foam);
         }
     }
     py::dict answers;

@@ -80,18 +80,18 @@ void DynamicWaveFrames::enqueue(const Command& command) { commands_.push_back(co
 
 void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.sources().settled() + new_disturbances_ == DynamicWaveSources::most)
-        throw std::invalid_argument(invalid_value_message("the number of disturbances of a tick", DynamicWaveSources::most + 1,
-                                            "at most " + number_text(DynamicWaveSources::most)));
+    if (grid_.sources().settled() + new_disturbances_ == DynamicWaveSources::max_count)
+        throw std::invalid_argument(invalid_value_message("the number of disturbances of a tick", DynamicWaveSources::max_count + 1,
+                                            "at most " + number_text(DynamicWaveSources::max_count)));
     ++new_disturbances_;
     enqueue({Command::Kind::disturb, 0, disturbance});
 }
 
 std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    if (numbers_.size() == DynamicWaveSources::most)
+    if (numbers_.size() == DynamicWaveSources::max_count)
         throw std::invalid_argument(
-            invalid_value_message("the number of sources", DynamicWaveSources::most + 1, "at most " + number_text(DynamicWaveSources::most)));
+            invalid_value_message("the number of sources", DynamicWaveSources::max_count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
     const std::uint32_t number = grid_.sources().new_number();
     numbers_.push_back(number);
     enqueue({Command::Kind::add, number, source});
@@ -122,7 +122,7 @@ void DynamicWaveFrames::set_rain(const Rain& rain) {
 
 void DynamicWaveFrames::apply_commands(bool time_goes_on) {
     DynamicWaveSources& sources = grid_.sources();
-    const bool is_full = sources.waiting() + new_disturbances_ > DynamicWaveSources::most;
+    const bool is_full = sources.waiting() + new_disturbances_ > DynamicWaveSources::max_count;
     if (new_disturbances_ > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
     for (const Command& command : commands_) {
         switch (command.kind) {
@@ -150,8 +150,8 @@ void DynamicWaveFrames::begin_frame(double time_s) {
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
     const double tick = std::floor(place);
     const auto number = static_cast<std::int64_t>(tick);
-    const auto most = static_cast<std::int64_t>(most_seconds_a_frame * rate);
-    ticks_due_ = has_clock_ ? std::clamp(number - last_tick_, std::int64_t{0}, most) : 0;
+    const auto max = static_cast<std::int64_t>(max_seconds_a_frame * rate);
+    ticks_due_ = has_clock_ ? std::clamp(number - last_tick_, std::int64_t{0}, max) : 0;
     last_tick_ = number;
     has_clock_ = true;
     part_ = static_cast<float>(std::min(place - tick, 1.0));

@@ -23,7 +23,7 @@ class DynamicWaveFrames {
     using Prepare = std::function<std::unique_ptr<GraphRun>(const JobGraph&)>;
 
     /// A jump in time is no more ticks than that many seconds have.
-    static constexpr double most_seconds_a_frame = 0.5;
+    static constexpr double max_seconds_a_frame = 0.5;
 
     DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const Allocator& memory, const Prepare& prepare);
     DynamicWaveFrames(const DynamicWaveFrames&) = delete;  // stages point into it

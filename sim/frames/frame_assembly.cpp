@@ -15,7 +15,7 @@ namespace pelagic {
 namespace {
 
 // More than a clock counts: 2^40 loops of less than 2^20 ticks.
-constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
+constexpr std::int64_t max_ticks = std::int64_t{1} << 60;
 
 std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
@@ -154,7 +154,7 @@ void FrameAssembly::restore_history(std::span<const std::uint8_t> saved) {
             invalid_value_message("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
     std::int64_t number;
     std::memcpy(&number, saved.data(), sizeof number);
-    if (number < -most_ticks || number > most_ticks)
+    if (number < -max_ticks || number > max_ticks)
         throw std::invalid_argument(invalid_value_message("history's tick", number, "one of a clock"));
     newest_tick_ = number;
     foam_->restore(saved.subspan(sizeof *newest_tick_));

@@ -11,21 +11,21 @@ namespace pelagic::kernels {
 
 /// Extremes of a batch's lanes. A zero may come with either sign, by the order of lanes; + 0 makes it positive.
 template <class Arch>
-inline float least_lane(xsimd::batch<float, Arch> v) {
+inline float min_lane(xsimd::batch<float, Arch> v) {
     float lanes[xsimd::batch<float, Arch>::size];
     v.store_unaligned(lanes);
-    float least = lanes[0];
-    for (const float lane : lanes) least = lane < least ? lane : least;
-    return least + 0.f;
+    float min = lanes[0];
+    for (const float lane : lanes) min = lane < min ? lane : min;
+    return min + 0.f;
 }
 
 template <class Arch>
-inline float most_lane(xsimd::batch<float, Arch> v) {
+inline float max_lane(xsimd::batch<float, Arch> v) {
     float lanes[xsimd::batch<float, Arch>::size];
     v.store_unaligned(lanes);
-    float most = lanes[0];
-    for (const float lane : lanes) most = lane > most ? lane : most;
-    return most + 0.f;
+    float max = lanes[0];
+    for (const float lane : lanes) max = lane > max ? lane : max;
+    return max + 0.f;
 }
 
 /// Spreads the half plane kz in [0, N/2) of W columns over the whole spectrum, through the first step: `half` gives the
@@ -102,35 +102,35 @@ struct FinishHorizontal {
         : straight(0.f - (Turned ? job.choppiness * job.cosine : job.choppiness)),
           crossed(0.f - job.choppiness * job.sine),
           block(to),
-          most_x(x_so_far),
-          most_z(z_so_far) {}
+          max_x(x_so_far),
+          max_z(z_so_far) {}
     PELAGIC_INLINE void operator()(std::size_t row, const Complex<Arch>& p) {
         float* to = block + row * surface_components * V::size;
         const V dx = Turned ? p.re * straight - p.im * crossed : p.re * straight;
         const V dz = Turned ? p.re * crossed + p.im * straight : p.im * straight;
         dx.store_aligned(to + surface_dx * V::size);
         dz.store_aligned(to + surface_dz * V::size);
-        most_x = xsimd::max(most_x, xsimd::abs(dx));
-        most_z = xsimd::max(most_z, xsimd::abs(dz));
+        max_x = xsimd::max(max_x, xsimd::abs(dx));
+        max_z = xsimd::max(max_z, xsimd::abs(dz));
     }
     V straight, crossed;
     float* block;
-    V most_x, most_z;
+    V max_x, max_z;
 };
 
 template <class Arch, bool Turned>
 inline void horizontal_columns(const ColumnsFinalizeJob& job, float* workspace) {
     using V = xsimd::batch<float, Arch>;
-    V most_x(0.f), most_z(0.f);
+    V max_x(0.f), max_z(0.f);
     for (float* block : job.blocks) {
         if (!block) continue;
         const auto finished = transform_columns<Arch>(*job.fft, workspace, HorizontalHalfPlane<Arch>{block},
-                                                      FinishHorizontal<Arch, Turned>(job, block, most_x, most_z));
-        most_x = finished.most_x;
-        most_z = finished.most_z;
+                                                      FinishHorizontal<Arch, Turned>(job, block, max_x, max_z));
+        max_x = finished.max_x;
+        max_z = finished.max_z;
     }
-    job.bounds->horizontal_x_max = most_lane<Arch>(most_x);
-    job.bounds->horizontal_z_max = most_lane<Arch>(most_z);
+    job.bounds->horizontal_x_max = max_lane<Arch>(max_x);
+    job.bounds->horizontal_z_max = max_lane<Arch>(max_z);
 }
 
 /// The heights of two column blocks as a + i b. Both are real, so conj(a) + i conj(b) is the mirror; at kz = 0 their
@@ -164,11 +164,11 @@ struct FinishHeights {
     }
     PELAGIC_INLINE void take(V height, float* to) {
         height.store_aligned(to);
-        least = xsimd::min(least, height);
-        most = xsimd::max(most, height);
+        min = xsimd::min(min, height);
+        max = xsimd::max(max, height);
     }
     float *first, *second;
-    V least = V(3.4e38f), most = V(-3.4e38f);
+    V min = V(3.4e38f), max = V(-3.4e38f);
 };
 
 template <class Arch, bool HasSecond>
@@ -177,8 +177,8 @@ inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
     const auto finished =
         transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
                                 FinishHeights<Arch, HasSecond>{first, second});
-    job.bounds->height_min = least_lane<Arch>(finished.least);
-    job.bounds->height_max = most_lane<Arch>(finished.most);
+    job.bounds->height_min = min_lane<Arch>(finished.min);
+    job.bounds->height_max = max_lane<Arch>(finished.max);
 }
 
 template <class Arch>

@@ -30,18 +30,18 @@ struct GridVectors {
 template <class Arch>
 struct ContractionOfCells {
     using V = xsimd::batch<float, Arch>;
-    V least_even = V(1e30f), most_apart_squared = V(0.f);
+    V min_even = V(1e30f), max_apart_squared = V(0.f);
 
-    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& most_even,
-                             V& most_turn) {
+    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& max_even,
+                             V& max_turn) {
         const V even = edge.along + side.across, difference = edge.along - side.across;
         const V shear = edge.across + side.along, turn = edge.across - side.along;
-        least_even = xsimd::min(least_even, even);
-        most_apart_squared = xsimd::max(most_apart_squared, difference * difference + shear * shear);
-        most_even = xsimd::max(most_even, xsimd::abs(even));
-        most_turn = xsimd::max(most_turn, xsimd::abs(turn));
+        min_even = xsimd::min(min_even, even);
+        max_apart_squared = xsimd::max(max_apart_squared, difference * difference + shear * shear);
+        max_even = xsimd::max(max_even, xsimd::abs(even));
+        max_turn = xsimd::max(max_turn, xsimd::abs(turn));
     }
-    PELAGIC_INLINE V contraction() const { return square_root<Arch>(most_apart_squared) - least_even; }
+    PELAGIC_INLINE V contraction() const { return square_root<Arch>(max_apart_squared) - min_even; }
 };
 
 template <class Arch>
@@ -82,10 +82,10 @@ void find_contraction(const FindContractionJob& job) {
     const SurfaceTexels& surface = job.surface;
     const std::size_t n = static_cast<std::size_t>(surface.resolution);
     const V cosine(job.cosine), sine(job.sine);
-    const V scale(0.5f * job.one * job.texels_per_m), up(0.999f), most_byte(255.f);
+    const V scale(0.5f * job.one * job.texels_per_m), up(0.999f), max_byte(255.f);
     V displacement(0.f), even(0.f), turn(0.f), apart_squared(0.f), steepness(0.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
-        alignas(64) std::int32_t columns[FindContractionJob::most_resolution];
+        alignas(64) std::int32_t columns[FindContractionJob::max_resolution];
         int row_places[3];
         for (std::size_t r = 0; r < 3; ++r) row_places[r] = static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
         TexelRows<Arch> here(surface, 0, row_places, cosine, sine);
@@ -118,9 +118,9 @@ void find_contraction(const FindContractionJob& job) {
                     steepness, xsimd::max(rises[r], rises[r + 1]) + xsimd::max(fall * fall, next_fall * next_fall));
             }
             here = behind;
-            apart_squared = xsimd::max(apart_squared, cells.most_apart_squared);
+            apart_squared = xsimd::max(apart_squared, cells.max_apart_squared);
             // Rounded up; what is more than a byte holds is the most that it holds.
-            xsimd::to_int(xsimd::min(xsimd::max(cells.contraction(), V(0.f)) * scale + up, most_byte))
+            xsimd::to_int(xsimd::min(xsimd::max(cells.contraction(), V(0.f)) * scale + up, max_byte))
                 .store_aligned(columns + x);
         }
         std::uint8_t* const blocks = job.blocks + z / 2 * (n / 2);
@@ -130,8 +130,8 @@ void find_contraction(const FindContractionJob& job) {
         }
     }
     // Each the largest of all lanes, however many those are.
-    const float most_apart = largest_of<Arch>(square_root<Arch>(apart_squared));
-    const float stretch = largest_of<Arch>(even) + largest_of<Arch>(turn) + most_apart;
+    const float max_apart = largest_of<Arch>(square_root<Arch>(apart_squared));
+    const float stretch = largest_of<Arch>(even) + largest_of<Arch>(turn) + max_apart;
     job.extremes->displacement_squared = largest_of<Arch>(displacement);
     job.extremes->stretch = stretch * (0.5f * job.texels_per_m);
     job.extremes->steepness_squared = largest_of<Arch>(steepness) * job.texels_per_m * job.texels_per_m;
@@ -157,7 +157,7 @@ void spread_contraction(const SpreadContractionJob& job) {
     const std::size_t n = job.side, width = 2 * job.reach + 1, padded = n + 2 * job.reach;
     for (std::size_t z = 0; z < padded; ++z) {
         const std::uint8_t* const from = job.from + ((z + n - job.reach) & (n - 1)) * n;
-        std::uint8_t row[2 * SpreadContractionJob::most_side];
+        std::uint8_t row[2 * SpreadContractionJob::max_side];
         for (std::size_t x = 0; x < job.reach; ++x) {
             row[x] = from[n - job.reach + x];
             row[job.reach + n + x] = from[x];
@@ -176,10 +176,10 @@ void halve_contraction(const HalveContractionJob& job) {
     for (std::size_t z = 0; z < job.side; ++z) {
         const std::uint8_t *const upper = job.from + 4 * z * job.side, *const lower = upper + 2 * job.side;
         for (std::size_t x = 0; x < job.side; ++x) {
-            std::uint8_t most = upper[2 * x];
+            std::uint8_t max = upper[2 * x];
             const std::uint8_t others[] = {upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]};
-            for (const std::uint8_t byte : others) most = byte > most ? byte : most;
-            job.to[z * job.side + x] = most;
+            for (const std::uint8_t byte : others) max = byte > max ? byte : max;
+            job.to[z * job.side + x] = max;
         }
     }
 }

@@ -66,7 +66,7 @@ struct VerletRowsJob {
 
 /// Foam of rows: the more of what stands high and what is left of the tick before. Rows without either are told from a look.
 struct DynamicFoamJob {
-    static constexpr std::size_t most_resolution = 1024;
+    static constexpr std::size_t max_resolution = 1024;
 
     const float* heights;  ///< texel (0, 0)
     std::size_t resolution;

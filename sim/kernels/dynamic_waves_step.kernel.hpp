@@ -159,8 +159,8 @@ void verlet_rows(const VerletRowsJob& job) {
 template <class Arch>
 void dynamic_foam(const DynamicFoamJob& job) {
     using V = xsimd::batch<float, Arch>;
-    const V threshold(job.threshold), scale(job.scale), none(0.f), most(255.f);
-    alignas(64) std::int32_t fresh[DynamicFoamJob::most_resolution];
+    const V threshold(job.threshold), scale(job.scale), none(0.f), max(255.f);
+    alignas(64) std::int32_t fresh[DynamicFoamJob::max_resolution];
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const row = job.heights + z * dynamic_row_stride(job.resolution);
         V highest(row[0]);
@@ -170,7 +170,7 @@ void dynamic_foam(const DynamicFoamJob& job) {
 
         for (std::size_t x = 0; x < job.resolution; x += V::size) {
             const V above = (V::load_aligned(row + x) - threshold) * scale;
-            xsimd::to_int(xsimd::min(xsimd::max(above, none), most)).store_aligned(fresh + x);
+            xsimd::to_int(xsimd::min(xsimd::max(above, none), max)).store_aligned(fresh + x);
         }
         std::uint8_t* const foam = job.foam + z * job.resolution;
         std::uint8_t all = 0;

@@ -22,7 +22,7 @@ struct BreakingFoam {
 };
 
 /// A row of a piece of a cascade: what is remembered there, and what becomes of it.
-template <class Arch, std::size_t most_columns>
+template <class Arch, std::size_t max_columns>
 class FoamRow {
     using V = xsimd::batch<float, Arch>;
 
@@ -47,12 +47,12 @@ class FoamRow {
     }
 
    private:
-    alignas(64) float remembered_[most_columns];
-    alignas(64) std::int32_t shown_[most_columns];
+    alignas(64) float remembered_[max_columns];
+    alignas(64) std::int32_t shown_[max_columns];
 };
 
 /// Two rows of a piece of a cascade as a frame shows them.
-template <class Arch, std::size_t most_columns>
+template <class Arch, std::size_t max_columns>
 class ShownFoamRows {
     using V = xsimd::batch<float, Arch>;
 
@@ -75,7 +75,7 @@ class ShownFoamRows {
 
    private:
     BreakingFoam<Arch> breaking_;
-    FoamRow<Arch, most_columns> rows_[2];
+    FoamRow<Arch, max_columns> rows_[2];
     std::uint8_t* bytes_;
     std::size_t first_, stride_, columns_;
 };
@@ -120,8 +120,8 @@ inline void foam_rows(const FoamTickJob& job, const Turn& turn) {
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
     const V factor(job.difference_factor), far_weight(job.far_over_near), one(1.f);
     const BreakingFoam<Arch> breaking(job.source);
-    std::uint8_t before[FoamTickJob::most_resolution];
-    FoamRow<Arch, FoamTickJob::most_resolution> foam[2];
+    std::uint8_t before[FoamTickJob::max_resolution];
+    FoamRow<Arch, FoamTickJob::max_resolution> foam[2];
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
         for (std::size_t row = 0; row < 2; ++row) {
             shifted_row(job, z + row, before);

@@ -31,7 +31,7 @@ struct TexelPairs {
 /// The least Jacobian in each of W cells, times the texel's area. Inside a cell the surface is bilinear, so its Jacobian
 /// is linear and least at one of the corners, where it is the cross product of the two edges that meet there.
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> least_area(const TexelPairs<Arch>& here, const TexelPairs<Arch>& behind,
+PELAGIC_INLINE xsimd::batch<float, Arch> min_area(const TexelPairs<Arch>& here, const TexelPairs<Arch>& behind,
                                                     xsimd::batch<float, Arch> texel) {
     using V = xsimd::batch<float, Arch>;
     V upper_x[2], lower_x[2], behind_z[2];
@@ -52,7 +52,7 @@ void find_folds(const FindFoldsJob& job) {
     using V = xsimd::batch<float, Arch>;
     const SurfaceTexels& surface = job.surface;
     const std::size_t n = static_cast<std::size_t>(surface.resolution);
-    const V texel(job.texel_m), most(job.most_area);
+    const V texel(job.texel_m), max(job.max_area);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         std::uint8_t* bits = job.cells + z * (n / 8);
         for (std::size_t i = 0; i < n / 8; ++i) bits[i] = 0;
@@ -66,13 +66,13 @@ void find_folds(const FindFoldsJob& job) {
         TexelPairs<Arch> here = pairs_at(0);
         for (std::size_t x = 0; x < n; x += V::size) {
             const TexelPairs<Arch> behind = pairs_at(x + V::size);
-            const V least = least_area<Arch>(here, behind, texel);
+            const V min = min_area<Arch>(here, behind, texel);
             here = behind;
-            if (!xsimd::any(least <= most)) continue;  // nearly always
+            if (!xsimd::any(min <= max)) continue;  // nearly always
             float lanes[V::size];
-            least.store_unaligned(lanes);
+            min.store_unaligned(lanes);
             for (std::size_t lane = 0; lane < V::size; ++lane)
-                if (lanes[lane] <= job.most_area)
+                if (lanes[lane] <= job.max_area)
                     bits[(x + lane) / 8] = static_cast<std::uint8_t>(bits[(x + lane) / 8] | 1u << (x + lane) % 8);
         }
     }

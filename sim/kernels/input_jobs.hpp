@@ -47,7 +47,7 @@ struct AddRowsJob {
     std::size_t first_row, row_count;
     float* surface;            ///< all column blocks
     std::size_t block_stride;  ///< floats between them
-    float most;
+    float max;
     PartBounds* bounds;  ///< of the sum in these rows
 };
 

@@ -63,10 +63,10 @@ bool add_rows(const AddRowsJob& job) {
     V wrong(0.f);
     for (const float* const row : job.rows)
         for (std::size_t i = 0; i < texels; i += V::size)
-            wrong = wrong + xsimd::select(xsimd::abs(V::load_aligned(row + i)) <= V(job.most), V(0.f), V(1.f));
-    if (most_lane<Arch>(wrong) > 0) return false;
+            wrong = wrong + xsimd::select(xsimd::abs(V::load_aligned(row + i)) <= V(job.max), V(0.f), V(1.f));
+    if (max_lane<Arch>(wrong) > 0) return false;
 
-    V least(3.4e38f), most(-3.4e38f), most_x(0.f), most_z(0.f);
+    V min(3.4e38f), max(-3.4e38f), max_x(0.f), max_z(0.f);
     for (std::size_t column = 0; column < n; column += V::size) {
         float* const block = job.surface + column / V::size * job.block_stride;
         for (std::size_t row = 0; row < job.row_count; ++row) {
@@ -78,15 +78,15 @@ bool add_rows(const AddRowsJob& job) {
                 return both;
             };
             const V dx = sum(surface_dx), height = sum(surface_height), dz = sum(surface_dz);
-            least = xsimd::min(least, height);
-            most = xsimd::max(most, height);
-            most_x = xsimd::max(most_x, xsimd::abs(dx));
-            most_z = xsimd::max(most_z, xsimd::abs(dz));
+            min = xsimd::min(min, height);
+            max = xsimd::max(max, height);
+            max_x = xsimd::max(max_x, xsimd::abs(dx));
+            max_z = xsimd::max(max_z, xsimd::abs(dz));
         }
     }
     // Zeros have signs, and which of them is least is no instruction set's to say.
-    *job.bounds = {least_lane<Arch>(least) + 0.f, most_lane<Arch>(most) + 0.f, most_lane<Arch>(most_x),
-                   most_lane<Arch>(most_z)};
+    *job.bounds = {min_lane<Arch>(min) + 0.f, max_lane<Arch>(max) + 0.f, max_lane<Arch>(max_x),
+                   max_lane<Arch>(max_z)};
     return true;
 }
 

@@ -187,7 +187,7 @@ struct SlopeLevelJob {
 /// One tick of a cascade's foam: after = max(source(J), before - fade), `before` moved by whole texels, which wrap. Derivatives are
 /// as in SlopesJob.
 struct FoamTickJob {
-    static constexpr std::size_t most_resolution = 2048;
+    static constexpr std::size_t max_resolution = 2048;
     static constexpr int fade = 9;
 
     const float* surface;  ///< all column blocks
@@ -231,9 +231,9 @@ struct CellPlaces {
 /// steps with the slopes of the cell; where they don't hold (far away, or near a fold) q - (q + D(q) - p) instead.
 /// A lane that has come within `target` stays as it is, so no lane depends on its neighbours.
 struct InvertSurfaceJob {
-    static constexpr int most_steps = 12;
+    static constexpr int max_steps = 12;
     static constexpr float newton_reach = 2;  ///< texels, along each axis: the slopes of one cell say nothing beyond
-    static constexpr float least_determinant = 0.1f;  ///< a step is at most 1 / this times what is missing
+    static constexpr float min_determinant = 0.1f;  ///< a step is at most 1 / this times what is missing
 
     SurfaceTexels surface;
     float texels_per_m;  ///< N / L
@@ -261,11 +261,11 @@ struct SampleSurfaceJob {
 };
 
 /// Cells in which the surface turns over, or nearly so: the least Jacobian, times the area of a texel at rest, is at
-/// most `most_area`. Blocks of the surface have a multiple of W columns.
+/// most `max_area`. Blocks of the surface have a multiple of W columns.
 struct FindFoldsJob {
     SurfaceTexels surface;
     float texel_m;  ///< L / N
-    float most_area;
+    float max_area;
     std::size_t first_row, rows;
     std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
 };
@@ -282,7 +282,7 @@ struct ContractionExtremes {
 /// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
 /// least at a corner. Blocks of the surface have a multiple of W columns.
 struct FindContractionJob {
-    static constexpr std::size_t most_resolution = 2048;
+    static constexpr std::size_t max_resolution = 2048;
 
     SurfaceTexels surface;
     float texels_per_m;           ///< N / L
@@ -295,7 +295,7 @@ struct FindContractionJob {
 
 /// The largest byte within `reach` of each along both axes; the square of bytes repeats.
 struct SpreadContractionJob {
-    static constexpr std::size_t most_side = 1024;  ///< half of the largest resolution
+    static constexpr std::size_t max_side = 1024;  ///< half of the largest resolution
 
     const std::uint8_t* from;  ///< side^2
     std::size_t side;          ///< a power of two
@@ -312,7 +312,7 @@ struct HalveContractionJob {
 };
 
 /// Cascades that a kernel adds up, at most.
-inline constexpr std::size_t most_cascades = 4;
+inline constexpr std::size_t max_cascades = 4;
 
 /// One cascade of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
 struct StackCascade {
@@ -328,22 +328,22 @@ struct StackCascade {
 /// `target` stays as it is.
 struct InvertStackJob {
     static constexpr std::size_t first_cascades = 2;
-    static constexpr int most_steps = 16;
-    static constexpr float least_determinant = 0.1f;
+    static constexpr int max_steps = 16;
+    static constexpr float min_determinant = 0.1f;
 
-    StackCascade cascades[most_cascades];
+    StackCascade cascades[max_cascades];
     std::size_t cascade_count;
     float target;                      ///< metres
     float reach;                       ///< metres: no offset is longer than the largest displacement
     std::size_t count;                 ///< a multiple of W
     float *offset_x, *offset_z;        ///< metres, from the given points to those that rest there; alias no input
     float* error;                      ///< remaining distance in metres
-    std::int32_t* blocks[most_cascades];  ///< of 2 x 2 cells of each cascade, row by row: where that is
+    std::int32_t* blocks[max_cascades];  ///< of 2 x 2 cells of each cascade, row by row: where that is
 };
 
 /// SampleSurfaceJob for a sum of cascades: slopes add, and normals are those of the sum.
 struct SampleStackJob {
-    StackCascade cascades[most_cascades];
+    StackCascade cascades[max_cascades];
     std::size_t cascade_count;
     std::size_t count;  ///< a multiple of W
     const float *offset_x, *offset_z;

@@ -13,9 +13,9 @@
 namespace pelagic::kernels {
 
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> clamped(xsimd::batch<float, Arch> v, float least, float most) {
+PELAGIC_INLINE xsimd::batch<float, Arch> clamped(xsimd::batch<float, Arch> v, float min, float max) {
     using V = xsimd::batch<float, Arch>;
-    return xsimd::min(xsimd::max(v, V(least)), V(most));
+    return xsimd::min(xsimd::max(v, V(min)), V(max));
 }
 
 /// Channels of [-1, 1] become bytes as v 127.5 + 128, cut: equations 50 and 51 with rounding.

@@ -52,9 +52,9 @@ void shore_rows(const ShoreRowsJob& job) {
                 sum.add(waves + wave * 2 * group + lane, waves + wave * 2 * group + group + lane, job.moments[wave]);
             const V squared = xsimd::max(sum.h * sum.h + sum.q * sum.q, tiny);
             const V envelope = square_root<Arch>(squared);
-            const V most = V::load_aligned(job.highest_envelope + at);
-            const auto breaks = envelope > most;
-            const V left = xsimd::select(breaks, divided<Arch>(most, envelope), one);
+            const V max = V::load_aligned(job.highest_envelope + at);
+            const auto breaks = envelope > max;
+            const V left = xsimd::select(breaks, divided<Arch>(max, envelope), one);
             const V left_t =
                 xsimd::select(breaks, none - left * divided<Arch>(sum.h * sum.h_t + sum.q * sum.q_t, squared), none);
             const V h = left * sum.h, q = left * sum.q;

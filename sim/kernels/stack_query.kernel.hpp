@@ -85,7 +85,7 @@ class StackSearch {
         cascades_loaded_ = cascades;
         squared_ = off_x * off_x + off_z * off_z;
         const V determinant = x_x * z_z - x_z * z_x;
-        const auto newton = determinant > V(InvertStackJob::least_determinant);
+        const auto newton = determinant > V(InvertStackJob::min_determinant);
         const V inverse = divided<Arch>(V(1.f), xsimd::select(newton, determinant, V(1.f)));
         step_x_ = xsimd::select(newton, (z_z * off_x - x_z * off_z) * inverse, off_x);
         step_z_ = xsimd::select(newton, (x_x * off_z - z_x * off_x) * inverse, off_z);
@@ -119,7 +119,7 @@ class StackSearch {
         return xsimd::min(xsimd::max(offset, V(0.f) - reach), reach);
     }
 
-    typename Interpolation::template Cells<Arch> cells_[most_cascades];
+    typename Interpolation::template Cells<Arch> cells_[max_cascades];
     std::size_t cascades_loaded_ = 0;
     V x_ = V(0.f), z_ = V(0.f);
     V squared_, step_x_, step_z_;
@@ -140,7 +140,7 @@ PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_
         for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.cascade_count, at + r * V::size);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
-        if (step == InvertStackJob::most_steps || !xsimd::any(open)) break;
+        if (step == InvertStackJob::max_steps || !xsimd::any(open)) break;
         for (auto& search : searches) search.step(reach, enough);
     }
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);

@@ -360,7 +360,7 @@ class Inversion {
 
         const V j_xx = V(1.f) + dx.along_u, j_zz = V(1.f) + dz.along_v;
         const V determinant = j_xx * j_zz - dx.along_v * dz.along_u;
-        const auto newton = (determinant > V(InvertSurfaceJob::least_determinant)) &
+        const auto newton = (determinant > V(InvertSurfaceJob::min_determinant)) &
                             (xsimd::max(xsimd::abs(off_x), xsimd::abs(off_z)) < V(InvertSurfaceJob::newton_reach));
         const V inverse = divided<Arch>(V(1.f), xsimd::select(newton, determinant, V(1.f)));
         step_x_ = xsimd::select(newton, (j_zz * off_x - dx.along_v * off_z) * inverse, off_x);
@@ -409,7 +409,7 @@ PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPla
         for (auto& search : searches) search.look(job, places, step == 0);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
-        if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
+        if (step == InvertSurfaceJob::max_steps || !xsimd::any(open)) break;
         for (auto& search : searches) search.step(enough);
     }
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);

@@ -24,7 +24,7 @@ struct CubicWeightsInDouble {
 
 /// By how much the product of two such cubics can leave what its 16 texels hold: absolute weights add up to 5/4 along an axis at
 /// most, and those of the slopes to 3/2 of the differences from texel to texel.
-inline constexpr double most_cubic_value = 25.0 / 16, most_cubic_slope = 15.0 / 8;
+inline constexpr double max_cubic_value = 25.0 / 16, max_cubic_slope = 15.0 / 8;
 
 class CascadeCell {
    public:
@@ -44,17 +44,17 @@ class CascadeCell {
     }
 
     struct Range {
-        double least, most;
+        double min, max;
     };
     /// What a cubic cell's values lie between.
     Range range(const float* plane) const {
         Range texels{plane[places_[0]], plane[places_[0]]};
         for (const std::ptrdiff_t place : places_) {
-            texels.least = std::min(texels.least, static_cast<double>(plane[place]));
-            texels.most = std::max(texels.most, static_cast<double>(plane[place]));
+            texels.min = std::min(texels.min, static_cast<double>(plane[place]));
+            texels.max = std::max(texels.max, static_cast<double>(plane[place]));
         }
-        const double beyond = (most_cubic_value - 1) / 2 * (texels.most - texels.least);
-        return {texels.least - beyond, texels.most + beyond};
+        const double beyond = (max_cubic_value - 1) / 2 * (texels.max - texels.min);
+        return {texels.min - beyond, texels.max + beyond};
     }
 
    private:

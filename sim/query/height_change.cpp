@@ -7,7 +7,7 @@ namespace pelagic {
 namespace {
 
 /// Below this, rounding of the contracts counts.
-constexpr double least_slack = 1e-3;
+constexpr double min_slack = 1e-3;
 
 /// Part of a free distance that may be given away.
 constexpr double near_enough = 1.0 / 32;
@@ -27,7 +27,7 @@ HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_wav
         stretch_ += parts_change_per_m * static_cast<double>(cascade.contraction.largest_m);
         highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
                                                                             std::fabs(cascade.bounds.height_max_m)));
-        slack -= cascade.contraction.most();
+        slack -= cascade.contraction.max();
         further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.contraction.largest_m));
     }
     parts_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
@@ -36,16 +36,16 @@ HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_wav
 double HeightChange::within(double distance_m) const {
     const double way_m = stretch_ * distance_m;
     double at_rest_m = way_m + parts_[0].further_m;
-    for (std::size_t i = 1; i <= count_ && parts_[i].slack >= least_slack; ++i)
+    for (std::size_t i = 1; i <= count_ && parts_[i].slack >= min_slack; ++i)
         at_rest_m = std::min(at_rest_m, (way_m + parts_[i].further_m) / parts_[i].slack);
     double change_m = dynamic_waves_range_m_ + highest_per_m_ * distance_m;
     for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
     return change_m;
 }
 
-double HeightChange::free_distance(double clearance_m, double ground, double rise, double most_m) const {
-    if (is_free(clearance_m, ground, rise, most_m)) return most_m;
-    double free_m = 0, end_m = std::max(0.0, rise * most_m > clearance_m ? clearance_m / rise : most_m);
+double HeightChange::free_distance(double clearance_m, double ground, double rise, double max_m) const {
+    if (is_free(clearance_m, ground, rise, max_m)) return max_m;
+    double free_m = 0, end_m = std::max(0.0, rise * max_m > clearance_m ? clearance_m / rise : max_m);
     for (int halving = 0; halving < 20 && end_m - free_m > near_enough * end_m; ++halving) {
         const double middle_m = (free_m + end_m) / 2;
         (is_free(clearance_m, ground, rise, middle_m) ? free_m : end_m) = middle_m;

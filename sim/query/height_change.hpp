@@ -37,8 +37,8 @@ class HeightChange {
     bool is_free(double clearance_m, double ground, double rise, double distance_m) const {
         return within(distance_m * ground) + distance_m * rise < clearance_m;
     }
-    /// How long it stays there for certain, at most `most_m`.
-    double free_distance(double clearance_m, double ground, double rise, double most_m) const;
+    /// How long it stays there for certain, at most `max_m`.
+    double free_distance(double clearance_m, double ground, double rise, double max_m) const;
 
    private:
     struct Part {
@@ -46,7 +46,7 @@ class HeightChange {
         double slack;      ///< what the cascades before this leave of 1
         double further_m;  ///< 2 (e_i + e_(i+1) + ...)
     };
-    std::array<Part, most_cascades + 1> parts_;  ///< the last one after all cascades
+    std::array<Part, max_cascades + 1> parts_;  ///< the last one after all cascades
     std::size_t count_;
     double dynamic_waves_range_m_;
     double stretch_ = 1;        ///< of ways, by what the parts change

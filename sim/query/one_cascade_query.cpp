@@ -17,11 +17,11 @@ namespace {
 
 // Texels. Float tells places some texels away to 1e-6; beyond the most, a false reference point might be taken for a true
 // one outside of the fold map's margin.
-constexpr double least_target = 4e-6, most_target = 1.0 / 64;
-static_assert(most_target < FoldMap::margin);
+constexpr double min_target = 4e-6, max_target = 1.0 / 64;
+static_assert(max_target < FoldMap::margin);
 
 // Newton's steps in double in one cubic cell, and how near is the same, of the search's target.
-constexpr int most_cubic_steps = 16;
+constexpr int max_cubic_steps = 16;
 constexpr double same_cubic = 1.0 / 64;
 
 // A point on the edge between cells must not fall between them by rounding. In texels.
@@ -70,7 +70,7 @@ OneCascadeQuery::OneCascadeQuery(const Cascade& cascade, const Kernels& kernels,
       cascade_(cascade),
       interpolation_(options.interpolation),
       texel_m_(cascade.texel_m()),
-      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, least_target, most_target))) {
+      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {
 }
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
@@ -192,14 +192,14 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
 OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = cascade_.bounds.horizontal_x_max_m * most_cubic_value * texels_per_m + edge;
-    const double reach_z = cascade_.bounds.horizontal_z_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.horizontal_x_max_m * max_cubic_value * texels_per_m + edge;
+    const double reach_z = cascade_.bounds.horizontal_z_max_m * max_cubic_value * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
     const double enough = target_ * same_cubic;
 
     Intersection highest;
-    double least_off = 0;
+    double min_off = 0;
     const auto look_at = [&](int i, int j, const CascadeCell& cell, double along_x, double along_z) {
         /// From the point that is asked about, in texels, and what that changes by.
         Vector off{}, along_u{}, along_v{};
@@ -211,7 +211,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
             along_v = {dx.along_v * texels_per_m, 1 + dz.along_v * texels_per_m};
         };
         look();
-        for (int step = 0; step < most_cubic_steps && !(dot(off, off) <= enough * enough); ++step) {
+        for (int step = 0; step < max_cubic_steps && !(dot(off, off) <= enough * enough); ++step) {
             const double determinant = cross(along_u, along_v);
             if (determinant == 0) return;
             along_x -= cross(off, along_v) / determinant;
@@ -230,20 +230,20 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
                    static_cast<float>(std::clamp(along_x, 0.0, 1.0)),
                    static_cast<float>(std::clamp(along_z, 0.0, 1.0)),
                    height};
-        least_off = std::sqrt(dot(off, off));
+        min_off = std::sqrt(dot(off, off));
     };
     for (int j = first_z; j <= last_z; ++j)
         for (int i = first_x; i <= last_x; ++i) {
             const CascadeCell cell(surface, cell_x + i, cell_z + j, Interpolation::cubic);
             const auto may_reach = [&](const float* plane, double from) {
-                const auto [least, most] = cell.range(plane);
-                return from + least * texels_per_m <= edge && from + 1 + most * texels_per_m >= -edge;
+                const auto [min, max] = cell.range(plane);
+                return from + min * texels_per_m <= edge && from + 1 + max * texels_per_m >= -edge;
             };
             if (!may_reach(surface.dx, i - u) || !may_reach(surface.dz, j - v)) continue;
             for (const double along_x : {0.25, 0.75})
                 for (const double along_z : {0.25, 0.75}) look_at(i, j, cell, along_x, along_z);
         }
-    highest.error = static_cast<float>(least_off);
+    highest.error = static_cast<float>(min_off);
     return highest;
 }
 

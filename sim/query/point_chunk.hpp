@@ -13,7 +13,7 @@ namespace pelagic {
 inline constexpr double query_aim = 1.0 / 64;
 
 /// Texels from the origin beyond which doubles can't tell them apart.
-inline constexpr double most_texels_away = 0x1p50;
+inline constexpr double max_texels_away = 0x1p50;
 
 inline std::int64_t floor_of(double x) {
     const auto cut = static_cast<std::int64_t>(x);
@@ -22,7 +22,7 @@ inline std::int64_t floor_of(double x) {
 
 /// Splits a place along an axis, in texels, into a cell of the patch and where in it that is. In sums and bits only,
 /// because compilers do those several at a time.
-/// \pre |texels| <= most_texels_away
+/// \pre |texels| <= max_texels_away
 inline void split_place(double texels, int resolution, std::int32_t& cell, float& within) {
     constexpr double whole =
         0x1.8p52;  // so large that a double has no fraction, and its lowest bits are a whole number
@@ -37,9 +37,9 @@ inline void split_place(double texels, int resolution, std::int32_t& cell, float
 
 /// On the stack, and what one cascade needs of it, 8 KB, stays in the first cache.
 struct PointChunk {
-    static constexpr std::size_t most = 128;
-    using Floats = float[most];
-    using Cells = std::int32_t[most];
+    static constexpr std::size_t capacity = 128;
+    using Floats = float[capacity];
+    using Cells = std::int32_t[capacity];
 
     /// Where points are along the axes of a cascade.
     struct World {
@@ -49,14 +49,14 @@ struct PointChunk {
         CellPlaces places() { return {cell_x, cell_z, u, v}; }
     };
 
-    World world[most_cascades];
+    World world[max_cascades];
     World rest;                             ///< what rests there, of one cascade
     alignas(64) Floats offset_x, offset_z;  ///< the same of several, metres from the points
-    alignas(64) Cells blocks[most_cascades];   ///< and in which 2 x 2 cells of each
+    alignas(64) Cells blocks[max_cascades];   ///< and in which 2 x 2 cells of each
     alignas(64) Floats error;               ///< metres, when all is done
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
-    alignas(64) double x[most], z[most];  ///< world, metres; 0 if a place has no sample
-    alignas(64) Floats part[most_cascades];  ///< of each cascade at a shore
+    alignas(64) double x[capacity], z[capacity];  ///< world, metres; 0 if a place has no sample
+    alignas(64) Floats part[max_cascades];  ///< of each cascade at a shore
 
     std::size_t first = 0, count = 0;  ///< of the batch
     std::size_t padded = 0;            ///< count, up to whole registers

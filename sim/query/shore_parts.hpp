@@ -9,12 +9,12 @@
 namespace pelagic {
 
 /// As sample() of shore.hpp has them, for less. All 1 where x or z is no number.
-inline std::array<float, most_cascades> shore_parts_at(const ShoreSurface& shore, double x_m, double z_m) {
-    std::array<float, most_cascades> parts;
+inline std::array<float, max_cascades> shore_parts_at(const ShoreSurface& shore, double x_m, double z_m) {
+    std::array<float, max_cascades> parts;
     parts.fill(1);
     const ShoreAt at(shore, x_m, z_m);
     if (!at.is_place()) return parts;
-    for (std::size_t cascade = 0; cascade < most_cascades; ++cascade) parts[cascade] = static_cast<float>(at.part(cascade));
+    for (std::size_t cascade = 0; cascade < max_cascades; ++cascade) parts[cascade] = static_cast<float>(at.part(cascade));
     return parts;
 }
 

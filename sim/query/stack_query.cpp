@@ -14,13 +14,13 @@ namespace pelagic {
 namespace {
 
 // Metres. Of the offset, and of the finest texel: beyond the most, a false reference point might be taken for a true one.
-constexpr double least_target = 1e-6, most_target = 1.0 / 64;
-static_assert(most_target < ContractionMap::margin);
+constexpr double min_target = 1e-6, max_target = 1.0 / 64;
+static_assert(max_target < ContractionMap::margin);
 
 // Bytes that the cascades' contracts add up to at most, rounded down.
-constexpr int most_but_last = static_cast<int>(ContractionBound::one * (1 - ContractionMap::least_slack));
-constexpr int most_of_all = static_cast<int>(ContractionBound::one * (1 - ContractionMap::least_slack_of_all));
-static_assert(most_of_all < 255, "the largest byte must fail");
+constexpr int max_but_last = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack));
+constexpr int max_of_all = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack_of_all));
+static_assert(max_of_all < 255, "the largest byte must fail");
 
 }  // namespace
 
@@ -35,13 +35,13 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
         reach_m_ += static_cast<double>(search_cascades_[t].contraction.largest_m);
     }
     target_m_ =
-        std::clamp(options.tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
+        std::clamp(options.tolerance_m * query_aim, min_target * (1 + reach_m_), max_target * finest_texel_m_);
 }
 
 void StackQuery::place(PointChunk& chunk) const {
     if (shore_)
         for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const std::array<float, most_cascades> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
+            const std::array<float, max_cascades> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
             for (std::size_t t = 0; t < cascades_.size(); ++t) chunk.part[t][i] = parts[t];
         }
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
@@ -88,7 +88,7 @@ bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
     int sum = 0;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         sum += search_cascades_[t].contraction.around[static_cast<std::size_t>(chunk.blocks[t][point])];
-        if (sum > (t + 1 < cascades_.size() ? most_but_last : most_of_all)) return false;
+        if (sum > (t + 1 < cascades_.size() ? max_but_last : max_of_all)) return false;
     }
     return true;
 }

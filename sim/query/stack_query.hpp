@@ -28,7 +28,7 @@ class StackQuery {
     Interpolation interpolation_;
     std::span<const Cascade> cascades_;
     const ShoreSurface& shore_;
-    std::array<SearchCascade, most_cascades> search_cascades_;
+    std::array<SearchCascade, max_cascades> search_cascades_;
     double finest_texel_m_;
     double reach_m_ = 0;  ///< no reference point is farther away from what is drawn there
     double target_m_;     ///< where the search stops

@@ -13,7 +13,7 @@ namespace {
 constexpr double surroundings = 1.5;
 
 // Boxes below this slack are cut further: Newton's steps would lead far away.
-constexpr double least_slack = 0.02, least_cubic_slack = 0.3;
+constexpr double min_slack = 0.02, min_cubic_slack = 0.3;
 
 // Of the finest texel: intersections that rest nearer together than some of this are not told apart. Boxes of this size are searched
 // whether they can be proven or not, because a intersection that is overturned can't.
@@ -22,7 +22,7 @@ constexpr double small_surroundings = 2;
 
 // Metres. Displacements are floats, whose last digits are larger; Newton's steps in double go on to here.
 constexpr double exact_m = 1e-10;
-constexpr int most_steps = 16;
+constexpr int max_steps = 16;
 
 // Places nearer to one another than this part of the search's target are the same.
 constexpr double same = 1.0 / 4;
@@ -54,15 +54,15 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
       interpolation(interpolated),
       contraction(cascade.contraction) {
     if (interpolation == Interpolation::linear) return;
-    contraction.largest_m *= static_cast<float>(most_cubic_value);
-    contraction.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
+    contraction.largest_m *= static_cast<float>(max_cubic_value);
+    contraction.stretch *= static_cast<float>(max_cubic_slope * square_root_of_2);  // slopes along two axes
 }
 
 /// Where an offset's reference point is drawn, from the point that is asked about, metres.
 struct StackSearch::Drawn {
     double x, z;
     double x_x = 1, x_z = 0, z_x = 0, z_z = 1;         ///< slopes along the world's axes
-    std::array<double, most_cascades> displacement = {};  ///< length of each cascade's
+    std::array<double, max_cascades> displacement = {};  ///< length of each cascade's
 
     double distance() const { return length_of(x, z); }
 };
@@ -79,10 +79,10 @@ struct StackSearch::Box {
 
 /// What was found so far.
 struct StackSearch::Intersections {
-    static constexpr std::size_t most_kept = 16;
+    static constexpr std::size_t max_kept = 16;
 
     void add(const StackSearch& search, const StackPoint& point, Offset offset, double error) {
-        if (count < most_kept) kept[count++] = offset;
+        if (count < max_kept) kept[count++] = offset;
         const double height = search.height_at(point, offset);
         if (!highest.found || height > highest.height_m) highest = {true, offset, height, error};
     }
@@ -90,7 +90,7 @@ struct StackSearch::Intersections {
         return std::any_of(kept.begin(), kept.begin() + count, [&](Offset o) { return box.contains(o, margin); });
     }
 
-    std::array<Offset, most_kept> kept;
+    std::array<Offset, max_kept> kept;
     std::size_t count = 0;
     StackIntersection highest;
 };
@@ -145,9 +145,9 @@ double StackSearch::contraction_within(const StackPoint& point, std::size_t numb
     }
     const int left = first_i >> shift & (side - 1), right = last_i >> shift & (side - 1);
     const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
-    const int most = std::max(std::max(blocks[upper + left], blocks[upper + right]),
+    const int max = std::max(std::max(blocks[upper + left], blocks[upper + right]),
                               std::max(blocks[lower + left], blocks[lower + right]));
-    return most == 255 ? 1e9 : static_cast<double>(most) / ContractionBound::one;
+    return max == 255 ? 1e9 : static_cast<double>(max) / ContractionBound::one;
 }
 
 /// What the first of the cascades leave of 1 within a circle, or on a square of the world.
@@ -173,7 +173,7 @@ StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known
         const double slack = slack_within(point, known, reach_m, t + 1, false);
         reference_m -= 2 * cascades_[t].contraction.largest_m;
         if (t + 1 == cascades_.size()) {
-            if (slack >= ContractionMap::least_slack_of_all) return {known, 0};
+            if (slack >= ContractionMap::min_slack_of_all) return {known, 0};
         } else if (slack > 0) {
             reach_m = std::min(reach_m, reference_m / slack);
         }
@@ -185,7 +185,7 @@ StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known
 bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
     Offset best = offset;
     double best_distance = 1e300;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         const Drawn here = drawn_at(point, offset);
         const double distance = here.distance();
         if (distance < best_distance) best = offset, best_distance = distance;
@@ -202,7 +202,7 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
 
 void StackSearch::look_into(const StackPoint& point, const Box& box, Intersections& intersections) const {
     const double small = same_intersection / cascades_.back().texels_per_m;
-    const double enough = cascades_.front().interpolation == Interpolation::cubic ? least_cubic_slack : least_slack;
+    const double enough = cascades_.front().interpolation == Interpolation::cubic ? min_cubic_slack : min_slack;
     // Each level of the search leaves at most three boxes behind.
     std::array<Box, 128> waiting;
     std::size_t count = 0;
@@ -211,11 +211,11 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Intersectio
         const Box here = waiting[--count];
         const Drawn drawn = drawn_at(point, here.centre);
         const double radius = here.half * square_root_of_2;
-        double most = radius + target_m_;
+        double max = radius + target_m_;
         for (std::size_t t = 0; t < cascades_.size(); ++t)
-            most += std::min(static_cast<double>(cascades_[t].contraction.stretch) * radius,
+            max += std::min(static_cast<double>(cascades_[t].contraction.stretch) * radius,
                              static_cast<double>(cascades_[t].contraction.largest_m) + drawn.displacement[t]);
-        if (drawn.distance() > most) continue;
+        if (drawn.distance() > max) continue;
         const bool is_small = here.half <= small;
         if (is_small || slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
             const double near = is_small ? small_surroundings : surroundings;

@@ -35,10 +35,10 @@ struct SearchCascade {
 
 /// Where a point of the world is along the axes of each cascade: a cell, and where in it.
 struct StackPoint {
-    std::array<std::int32_t, most_cascades> cell_x, cell_z;
-    std::array<double, most_cascades> u, v;
+    std::array<std::int32_t, max_cascades> cell_x, cell_z;
+    std::array<double, max_cascades> u, v;
     /// Of each cascade's displacement that counts there, 0 to 1: what is proven of whole cascades holds of less.
-    std::array<double, most_cascades> part = {1, 1, 1, 1};
+    std::array<double, max_cascades> part = {1, 1, 1, 1};
 };
 
 /// From a point of the world to what rests where it is drawn, metres.

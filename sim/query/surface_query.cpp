@@ -101,9 +101,9 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
     const DefaultFloatEnvironment environment;
     PointChunk chunk;
     const auto sample_with = [&](const auto& query) {
-        for (std::size_t first = 0; first < count; first += PointChunk::most) {
+        for (std::size_t first = 0; first < count; first += PointChunk::capacity) {
             chunk.first = first;
-            chunk.count = std::min(PointChunk::most, count - first);
+            chunk.count = std::min(PointChunk::capacity, count - first);
             chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
             take(points, chunk);
             query.place(chunk);
@@ -127,8 +127,8 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
 }
 
 bool SurfaceQuery::has_sample(double x, double z) const {
-    const double most_m = most_texels_away * texel_m_;
-    return std::fabs(x) <= most_m && std::fabs(z) <= most_m;  // false for NaN
+    const double max_m = max_texels_away * texel_m_;
+    return std::fabs(x) <= max_m && std::fabs(z) <= max_m;  // false for NaN
 }
 
 void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {

@@ -7,7 +7,7 @@ namespace {
 
 // A job is some tens of microseconds; waking a thread takes as long. A graph's count is fixed, so a batch is cut into
 // that many jobs, or fewer if it is small. Points don't depend on each other, so the cut can't be seen.
-constexpr std::size_t jobs = 64, least_points_a_job = 512;
+constexpr std::size_t jobs = 64, min_points_a_job = 512;
 
 template <class T>
 std::span<T> part(std::span<T> all, std::size_t begin, std::size_t count) {
@@ -57,12 +57,12 @@ SurfaceQueryJobs::~SurfaceQueryJobs() = default;
 
 void SurfaceQueryJobs::sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples) {
     const std::size_t count = points.x.size();
-    if (count <= least_points_a_job) return query.sample(points, samples);
+    if (count <= min_points_a_job) return query.sample(points, samples);
     query.check(samples);
     state_->query = &query;
     state_->points = points;
     state_->samples = samples;
-    state_->points_a_job = std::max(least_points_a_job, (count + jobs - 1) / jobs);
+    state_->points_a_job = std::max(min_points_a_job, (count + jobs - 1) / jobs);
     state_->graph_run->schedule();
     state_->graph_run->complete();
 }

@@ -41,10 +41,10 @@ class RayWalk {
     double along_ground() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
 
     /// How high the ray runs above the water at each distance.
-    template <std::size_t most>
-    void clearances(const double (&distance)[most], std::size_t count, double (&clearance)[most]) const {
-        double x[most], z[most];
-        float height[most];
+    template <std::size_t max>
+    void clearances(const double (&distance)[max], std::size_t count, double (&clearance)[max]) const {
+        double x[max], z[max];
+        float height[max];
         for (std::size_t i = 0; i < count; ++i) {
             const std::array<double, 3> place = at(distance[i]);
             x[i] = place[0];
@@ -121,9 +121,9 @@ class FreeSteps {
 
     /// How many are asked about before a clearance is known.
     std::size_t first_places() const { return change_ ? 1 : near_places; }
-    double from(double clearance_m, double most) const {
+    double from(double clearance_m, double max) const {
         if (!change_) return 0;
-        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, most * step_m_) / step_m_);
+        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, max * step_m_) / step_m_);
     }
     /// Between two places: all of them from the first, or half from either.
     bool are_free(double steps, double first_m, double second_m) const {
@@ -144,14 +144,14 @@ class FreeSteps {
 }  // namespace
 
 std::string check(const SurfaceRay& ray, const Frame& frame) {
-    constexpr double far_m = 1e9, most_texels = 1e6;
-    const auto is_within = [](double value, double least, double most) { return value >= least && value <= most; };
+    constexpr double far_m = 1e9, max_texels = 1e6;
+    const auto is_within = [](double value, double min, double max) { return value >= min && value <= max; };
     for (const double along : ray.origin_m)
         if (!is_within(along, -far_m, far_m)) return invalid_value_message("origin_m", along, "[-1e9, 1e9]");
     const auto& d = ray.direction;
     const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (!is_within(length, 1e-100, 1e100)) return invalid_value_message("direction's length", length, "[1e-100, 1e100]");
-    if (!is_within(ray.reach_m, 0, most_texels * frame.cascades.front().texel_m()))
+    if (!is_within(ray.reach_m, 0, max_texels * frame.cascades.front().texel_m()))
         return invalid_value_message("reach_m", ray.reach_m, "0 to a million texels of the coarsest cascade");
     return {};
 }

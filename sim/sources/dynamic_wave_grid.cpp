@@ -19,7 +19,7 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 constexpr double farthest_m = 1e8;
-constexpr std::int64_t most_ticks = std::int64_t{1} << 50;
+constexpr std::int64_t max_ticks = std::int64_t{1} << 50;
 /// Blocks of lines don't start a power of two apart.
 constexpr std::size_t block_margin = 112;
 /// Foam fades as fast as the sea's own: 9 bytes in a tenth of a second.
@@ -323,11 +323,11 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
             invalid_value_message("the saved water", number_text(saved.size()) + " bytes",
                     number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
     std::memcpy(&header, saved.data(), sizeof header);
-    const double most_texels = farthest_m / texel_m() + options_.resolution;
+    const double max_texels = farthest_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
-        if (!(std::fabs(static_cast<double>(first)) <= most_texels))
+        if (!(std::fabs(static_cast<double>(first)) <= max_texels))
             throw std::invalid_argument(invalid_value_message("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
-    if (header.ticks < 0 || header.ticks > most_ticks)
+    if (header.ticks < 0 || header.ticks > max_ticks)
         throw std::invalid_argument(invalid_value_message("the saved water's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
     for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {

@@ -28,7 +28,7 @@ namespace pelagic {
 class DynamicWaveGrid {
    public:
     /// c of Verlet's step, at most: the bound of its stability in two dimensions is 0.5.
-    static constexpr double most_coupling = 0.4;
+    static constexpr double max_coupling = 0.4;
     /// Texels that Verlet's waves run in a tick.
     static double courant_number(const DynamicWavesOptions& options);
 

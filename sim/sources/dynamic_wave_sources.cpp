@@ -83,8 +83,8 @@ RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& wat
 }
 
 void need_room(const char* what, std::size_t count) {
-    if (count == DynamicWaveSources::most)
-        throw std::invalid_argument(invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::most)));
+    if (count == DynamicWaveSources::max_count)
+        throw std::invalid_argument(invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
 }
 
 }  // namespace
@@ -281,8 +281,8 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
     SavedHeader header{};
     if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
     const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
-    constexpr auto most_of_each = static_cast<std::int64_t>(most);
-    if (!can_be(header.lasting, most_of_each) || !can_be(header.waiting, most_of_each) ||
+    constexpr auto max_of_each = static_cast<std::int64_t>(max_count);
+    if (!can_be(header.lasting, max_of_each) || !can_be(header.waiting, max_of_each) ||
         !can_be(header.settled, header.waiting) ||
         bytes.size() !=
             sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))

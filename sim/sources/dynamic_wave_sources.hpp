@@ -15,7 +15,7 @@ namespace pelagic {
 class DynamicWaveSources {
    public:
     /// Sources that last, and disturbances of one tick.
-    static constexpr std::size_t most = 4096;
+    static constexpr std::size_t max_count = 4096;
 
     /// For the tick to come. Throws std::invalid_argument(check(disturbance)), or if there are too many.
     void disturb(const Disturbance& disturbance);

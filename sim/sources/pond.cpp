@@ -56,7 +56,7 @@ Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& e
       row_bounds_(static_cast<std::size_t>(resolution_)) {
     for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
     for (std::vector<double>& starts : starts_.values)
-        starts.reserve(most_analytic_waves);  // frames allocate nothing
+        starts.reserve(max_analytic_waves);  // frames allocate nothing
 }
 
 FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
@@ -116,8 +116,8 @@ void Pond::fill_row(Pass pass, std::size_t row) {
             store(none.data(), buffers.velocity, surface_dz);
         }
         for (std::size_t i = 0; i < count; ++i) {
-            bounds.least = std::min(bounds.least, part.height[i]);
-            bounds.most = std::max(bounds.most, part.height[i]);
+            bounds.min = std::min(bounds.min, part.height[i]);
+            bounds.max = std::max(bounds.max, part.height[i]);
         }
     }
     row_bounds_[row] = bounds;
@@ -125,8 +125,8 @@ void Pond::fill_row(Pass pass, std::size_t row) {
 
 FrameBounds Pond::end_frame() {
     RowBounds all = row_bounds_.front();
-    for (const RowBounds& row : row_bounds_) all = {std::min(all.least, row.least), std::max(all.most, row.most)};
-    return {.height_min_m = all.least + 0.f, .height_max_m = all.most + 0.f};
+    for (const RowBounds& row : row_bounds_) all = {std::min(all.min, row.min), std::max(all.max, row.max)};
+    return {.height_min_m = all.min + 0.f, .height_max_m = all.max + 0.f};
 }
 
 void Pond::add_spectrum_stage(JobGraph& graph) {

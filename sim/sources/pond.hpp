@@ -50,7 +50,7 @@ class Pond final : public SeaSource {
         SlopeRanges slope_ranges;
     };
     struct RowBounds {
-        float least, most;
+        float min, max;
     };
     static Waves waves_of(const SeaState& sea, const CascadePlan& plan);
     static LineStatistics statistics_of(const Waves& waves);

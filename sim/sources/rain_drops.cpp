@@ -21,9 +21,9 @@ constexpr std::size_t parts = 8;
 /// Of a drop, in radii: beyond, it is less than 1e-3 of its height.
 constexpr double reach_radii = 3;
 /// Drops that reach a texel in a tick, on the mean; what a tick costs grows with it.
-constexpr double most_at_a_texel = 16;
+constexpr double max_at_a_texel = 16;
 /// Drops of a cell and tick: their mean is 16 at most, and 100 is further from it than any draw of 53 bits goes.
-constexpr int most_in_a_cell = 100;
+constexpr int max_in_a_cell = 100;
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
 double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }
@@ -33,9 +33,9 @@ double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
 std::int64_t reach_of(const Rain& rain, const DynamicWavesOptions& water) {
     return static_cast<std::int64_t>(std::ceil(reach_radii * drawn_radius(rain, water) / texel_of(water)));
 }
-double most_drops(const Rain& rain, const DynamicWavesOptions& water) {
+double max_drops(const Rain& rain, const DynamicWavesOptions& water) {
     const double side_m = static_cast<double>(2 * reach_of(rain, water) + 2) * texel_of(water);
-    return most_at_a_texel * water.ticks_per_s / (side_m * side_m);
+    return max_at_a_texel * water.ticks_per_s / (side_m * side_m);
 }
 
 /// The cells along an axis whose drops may reach texels [first, end), from the first to the one behind the last.
@@ -53,10 +53,10 @@ std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
         return invalid_value_message("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
     if (!(rain.height_m >= -10 && rain.height_m <= 10)) return invalid_value_message("height_m", rain.height_m, "[-10, 10]");
-    const double most = most_drops(rain, water);
-    if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= most))
+    const double max = max_drops(rain, water);
+    if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= max))
         return invalid_value_message("drops_per_m2_s", rain.drops_per_m2_s,
-                       "[0, " + rounded_text(most, 6) + "] for drops so wide in such a grid");
+                       "[0, " + rounded_text(max, 6) + "] for drops so wide in such a grid");
     return {};
 }
 
@@ -103,7 +103,7 @@ template <class OfDrop>
 void RainDrops::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t cell_z, OfDrop of_drop) const {
     const double u = static_cast<double>(split_mix(state) >> 11) * two_to_minus_53;
     double likely = none_, up_to = none_;
-    for (int drop = 1; drop <= most_in_a_cell && u >= up_to; ++drop) {
+    for (int drop = 1; drop <= max_in_a_cell && u >= up_to; ++drop) {
         // One draw says where: the cell has 64 places along each axis.
         const std::uint64_t place = split_mix(state + static_cast<std::uint64_t>(drop) * golden_gamma);
         of_drop(Drop{.x = cell_x * cell_texels + static_cast<std::int64_t>(place >> 61),

@@ -11,17 +11,17 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 
 // Sweeps in each of the four orders; a floor of islands takes some.
-constexpr int most_rounds = 64;
+constexpr int max_rounds = 64;
 constexpr double still_rad = 1e-9;
 
 // Fluxes that come in where contours turn away from the waves, or towards them.
-constexpr double least_flux = 0.25, most_flux = 2;
+constexpr double min_flux = 0.25, max_flux = 2;
 
 // Of the whole rectangle; less is an even floor with something on it.
-constexpr double least_slope = 1e-3;
+constexpr double min_slope = 1e-3;
 
 // A wave whose way is nearer to an edge than this runs along it.
-constexpr double least_inward = 1e-9;
+constexpr double min_inward = 1e-9;
 
 /// Of the way that straight waves are followed; any would do.
 constexpr double straight_texels = 8;
@@ -50,12 +50,12 @@ Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_stra
     } else {
         open_k = wave_number(wave.omega, wave.depth_m);
         const double open_speed = group_velocity(open_k, wave.depth_m);
-        const double most_k = std::max(open_k, two_pi / (least_texels * bed.texel_m));
+        const double max_k = std::max(open_k, two_pi / (min_texels * bed.texel_m));
         for (std::size_t texel = 0; texel < bed.texels(); ++texel) {
             k_[texel] = open_k;
             if (!bed.is_water(texel)) continue;
             const double k = wave_number(wave.omega, bed.depth_m[texel]);
-            k_[texel] = std::min(k, most_k);
+            k_[texel] = std::min(k, max_k);
             shoaling_[texel] = std::sqrt(open_speed / group_velocity(k, bed.depth_m[texel]));
         }
     }
@@ -81,12 +81,12 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
     // s along the edge, n into the rectangle.
     const double way_s = std::fabs(along_column ? wave.along_z : wave.along_x);
     const double way_n = std::fabs(along_column ? wave.along_x : wave.along_z);
-    if (way_n < least_inward) return;
+    if (way_n < min_inward) return;
     // g down the slope, c along the contours. Over an even floor the wave has come straight on, as if contours lay across its way.
     const double steepness = std::sqrt(bed_.slope_x * bed_.slope_x + bed_.slope_z * bed_.slope_z);
     const double slope_s = along_column ? bed_.slope_z * step_j : bed_.slope_x * step_i;
     const double slope_n = along_column ? bed_.slope_x * step_i : bed_.slope_z * step_j;
-    const bool is_even = steepness < least_slope;
+    const bool is_even = steepness < min_slope;
     const double g_s = is_even ? way_s : slope_s / steepness, g_n = is_even ? way_n : slope_n / steepness;
     const int count = along_column ? bed_.rows : bed_.columns;
     double phase = 0, slowness_before = 0;
@@ -107,14 +107,14 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
         const double spread = std::fabs(turned) > 0 ? std::fabs(across) * k / std::fabs(turned) : 1;
         phase_[texel] = phase;
         comes_in_[texel] = 1;
-        flux_[texel] = std::clamp(spread, least_flux, most_flux);
+        flux_[texel] = std::clamp(spread, min_flux, max_flux);
         way_x_[texel] = static_cast<float>((along_column ? way_in : way_along) * step_i);
         way_z_[texel] = static_cast<float>((along_column ? way_along : way_in) * step_j);
     }
 }
 
 void Refraction::sweep() {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         bool has_moved = false;
         for (const int order : {0, 1, 2, 3}) {
             const bool left = (order & 1) != 0, up = (order & 2) != 0;
@@ -178,7 +178,7 @@ void Refraction::carry_energy() {
         double comes = 0;
         if (way_x > 0) comes += std::max(0.0, static_cast<double>(way_x_[from.x]) * toward_x) * flux_[from.x];
         if (way_z > 0) comes += std::max(0.0, static_cast<double>(way_z_[from.z]) * toward_z) * flux_[from.z];
-        if (way_x + way_z > 0) flux_[texel] = std::min(comes / (way_x + way_z), most_focus * most_focus);
+        if (way_x + way_z > 0) flux_[texel] = std::min(comes / (way_x + way_z), max_focus * max_focus);
         way_x_[texel] = static_cast<float>(way_x * toward_x);
         way_z_[texel] = static_cast<float>(way_z * toward_z);
     }

@@ -26,9 +26,9 @@ struct IncomingWave {
 class Refraction {
    public:
     /// Behind caustics rays cross, which heights of one phase can't tell: no wave is higher by refraction than this, Kr.
-    static constexpr double most_focus = 1.5;
+    static constexpr double max_focus = 1.5;
     /// A wave keeps so many texels, whatever the depth: shorter ones could not be drawn.
-    static constexpr double least_texels = 4;
+    static constexpr double min_texels = 4;
 
     Refraction(const SeaBed& bed, const IncomingWave& wave);
     /// Straight on: the floor is no more than where land is.

@@ -19,12 +19,12 @@ struct SeaBed {
     double slope_x = 0, slope_z = 0;
 
     /// Water that is shallower is land to waves.
-    static constexpr double least_depth_m = 0.02;
+    static constexpr double min_depth_m = 0.02;
 
     std::size_t at(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i);
     }
-    bool is_water(std::size_t texel) const { return depth_m[texel] > least_depth_m; }
+    bool is_water(std::size_t texel) const { return depth_m[texel] > min_depth_m; }
     std::size_t texels() const { return depth_m.size(); }
 };
 

@@ -17,7 +17,7 @@ constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
 constexpr std::size_t groups_an_item = 64;
 
 // Ways along which the shelter of shorter waves is found: those of as many long waves, neighbours in frequency, which run to all sides.
-constexpr std::size_t most_ways = 8;
+constexpr std::size_t max_ways = 8;
 
 // Depths for which a table says what they leave of a cascade, by the square root of the depth.
 constexpr int depths = 256;
@@ -29,12 +29,12 @@ constexpr int steep_swash_texels = 2;
 constexpr double max_ground_over_swash = 2;
 
 // What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
-constexpr double least_amplitude_m = 1e-9;
+constexpr double min_amplitude_m = 1e-9;
 
-constexpr double least_envelope_m = 1e-6;
+constexpr double min_envelope_m = 1e-6;
 
 /// Second-order crests over first-order ones are no higher, or troughs would have humps.
-constexpr double most_sharp = 0.25;
+constexpr double max_sharp = 0.25;
 
 // Crests of a cascade in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
 // crest of the long waves.
@@ -93,7 +93,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     : bed_(options),
       sea_(sea),
       fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
-      swash_m_(std::max(options.swash_m, least_envelope_m)),
+      swash_m_(std::max(options.swash_m, min_envelope_m)),
       kernels_(kernels),
       waves_(shore_waves(sea, plans.front())),
       amplitudes_(bed_.texels() * 2 * waves_.size(), memory),
@@ -109,7 +109,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
         depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
     std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
 
-    const std::size_t ways = std::min(most_ways, waves_.size());
+    const std::size_t ways = std::min(max_ways, waves_.size());
     const auto first_way = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - ways) / 2);
     bake_->ways.assign(first_way, first_way + static_cast<std::ptrdiff_t>(ways));
     bake_->shelters.resize(ways);
@@ -182,13 +182,13 @@ void ShoreSource::bake_wave(std::size_t number) {
     const Refraction& way = *refraction;
     std::vector<double> phase = way.phase(), height = way.height();
     const double k =
-        std::min(wave_number(wave.omega, SeaBed::least_depth_m), two_pi / (Refraction::least_texels * bed_.texel_m));
+        std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
     run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         // Where cascades give way, energies add up to one.
         const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
         const double amplitude_m = wave.amplitude_m * height[texel] * fade;
-        if (!(amplitude_m > least_amplitude_m)) continue;
+        if (!(amplitude_m > min_amplitude_m)) continue;
         const auto [sine, cosine] =
             det::sine_cosine_of_turns((phase[texel] + way.corner_phase()) / two_pi + wave.phase_turns);
         float* const at = amplitudes_.data() + place_of(texel, number);
@@ -205,27 +205,27 @@ void ShoreSource::bake_wave(std::size_t number) {
 void ShoreSource::bake_limits(const Refraction& wave, double omega) {
     double open_m = 0;
     for (const ShoreWave& each : waves_) open_m += each.amplitude_m;
-    std::vector<double> most(bed_.texels(), Refraction::nowhere);
+    std::vector<double> max(bed_.texels(), Refraction::nowhere);
     for (const std::uint32_t texel : wave.order()) {
         const double depth_m = bed_.depth_m[texel];
-        most[texel] = 0.5 * breaking_height_over_depth * depth_m / wave.shoaling(texel);
+        max[texel] = 0.5 * breaking_height_over_depth * depth_m / wave.shoaling(texel);
         if (wave.comes_in_at(texel)) continue;
         const Refraction::Upstream from = wave.upstream(texel);
         if (from.share_x + from.share_z > 0)
-            most[texel] = std::min(most[texel], (from.share_x > 0 ? from.share_x * most[from.x] : 0) +
-                                                    (from.share_z > 0 ? from.share_z * most[from.z] : 0));
+            max[texel] = std::min(max[texel], (from.share_x > 0 ? from.share_x * max[from.x] : 0) +
+                                                    (from.share_z > 0 ? from.share_z * max[from.z] : 0));
     }
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         if (!bed_.is_water(texel)) continue;
         const double depth_m = bed_.depth_m[texel], shoaling = wave.shoaling(texel);
         const double stands_m =
-            most[texel] < Refraction::nowhere ? most[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
+            max[texel] < Refraction::nowhere ? max[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
         highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
         // Stokes 1847, to the second order: crests rise by k a^2 (3 - t^2) / (4 t^3), t = tanh k d.
         const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
         const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
         sharpness_.data()[texel] = static_cast<float>(
-            std::min(sharp, most_sharp / std::min(std::max(stands_m, swash_m_), open_m * shoaling)));
+            std::min(sharp, max_sharp / std::min(std::max(stands_m, swash_m_), open_m * shoaling)));
     }
 }
 
@@ -356,10 +356,10 @@ void ShoreSource::bake_heights(std::size_t row) {
         }
 
         const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
-        breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, least_envelope_m));
+        breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, min_envelope_m));
         if (!bed_.is_water(texel)) continue;
         const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * cascades_m;
-        highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + most_sharp)));
+        highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + max_sharp)));
     }
 }
 
@@ -370,10 +370,10 @@ void ShoreSource::end_bake() {
         has_waves_[group] = std::any_of(first, first + waves_.size() * 2 * group_texels,
                                         [](float amplitude) { return amplitude != 0; });
     }
-    int most = 0;
+    int max = 0;
     const auto compare = [&](std::size_t a, std::size_t b) {
         for (int byte = 0; byte < 32; byte += 8)
-            most = std::max(most, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
+            max = std::max(max, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
                                            static_cast<int>(parts_.data()[b] >> byte & 255)));
     };
     for (int j = 0; j < bed_.rows; ++j)
@@ -381,7 +381,7 @@ void ShoreSource::end_bake() {
             if (i + 1 < bed_.columns) compare(bed_.at(i, j), bed_.at(i + 1, j));
             if (j + 1 < bed_.rows) compare(bed_.at(i, j), bed_.at(i, j + 1));
         }
-    parts_change_per_m_ = static_cast<float>(std::sqrt(2.0) * most / 255 / bed_.texel_m);
+    parts_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
 }
 
 void ShoreSource::add_frame_stage(JobGraph& graph) {

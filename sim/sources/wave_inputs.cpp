@@ -37,7 +37,7 @@ std::string name_of_input(std::size_t number) { return "inputs[" + std::to_strin
                               const std::array<const char*, input_fields>& names) {
     for (std::size_t field = 0; field < input_fields; ++field)
         for (std::size_t i = 0; i < texels; ++i)
-            if (const float value = rows.fields[field][i]; !(std::fabs(value) <= WaveInput::most))
+            if (const float value = rows.fields[field][i]; !(std::fabs(value) <= WaveInput::max_value))
                 throw std::invalid_argument(invalid_value_message(name_of_input(number) + "'s " + names[field], value,
                                                     "[-1000, 1000], metres or metres a second"));
     throw std::logic_error("an input is refused, and nothing is wrong with it");
@@ -121,7 +121,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
                                 .row_count = row_count,
                                 .surface = planes.data(),
                                 .block_stride = column_block_floats(slots_.resolution(), kernels_.lanes),
-                                .most = WaveInput::most,
+                                .max = WaveInput::max_value,
                                 .bounds = &extremes}))
             reject_rows(number, rows, texels, names);
     };

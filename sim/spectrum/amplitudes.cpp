@@ -10,7 +10,7 @@ namespace pelagic {
 namespace {
 
 // Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
-constexpr double least_amplitude_m = 1e-20;
+constexpr double min_amplitude_m = 1e-20;
 
 // In steps of the grid. Within half a diagonal of its middle lies all of a cell.
 constexpr double half_diagonal = 0.7071067811865476;
@@ -23,7 +23,7 @@ constexpr int points_of_wide_cell = 4;
 constexpr int points_of_cut_cell = 8;
 
 // The model has no energy at k = 0, and no direction.
-constexpr double least_steps = 1e-3;
+constexpr double min_steps = 1e-3;
 
 bool stands_before(const GridWave& a, const GridWave& b) {
     return std::pair(a.at.n, a.at.m) < std::pair(b.at.n, b.at.m);
@@ -60,9 +60,9 @@ CascadeWaves::MirroredVariances CascadeWaves::point_variances(double m, double n
 /// band cuts the cell, and where the spectrum changes much from one side of it to the other.
 CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const {
     const double steps = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-    const double least = cascade_.least_k / cascade_.spacing(), most = cascade_.most_k / cascade_.spacing();
-    if (steps + half_diagonal < least || steps - half_diagonal >= most) return {};
-    const bool is_cut = steps - half_diagonal < least || steps + half_diagonal >= most;
+    const double min = cascade_.min_k / cascade_.spacing(), max = cascade_.max_k / cascade_.spacing();
+    if (steps + half_diagonal < min || steps - half_diagonal >= max) return {};
+    const bool is_cut = steps - half_diagonal < min || steps + half_diagonal >= max;
     const int points = is_cut ? points_of_cut_cell : steps < steps_of_wide_cells ? points_of_wide_cell : 1;
 
     MirroredVariances sum{};
@@ -74,7 +74,7 @@ CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const
         for (int column = 0; column < points; ++column) {
             const double at_m = m + (column + 0.5) / points - 0.5, at_n = n + (row + 0.5) / points - 0.5;
             const double at = std::sqrt(at_m * at_m + at_n * at_n);
-            if (at < least || at >= most || at < least_steps) continue;
+            if (at < min || at >= max || at < min_steps) continue;
             const MirroredVariances here = point_variances(at_m, at_n);
             add(sum.plus, here.plus);
             add(sum.minus, here.minus);
@@ -115,7 +115,7 @@ Wave CascadeWaves::listed(int m, int n) const {
 Wave CascadeWaves::drawn(double variance, int m, int n) const {
     // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
     const double scale = std::sqrt(0.5 * variance);
-    if (scale < least_amplitude_m) return {};
+    if (scale < min_amplitude_m) return {};
     const GaussianPair draw = gaussian_pair(seed_, cascade_.number, m, n);
     return {{draw.re * scale, draw.im * scale}, variance};
 }

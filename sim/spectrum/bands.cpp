@@ -18,7 +18,7 @@ constexpr double papers_side_m = 250;
 
 /// The coarsest cascade has so many of the peak's waves: it repeats beyond what the eye compares.
 constexpr double peak_waves = 16;
-constexpr double least_side_m = 1, most_side_m = 1e5;
+constexpr double min_side_m = 1, max_side_m = 1e5;
 
 /// A wave has at least so many texels, and a cascade's longest so many steps of the grid between it and k = 0, so that its
 /// directions are many.
@@ -26,14 +26,14 @@ constexpr double texels_a_wave = 3;
 constexpr double steps_a_band = 6;
 
 /// No cascade is more than nearly as long as the one above it.
-constexpr double least_ratio = 1.5;
+constexpr double min_ratio = 1.5;
 
 /// Shorter waves nobody sees.
 constexpr double shortest_wave_m = 0.02;
 
 /// Cascades hold this part of Cox and Munk's mean square slope at most. In light winds the spectra, whose tails know no ripples, have
 /// more.
-constexpr double most_of_slopes = 0.9;
+constexpr double max_of_slopes = 0.9;
 
 /// Grids are rotated against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
 constexpr double rotation_a_cascade = 0.25 * 0.6180339887498949;
@@ -49,13 +49,13 @@ double short_number(double value, bool up) {
 
 /// Where the slopes of the model reach what cascades may hold, rad/m; the shortest wave's if they never do.
 double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
-    const double most = most_of_slopes * measured_slopes(sea.wind_speed_mps).total();
+    const double max = max_of_slopes * measured_slopes(sea.wind_speed_mps).total();
     constexpr double ratio = 1.02;
     const double step = det::log(ratio), last = two_pi / shortest_wave_m;
     double sum = 0;
     for (double k = 1e-5; k < last; k *= ratio) {
         sum += spectrum.radial_density(k) * k * k * k * step;
-        if (sum > most) return k;
+        if (sum > max) return k;
     }
     return last;
 }
@@ -72,8 +72,8 @@ WaveSpectrum spectrum_of_stack(const SeaState& sea) {
 
 std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
     for (std::size_t i = 0; i + 1 < cascades.size(); ++i) {
-        const double edge = std::min(cascades[i].most_k, steps_of_few_waves * cascades[i + 1].spacing());
-        cascades[i].most_k = cascades[i + 1].least_k = edge;
+        const double edge = std::min(cascades[i].max_k, steps_of_few_waves * cascades[i + 1].spacing());
+        cascades[i].max_k = cascades[i + 1].min_k = edge;
     }
     return cascades;
 }
@@ -87,29 +87,29 @@ double end_of_waves(const SeaState& sea) {
 std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
     const double coarsest_m =
-        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, least_side_m, most_side_m), false),
-                   least_side_m, most_side_m);
+        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false),
+                   min_side_m, max_side_m);
 
     const double widest = n / (texels_a_wave * steps_a_band);
     double ratio = widest;
     if (count > 1) {
         const double finest_m = two_pi / reach.end_k * n / texels_a_wave;
         const double wanted = det::pow(std::max(1.0, coarsest_m / finest_m), 1.0 / (count - 1));
-        ratio = std::clamp(wanted, least_ratio, widest);
+        ratio = std::clamp(wanted, min_ratio, widest);
     }
 
     std::vector<CascadePlan> cascades;
-    double side_m = coarsest_m, least_k = 0;
+    double side_m = coarsest_m, min_k = 0;
     for (int number = 0; number < count; ++number) {
         const det::SineCosine turn = det::sine_cosine_of_turns(rotation_a_cascade * number);
-        const double most_k = two_pi * n / (texels_a_wave * side_m);
+        const double max_k = two_pi * n / (texels_a_wave * side_m);
         cascades.push_back({.grid = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
                          .resolution = n,
                          .number = number,
-                         .least_k = least_k,
-                         .most_k = number + 1 == count ? std::min(most_k, end_k) : most_k,
+                         .min_k = min_k,
+                         .max_k = number + 1 == count ? std::min(max_k, end_k) : max_k,
                          .has_surface_tension = true});
-        least_k = most_k;
+        min_k = max_k;
         side_m = short_number(side_m / ratio, true);
     }
     return cascades;

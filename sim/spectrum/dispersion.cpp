@@ -31,8 +31,8 @@ double stokes_drift(double k, const Water& water) {
 }
 
 double orbit_ratio(double k, double depth_m) {
-    constexpr double most = 20;
-    return std::min(1 / det::tanh(k * depth_m), most);
+    constexpr double max = 20;
+    return std::min(1 / det::tanh(k * depth_m), max);
 }
 
 // With k = omega^2 / g in deep water and t = tanh(k d) the ratio is t^3 / (t + k d (1 - t^2)).

@@ -20,10 +20,10 @@ inline std::size_t harmonic_band(std::uint32_t harmonic) {
 
 /// Between its first and its last harmonic; among the low bands are some without one.
 inline double middle_harmonic(std::size_t band) {
-    const auto least = [](std::size_t of) {
+    const auto min = [](std::size_t of) {
         return std::ceil(std::ldexp(1 + static_cast<double>(of % 16) / 16, static_cast<int>(of / 16)));
     };
-    return std::max(least(band), (least(band) + least(band + 1) - 1) / 2);
+    return std::max(min(band), (min(band) + min(band + 1) - 1) / 2);
 }
 
 }  // namespace pelagic

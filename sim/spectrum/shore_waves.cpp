@@ -26,18 +26,18 @@ constexpr int shore_draws = 1000;
 
 /// Wave numbers of a cascade: as far as its grid reaches where a band has no end.
 struct Reach {
-    double least_k, most_k;
+    double min_k, max_k;
     explicit Reach(const CascadePlan& cascade)
-        : least_k(std::max(cascade.least_k, 0.5 * cascade.spacing())),
-          most_k(std::min(cascade.most_k, 0.5 * cascade.resolution * cascade.spacing())) {}
+        : min_k(std::max(cascade.min_k, 0.5 * cascade.spacing())),
+          max_k(std::min(cascade.max_k, 0.5 * cascade.resolution * cascade.spacing())) {}
 };
 
 /// Calls with (k, energy of the shell) from long waves to short ones.
 template <class Take>
 void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take take) {
     const Reach reach(cascade);
-    const double ratio = det::pow(reach.most_k / reach.least_k, 1.0 / shells), step = det::log(ratio);
-    double k = reach.least_k * std::sqrt(ratio);
+    const double ratio = det::pow(reach.max_k / reach.min_k, 1.0 / shells), step = det::log(ratio);
+    double k = reach.min_k * std::sqrt(ratio);
     for (int shell = 0; shell < shells; ++shell, k *= ratio) take(k, spectrum.radial_density(k) * k * step);
 }
 
@@ -68,7 +68,7 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coars
     for_shells(spectrum, coarsest, [&](double, double energy) { all += energy; });
     if (!(all > 0)) return {};
 
-    constexpr double count = most_shore_waves;
+    constexpr double count = max_shore_waves;
     std::vector<ShoreWave> waves;
     double below = 0, share = 0, share_k = 0;
     // Of a draw: the part of draws that are longer is even in (0, 1].
@@ -95,12 +95,12 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coars
         // A shell that an end of a wave's share cuts belongs to both.
         while (energy > 0) {
             const double end = all * static_cast<double>(waves.size() + 1) / count;
-            const double taken = waves.size() + 1 < most_shore_waves ? std::min(energy, end - below) : energy;
+            const double taken = waves.size() + 1 < max_shore_waves ? std::min(energy, end - below) : energy;
             share += taken;
             share_k += taken * k;
             below += taken;
             energy -= taken;
-            if (waves.size() + 1 < most_shore_waves && below >= end) add_wave();
+            if (waves.size() + 1 < max_shore_waves && below >= end) add_wave();
             if (!(taken > 0)) break;
         }
     });
@@ -125,7 +125,7 @@ std::vector<ShoreWave> listed_waves(const SeaState& sea, const CascadePlan& coar
     }
     std::stable_sort(waves.begin(), waves.end(),
                      [](const ShoreWave& a, const ShoreWave& b) { return a.amplitude_m > b.amplitude_m; });
-    if (waves.size() > most_shore_waves) waves.resize(most_shore_waves);
+    if (waves.size() > max_shore_waves) waves.resize(max_shore_waves);
     std::stable_sort(waves.begin(), waves.end(),
                      [](const ShoreWave& a, const ShoreWave& b) { return a.harmonic < b.harmonic; });
     return waves;

@@ -10,7 +10,7 @@
 
 namespace pelagic {
 
-inline constexpr std::size_t most_shore_waves = 32;
+inline constexpr std::size_t max_shore_waves = 32;
 
 /// One wave in the open sea: h = amplitude cos(k (dir . x) - omega t + 2 pi phase_turns).
 struct ShoreWave {

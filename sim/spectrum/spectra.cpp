@@ -19,7 +19,7 @@ constexpr double jonswap_width_above_peak = 0.09;
 constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 
 // Wave numbers over which energy is summed: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
-constexpr double least_k = 1e-5;
+constexpr double min_k = 1e-5;
 constexpr double largest_k = 6e4;
 constexpr double k_ratio = 1.02;
 
@@ -145,7 +145,7 @@ double WaveSpectrum::swell_density(double k) const {
 double WaveSpectrum::variance() const {
     double sum = 0;
     const double step = det::log(k_ratio);
-    for (double k = least_k; k < largest_k; k *= k_ratio) sum += radial_density(k) * k * step;
+    for (double k = min_k; k < largest_k; k *= k_ratio) sum += radial_density(k) * k * step;
     return sum;
 }
 

@@ -24,12 +24,12 @@ double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k
 // The best of a coarse grid, refined by halving steps around it.
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
     const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
-    double best = shortest_k, most = density(best);
+    double best = shortest_k, max = density(best);
     const auto try_out = [&](double k) {
         const double here = density(k);
-        if (!(here > most)) return;
+        if (!(here > max)) return;
         best = k;
-        most = here;
+        max = here;
     };
     for (double k = shortest_k; k < longest_k; k *= k_ratio) try_out(k);
     for (double step = k_ratio - 1; step > 1e-7; step *= 0.5)

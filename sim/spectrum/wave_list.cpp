@@ -19,7 +19,7 @@ constexpr PondSea pond;
 constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
 
 /// Of an analytic sea (analytic_wave_fields()).
-constexpr double least_wave_m = 0.01;
+constexpr double min_wave_m = 0.01;
 
 /// A pond's cascade has so many of its longest waves.
 constexpr double pond_waves = 6;
@@ -57,10 +57,10 @@ std::string check_analytic(const SeaState& sea) {
     const PlaneWaves held = waves_of_cascades(sea);
     if (held.waves.empty())
         return invalid_value_message("longest_wave_m", longest_wave_of(sea), "longer waves: the cascades' texels hold none of these");
-    if (const double steepness = steepness_of(held); steepness > most_steepness)
+    if (const double steepness = steepness_of(held); steepness > max_steepness)
         return invalid_value_message(
             "steepness", rounded_text(steepness, 4),
-            "at most " + number_text(most_steepness) +
+            "at most " + number_text(max_steepness) +
                 ", the sum of k A of the waves on their cascades: ask for less wave_height_m or wave_strength");
     return one_line(check(held));
 }
@@ -101,7 +101,7 @@ double longest_wave_of(const SeaState& sea) {
 
 double shortest_wave_of(const SeaState& sea) {
     if (is_pond(sea)) return or_chosen(sea.shortest_wave_m, longest_wave_of(sea) / pond_ratio);
-    return or_chosen(sea.shortest_wave_m, std::max(least_wave_m, longest_wave_of(sea) / family_ratio));
+    return or_chosen(sea.shortest_wave_m, std::max(min_wave_m, longest_wave_of(sea) / family_ratio));
 }
 
 double pond_side_m(const SeaState& sea) { return pond_waves * longest_wave_of(sea); }
@@ -123,7 +123,7 @@ std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade
     std::vector<GridWave> waves;
     for (const PlaneWave& wave : plane_waves_of(analytic_sea_of(sea)).waves) {
         const double k = two_pi * wave.turns_per_m();
-        if (k < cascade.least_k || k >= cascade.most_k) continue;
+        if (k < cascade.min_k || k >= cascade.max_k) continue;
         const GridIndex at = nearest_place(cascade.grid, wave.turns_per_m_x, wave.turns_per_m_z);
         if (std::max(std::abs(at.m), std::abs(at.n)) >= nyquist) continue;
         waves.push_back({at, wave.amplitude_m, wave.phase_turns});

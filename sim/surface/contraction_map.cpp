@@ -53,7 +53,7 @@ void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* co
     double reach_m = 0, reference_m = margin * finest_texel_m;
     for (std::size_t i = maps.size(); i-- > 0;) {
         reference_m += 2 * maps[i]->largest_m();
-        if (i == number) reach_m = reference_m / (i == 0 ? 1 : least_slack);
+        if (i == number) reach_m = reference_m / (i == 0 ? 1 : min_slack);
     }
     reach_m = std::min(reach_m, reference_m);
 
@@ -88,7 +88,7 @@ void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* co
 
 void ContractionMap::update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
-    std::array<const ContractionMap*, most_cascades> all;
+    std::array<const ContractionMap*, max_cascades> all;
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         for (std::size_t job = 0; job < maps[i]->jobs(); ++job) maps[i]->find(cascades[i], kernels, job);
         all[i] = maps[i];

@@ -33,7 +33,7 @@ class ContractionMap {
     static constexpr std::size_t rows_per_job = 16;
     /// What cascades but the last must leave of 1, and what all must leave: there a small error of the search is a larger one
     /// of the reference point.
-    static constexpr double least_slack = 0.3, least_slack_of_all = 0.05;
+    static constexpr double min_slack = 0.3, min_slack_of_all = 0.05;
     /// Of the finest cascade's texel: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 

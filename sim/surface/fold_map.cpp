@@ -28,7 +28,7 @@ void FoldMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t j
     const double texel_m = cascade.grid.side_m / resolution_;
     kernels.find_folds({.surface = texels_of(cascade),
                         .texel_m = static_cast<float>(texel_m),
-                        .most_area = static_cast<float>(most_jacobian * texel_m * texel_m),
+                        .max_area = static_cast<float>(max_jacobian * texel_m * texel_m),
                         .first_row = job * rows_per_job,
                         .rows = rows_per_job,
                         .cells = cells_.data()});
@@ -42,16 +42,16 @@ void FoldMap::mark(const Cascade& cascade) {
         for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {
             const int cell = static_cast<int>(byte) * 8 + std::countr_zero(rest);
             const int i = cell % resolution_, j = cell / resolution_;
-            double least_x = 1e300, most_x = -1e300, least_z = 1e300, most_z = -1e300;
+            double min_x = 1e300, max_x = -1e300, min_z = 1e300, max_z = -1e300;
             for (const auto& [x, z] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
                 const std::ptrdiff_t place = place_of(surface, x, z);
                 const double drawn_x = x + surface.dx[place] * texels_per_m;
                 const double drawn_z = z + surface.dz[place] * texels_per_m;
-                least_x = std::min(least_x, drawn_x), most_x = std::max(most_x, drawn_x);
-                least_z = std::min(least_z, drawn_z), most_z = std::max(most_z, drawn_z);
+                min_x = std::min(min_x, drawn_x), max_x = std::max(max_x, drawn_x);
+                min_z = std::min(min_z, drawn_z), max_z = std::max(max_z, drawn_z);
             }
-            mark_squares(floor_of(least_x - margin), floor_of(most_x + margin), floor_of(least_z - margin),
-                         floor_of(most_z + margin));
+            mark_squares(floor_of(min_x - margin), floor_of(max_x + margin), floor_of(min_z - margin),
+                         floor_of(max_z + margin));
         }
     }
 }

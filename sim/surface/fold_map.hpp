@@ -21,7 +21,7 @@ class FoldMap {
     /// Rows of cells that one job looks at.
     static constexpr std::size_t rows_per_job = 16;
     /// Cells that nearly turn over count too: there a small error horizontal is a large one in height.
-    static constexpr double most_jacobian = 0.05;
+    static constexpr double max_jacobian = 0.05;
     /// Texels around what such cells are drawn on: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 

@@ -41,7 +41,7 @@ void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done)
 }
 
 void FoldStages::spread(std::size_t cascade) {
-    std::array<const ContractionMap*, most_cascades> maps;
+    std::array<const ContractionMap*, max_cascades> maps;
     const std::size_t count = slots_.cascade_count();
     for (std::size_t i = 0; i < count; ++i) maps[i] = &*slots_.buffers(i).contraction;
     slots_.buffers(cascade).contraction->spread(slots_.cascade(cascade), {maps.data(), count}, cascade,

@@ -8,10 +8,10 @@ namespace pelagic {
 namespace {
 
 // Kernels read and write whole registers, two at a time.
-constexpr std::size_t least_stride = 32;
+constexpr std::size_t min_stride = 32;
 
 std::size_t stride_of(int resolution, int level) {
-    return std::max(static_cast<std::size_t>(resolution) >> level, least_stride);
+    return std::max(static_cast<std::size_t>(resolution) >> level, min_stride);
 }
 
 }  // namespace

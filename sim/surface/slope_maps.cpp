@@ -13,12 +13,12 @@ std::size_t jobs_across(int resolution) {
 }
 
 // Flatter than any byte of a normal can tell.
-constexpr double least_mean_square_slope = 1e-12;
+constexpr double min_mean_square_slope = 1e-12;
 
 }  // namespace
 
 SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence) {
-    const double square = std::max(mean_square_slope, least_mean_square_slope);
+    const double square = std::max(mean_square_slope, min_mean_square_slope);
     return {static_cast<float>(4 * std::sqrt(std::max(square, mean_square_convergence))),
             static_cast<float>(3 * square)};
 }

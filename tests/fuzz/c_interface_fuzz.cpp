@@ -241,14 +241,14 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
 }
 
 void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
-    constexpr std::size_t most = 40;
-    double x[most], z[most];
-    float out[10][most];
-    std::uint8_t converged[most];
+    constexpr std::size_t max = 40;
+    double x[max], z[max];
+    float out[10][max];
+    std::uint8_t converged[max];
     auto points = sized<pelagic_points>(bytes);
     const auto count = bytes.take<std::uint8_t>();
-    points.count = count == 255 ? SIZE_MAX - bytes.take<std::uint8_t>() : count % most;
-    for (std::size_t i = 0; i < points.count % most; ++i) x[i] = bytes.number(), z[i] = bytes.number();
+    points.count = count == 255 ? SIZE_MAX - bytes.take<std::uint8_t>() : count % max;
+    for (std::size_t i = 0; i < points.count % max; ++i) x[i] = bytes.number(), z[i] = bytes.number();
     points.x = count == 254 ? nullptr : x;
     points.z = z;
     auto samples = sized<pelagic_samples>(bytes);

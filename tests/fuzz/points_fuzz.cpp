@@ -32,7 +32,7 @@ void check_block(const pelagic::tools::PointReader& reader, const pelagic::tools
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     // The first byte says how much a read gives and how much a block takes.
-    const std::size_t step = 1 + data[0] % 16, most_points = 1 + data[0] / 16;
+    const std::size_t step = 1 + data[0] % 16, max_points = 1 + data[0] / 16;
     std::size_t at = 1;
     pelagic::tools::PointReader reader("points.csv", [&](std::span<char> bytes) {
         std::size_t count = size - at < step ? size - at : step;
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     });
     try {
         pelagic::tools::PointBlock block;
-        while (reader.read_block(block, most_points)) check_block(reader, block);
+        while (reader.read_block(block, max_points)) check_block(reader, block);
     } catch (const pelagic::tools::InputError& error) {
         const std::string_view what = error.what();
         must(what.starts_with("points.csv") && what.find("needs") != std::string_view::npos && what.size() < 300);

@@ -27,9 +27,9 @@ class Bytes {
     }
 
     /// Mostly within [least, most], sometimes any bits at all.
-    double number(double least, double most) {
+    double number(double min, double max) {
         const auto byte = take<std::uint8_t>();
-        return byte == 255 ? take<double>() : least + (most - least) * byte / 254;
+        return byte == 255 ? take<double>() : min + (max - min) * byte / 254;
     }
 
     /// Mostly 0 to 254, sometimes any 31 bits.

@@ -10,7 +10,7 @@ namespace {
 constexpr double finest = 1.0 / 16;
 
 // Cells along an axis over which a range is looked for value by value.
-constexpr double most_cells = 6;
+constexpr double max_cells = 6;
 
 std::vector<double> plane_of(const PlaneView& view) {
     std::vector<double> plane;
@@ -37,12 +37,12 @@ Stack::Stack(const Frame& frame, Interpolation interpolation) {
                     .dz_range = {},
                     .interpolation = interpolation};
         const auto range_of = [&](const std::vector<double>& plane) {
-            const auto [least, most] = std::minmax_element(plane.begin(), plane.end());
+            const auto [min, max] = std::minmax_element(plane.begin(), plane.end());
             // Four weights that add up to 1 are -1/16, 9/16, 9/16, -1/16 at worst, along either axis.
             const double beyond =
-                interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*most - *least) : 0;
-            reach_m_ += std::max(-*least, *most) + beyond;
-            return Range{*least - beyond, *most + beyond};
+                interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*max - *min) : 0;
+            reach_m_ += std::max(-*min, *max) + beyond;
+            return Range{*min - beyond, *max + beyond};
         };
         layer.dx_range = range_of(layer.dx);
         layer.dz_range = range_of(layer.dz);
@@ -97,7 +97,7 @@ double Stack::Layer::slope(const std::vector<double>& plane, double u, double v,
 // A bilinear piece lies between its corners, so the values where the square's sides and the texels' lines meet bound it.
 Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, double u, double v,
                                  double reach) const {
-    if (2 * reach > most_cells) return all;
+    if (2 * reach > max_cells) return all;
     if (interpolation == Interpolation::cubic) {
         // Of the differences between texels the slope along an axis is a sum with weights of at most 1.5 * 1.25.
         const int first_i = static_cast<int>(std::floor(u - reach)) - 1,
@@ -111,7 +111,7 @@ Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, do
                 if (j < last_j) across = std::max(across, std::fabs(at(plane, i, j + 1) - at(plane, i, j)));
             }
         const double here = value(plane, u, v), change = 1.5 * 1.25 * (along + across) * reach;
-        return {std::max(all.least, here - change), std::min(all.most, here + change)};
+        return {std::max(all.min, here - change), std::min(all.max, here + change)};
     }
     Range found{1e300, -1e300};
     const auto next = [&](double place, double end) {
@@ -120,7 +120,7 @@ Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, do
     for (double b = v - reach; b <= v + reach; b = next(b, v + reach)) {
         for (double a = u - reach; a <= u + reach; a = next(a, u + reach)) {
             const double here = value(plane, a, b);
-            found = {std::min(found.least, here), std::max(found.most, here)};
+            found = {std::min(found.min, here), std::max(found.max, here)};
         }
     }
     return found;
@@ -182,10 +182,10 @@ void Stack::look_inside(double point_x, double point_z, double x, double z, doub
         const double reach = half / layer.texel_m * (std::fabs(layer.cosine) + std::fabs(layer.sine));
         const Range dx = layer.range(layer.dx, layer.dx_range, u, v, reach);
         const Range dz = layer.range(layer.dz, layer.dz_range, u, v, reach);
-        drawn_x = {drawn_x.least + dx.least, drawn_x.most + dx.most};
-        drawn_z = {drawn_z.least + dz.least, drawn_z.most + dz.most};
+        drawn_x = {drawn_x.min + dx.min, drawn_x.max + dx.max};
+        drawn_z = {drawn_z.min + dz.min, drawn_z.max + dz.max};
     }
-    const auto is_off = [](double p, Range range) { return p < range.least - 1e-9 || p > range.most + 1e-9; };
+    const auto is_off = [](double p, Range range) { return p < range.min - 1e-9 || p > range.max + 1e-9; };
     if (is_off(point_x, drawn_x) || is_off(point_z, drawn_z)) return;
     if (half <= layers_.back().texel_m * finest) return refine(point_x, point_z, x, z, half, intersections);
     const double quarter = half / 2;

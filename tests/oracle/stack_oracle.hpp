@@ -34,7 +34,7 @@ class Stack {
 
    private:
     struct Range {
-        double least, most;
+        double min, max;
     };
     struct Layer {
         int n;

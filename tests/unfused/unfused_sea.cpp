@@ -73,7 +73,7 @@ void transform(std::vector<Complex>& line, const FftTables& fft) {
     line = data;
 }
 
-float clamped(float v, float least, float most) { return std::min(std::max(v, least), most); }
+float clamped(float v, float min, float max) { return std::min(std::max(v, min), max); }
 
 std::uint32_t signed_byte(float scaled) { return static_cast<std::uint32_t>(static_cast<int>(scaled + 128.f)); }
 

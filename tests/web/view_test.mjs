@@ -43,10 +43,10 @@ function psnr(a, b) {
 }
 
 /** Shown in the log, for who wants to know how far it is from the bound. */
-function assertAlike(name, a, b, leastDb) {
+function assertAlike(name, a, b, minDb) {
   const db = psnr(a, b);
   console.log(`${name}: ${db.toFixed(1)} dB`);
-  assert.ok(db >= leastDb, `${name}: ${db} dB`);
+  assert.ok(db >= minDb, `${name}: ${db} dB`);
 }
 
 let server, browser, page, profile, site;

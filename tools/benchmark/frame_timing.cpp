@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 /// Long beside the clock's own 30 nanoseconds, and short beside the milliseconds for which others get the core: on a busy
 /// machine too most turns are undisturbed.
 constexpr double turn_ms = 1;
-constexpr std::size_t least_turns = 5;
+constexpr std::size_t min_turns = 5;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -114,9 +114,9 @@ class TimedSea {
 
     /// A stage may be run again on what the last frame left: its work does not depend on the values.
     void count_instructions(const InstructionCounter& counter) {
-        instructions_ = least_count(counter, [&] { draw(*ocean_, 1); });
+        instructions_ = min_count(counter, [&] { draw(*ocean_, 1); });
         for (std::size_t i = 0; i < jobs_.size(); ++i)
-            jobs_[i].instructions = least_count(counter, [&] {
+            jobs_[i].instructions = min_count(counter, [&] {
                 for (const Stage& stage : ocean_->graph().stages())
                     if (job_of(stage.name) == clock_->jobs()[i])
                         for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
@@ -163,17 +163,17 @@ class TimedSea {
 
     /// A texel's; the least of a few, for the first may touch memory that the system has yet to give.
     template <class Work>
-    std::optional<double> least_count(const InstructionCounter& counter, const Work& work) const {
-        std::optional<double> least;
+    std::optional<double> min_count(const InstructionCounter& counter, const Work& work) const {
+        std::optional<double> min;
         for (int i = 0; i < 3; ++i) {
             const std::optional<std::uint64_t> before = counter.count();
             work();
             const std::optional<std::uint64_t> after = counter.count();
             if (!before || !after || *after == *before) return {};
             const double count = static_cast<double>(*after - *before) / texels();
-            least = std::min(least.value_or(count), count);
+            min = std::min(min.value_or(count), count);
         }
-        return least;
+        return min;
     }
 
     std::unique_ptr<Ocean> ocean_, traced_ocean_;
@@ -210,10 +210,10 @@ std::vector<Round> rounds_of(const TimingPlan& plan) {
 
 }  // namespace
 
-std::vector<int> thread_counts(int most) {
+std::vector<int> thread_counts(int max) {
     std::vector<int> counts;
-    for (int threads = 1; threads < most; threads *= 2) counts.push_back(threads);
-    counts.push_back(most);
+    for (int threads = 1; threads < max; threads *= 2) counts.push_back(threads);
+    counts.push_back(max);
     return counts;
 }
 
@@ -230,7 +230,7 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
             TimedSea& contestant = contestants.emplace_back(rounds[i].sea, isa, threads);
             if (threads == 1) contestant.count_instructions(counter);
         }
-        while (contestants.back().turns() < least_turns || seconds() < until_s)
+        while (contestants.back().turns() < min_turns || seconds() < until_s)
             for (TimedSea& contestant : contestants) {
                 contestant.take_turn();
                 progress(contestant.sea(), std::min(1.0, seconds() / plan.seconds));

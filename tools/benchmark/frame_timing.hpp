@@ -57,7 +57,7 @@ struct Timings {
 };
 
 /// 1, 2, 4, ... and `most`.
-std::vector<int> thread_counts(int most);
+std::vector<int> thread_counts(int max);
 
 /// All instruction sets take turns with a sea's frame on one thread, a direct call, so that what else the machine does meets
 /// all of them alike; then all numbers of threads. A turn is some frames of each, after two of warming up or more. On one thread as

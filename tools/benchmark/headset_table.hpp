@@ -10,7 +10,7 @@
 namespace pelagic::tools {
 
 /// More cores than that are slow ones, or the renderer's.
-inline constexpr int most_headset_threads = 3;
+inline constexpr int max_headset_threads = 3;
 
 /// One cascade of 128 and of 256, three of 64, three and four of 128.
 std::vector<SeaState> headset_seas();

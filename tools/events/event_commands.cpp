@@ -14,7 +14,7 @@ namespace {
 /// Of a tick: a time that is meant to be a tick's own may be rounded up.
 constexpr double clock_slack = 0x1p-16;
 /// What an ocean takes for a tick, pushes and sources each.
-constexpr std::size_t most_at_once = 4096;
+constexpr std::size_t max_at_once = 4096;
 
 }  // namespace
 
@@ -43,8 +43,8 @@ std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s)
             --sources;
         else
             ++(file.events[command.event].duration_s > 0 ? sources : pushes);
-        if (std::max(sources, pushes) > most_at_once)
-            throw InputError("--events has more than " + number_text(most_at_once) + " pushes at " +
+        if (std::max(sources, pushes) > max_at_once)
+            throw InputError("--events has more than " + number_text(max_at_once) + " pushes at " +
                              number_text(static_cast<double>(tick) / rate) + " s, needs at most that many at once");
     }
     return commands;

@@ -28,7 +28,7 @@ struct ColumnRule {
     Column column;
     std::string_view name;
     bool is_needed;
-    double least, most;
+    double min, max;
     const char* accepted;
 };
 
@@ -72,8 +72,8 @@ class EventReader {
         if (cells.size() != columns_.size())
             reject("the number of columns", number_text(cells.size()),
                    number_text(columns_.size()) + ", as in the first line");
-        if (file_.events.size() == EventFile::most_events)
-            reject("the number of events", "more", "at most " + number_text(EventFile::most_events));
+        if (file_.events.size() == EventFile::max_events)
+            reject("the number of events", "more", "at most " + number_text(EventFile::max_events));
         take_row(cells);
     }
 
@@ -110,7 +110,7 @@ class EventReader {
     double number(const ColumnRule& rule, const std::string& cell) const {
         const auto value = parse_number(cell);
         const bool is_round = value && *value == 0 && rule.column == Column::length;
-        if (!value || !(is_round || (*value >= rule.least && *value <= rule.most)))
+        if (!value || !(is_round || (*value >= rule.min && *value <= rule.max)))
             reject(rule.name, cell, rule.accepted);
         return *value;
     }
@@ -191,7 +191,7 @@ EventFile parse_events(const std::string& name, std::string_view text) {
 
 std::shared_ptr<const EventFile> read_events(const std::string& file) {
     InputFile input("--events", file, a_file);
-    return std::make_shared<const EventFile>(parse_events(input.name(), input.read_all(EventFile::most_bytes)));
+    return std::make_shared<const EventFile>(parse_events(input.name(), input.read_all(EventFile::max_bytes)));
 }
 
 }  // namespace pelagic::tools

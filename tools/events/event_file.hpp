@@ -24,7 +24,7 @@ struct WaterEvent {
 };
 
 struct EventFile {
-    static constexpr std::size_t most_bytes = std::size_t{16} << 20, most_events = 100'000;
+    static constexpr std::size_t max_bytes = std::size_t{16} << 20, max_events = 100'000;
     static constexpr double longest_s = 86400;  ///< of an event
 
     std::string text;                ///< as it was read

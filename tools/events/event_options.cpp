@@ -31,12 +31,12 @@ std::array<double, 2> place_in(const std::string& text) {
 /// Of the least box around the places where pushes begin.
 std::array<double, 2> middle_of(const EventFile& file) {
     const Disturbance& first = file.events.front().push;
-    double least_x = first.x_m, most_x = first.x_m, least_z = first.z_m, most_z = first.z_m;
+    double min_x = first.x_m, max_x = first.x_m, min_z = first.z_m, max_z = first.z_m;
     for (const WaterEvent& event : file.events) {
-        least_x = std::min(least_x, event.push.x_m), most_x = std::max(most_x, event.push.x_m);
-        least_z = std::min(least_z, event.push.z_m), most_z = std::max(most_z, event.push.z_m);
+        min_x = std::min(min_x, event.push.x_m), max_x = std::max(max_x, event.push.x_m);
+        min_z = std::min(min_z, event.push.z_m), max_z = std::max(max_z, event.push.z_m);
     }
-    return {(least_x + most_x) / 2, (least_z + most_z) / 2};
+    return {(min_x + max_x) / 2, (min_z + max_z) / 2};
 }
 
 }  // namespace

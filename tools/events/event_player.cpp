@@ -13,7 +13,7 @@ constexpr double clock_slack = 0x1p-16;
 constexpr double longest_jump_s = 0.5;
 
 /// The sea is not looked at: as small as can be.
-SeaState least_sea() { return {.cascades = 1, .resolution = 16}; }
+SeaState min_sea() { return {.cascades = 1, .resolution = 16}; }
 
 }  // namespace
 
@@ -22,7 +22,7 @@ EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> 
       rate_(options.water.ticks_per_s),
       commands_(event_commands(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
-      ocean_(least_sea(), {.executor = std::move(executor), .isa = isa, .dynamic_waves = options.water}) {
+      ocean_(min_sea(), {.executor = std::move(executor), .isa = isa, .dynamic_waves = options.water}) {
     first_tick_ = commands_.front().tick - 1;
     ocean_.follow(options_.middle_x_m, options_.middle_z_m);
     ocean_.frame_at(time_of(first_tick_));

@@ -41,10 +41,10 @@ ExportJournal::ExportJournal(const ExportOptions& options, const OutputFolder& f
 }
 
 std::optional<EarlierExport> ExportJournal::read_record_or_journal() const {
-    const std::size_t most = most_record_bytes(options_);
+    const std::size_t max = max_record_bytes(options_);
     const auto text_in = [&](const std::string& name) {
-        auto text = folder_.read_text(name, most);
-        if (text && text->size() > most) throw DamagedRecord();
+        auto text = folder_.read_text(name, max);
+        if (text && text->size() > max) throw DamagedRecord();
         return text;
     };
     if (const auto journal = text_in(journal_name_); journal && !journal->empty())
@@ -133,8 +133,8 @@ void ExportJournal::join_others(const std::vector<int>& here) {
                                                      return goes_on;
                                                  }});
         if (!has_record && folder_.open_for_reading(sea_json_name).is_open()) throw DamagedRecord();
-        const std::size_t most = most_record_bytes(options_);
-        const auto journal = folder_.read_text(journal_name({}), most);
+        const std::size_t max = max_record_bytes(options_);
+        const auto journal = folder_.read_text(journal_name({}), max);
         if (!journal || journal->empty()) return;
         EarlierExport earlier = parse_journal(*journal, options_);
         require_same(earlier.options);

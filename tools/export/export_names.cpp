@@ -13,7 +13,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr std::size_t frame_digits = 4;
-constexpr int most_cascades = 4, most_level = mip_levels(2048) - 1;
+constexpr int max_cascades = 4, max_level = mip_levels(2048) - 1;
 
 bool is_extension(std::string_view text, MapKind map) {
     if (text == "tif" || text == "ktx2" || text == "dds") return true;
@@ -32,23 +32,23 @@ class NameReader {
         return true;
     }
     /// A number from `least` to `most` in at least `digits` digits, with leading zeros up to there and no further.
-    bool take_number(std::size_t digits, int least, int most) {
+    bool take_number(std::size_t digits, int min, int max) {
         const std::size_t end = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
         if (end < digits || end > 9 || (end > digits && rest_[0] == '0')) return false;
         const int number = std::stoi(std::string(rest_.substr(0, end)));
         rest_.remove_prefix(end);
-        return least <= number && number <= most;
+        return min <= number && number <= max;
     }
     /// "displacement_c1": a map and, of finer cascades, which one.
     std::optional<MapKind> take_map_and_cascade() {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
         if (map == all_maps.end() && take(name_of(MapKind::dynamic_waves))) return MapKind::dynamic_waves;
-        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_cascades - 1))) return {};
+        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, max_cascades - 1))) return {};
         return *map;
     }
     /// "_mip2", if the map has levels, or nothing.
-    bool take_level(MapKind map) { return !has_chain(map) || !take("_mip") || take_number(1, 1, most_level); }
+    bool take_level(MapKind map) { return !has_chain(map) || !take("_mip") || take_number(1, 1, max_level); }
     std::string_view rest() const { return rest_; }
 
    private:

@@ -17,9 +17,9 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int most_frames = 1'000'000;
+constexpr int max_frames = 1'000'000;
 constexpr double latest_start_s = 1e9;
-constexpr double most_fps = 1000;
+constexpr double max_fps = 1000;
 constexpr double default_fps = 24;
 constexpr const char* one_loop = "loop";
 constexpr const char* no_maps = "none";
@@ -99,7 +99,7 @@ std::vector<FrameRange> one_run(int first, int count, const std::string& option,
 int frames_of_a_loop(double loop_period_s, double fps) {
     const double frames = loop_period_s * fps, whole = std::round(frames);
     // A product of two rounded numbers is off by far less.
-    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > most_frames)
+    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > max_frames)
         throw InputError("--frames is loop, needs a loop of whole frames, 1 to 1000000: --loop-period " +
                          number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
                          number_text(frames) + "; --loop-period " + number_text(std::max(whole, 1.0) / fps) +
@@ -265,14 +265,14 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
         throw InputError((loop_frames ? "--loop-frames is " + *loop_frames : "--frames is loop") +
                          ", needs a number of --frames with --weather: it is no loop");
     if (loop_frames) {
-        times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, most_frames),
+        times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, max_frames),
                                "--loop-frames", *loop_frames);
         return times;
     }
     times.fps = default_fps;
     if (const auto& fps = typed("fps")) {
         times.fps = parse_number(*fps);
-        if (!times.fps || *times.fps <= 0 || *times.fps > most_fps) throw bad_value("--fps", *fps, "(0, 1000]");
+        if (!times.fps || *times.fps <= 0 || *times.fps > max_fps) throw bad_value("--fps", *fps, "(0, 1000]");
     }
     if (frames == one_loop) {
         times.ranges =
@@ -289,7 +289,7 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
         times.ranges = *ranges;
     } else if (frames) {
         times.ranges =
-            one_run(times.start_number, whole_number_in("--frames", *frames, 1, most_frames), "--frames", *frames);
+            one_run(times.start_number, whole_number_in("--frames", *frames, 1, max_frames), "--frames", *frames);
     }
     return times;
 }

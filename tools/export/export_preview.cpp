@@ -24,7 +24,7 @@ namespace pelagic::tools {
 namespace {
 
 // Of the film: long enough to see how the sea moves, and some ten seconds to make on two cores.
-constexpr std::size_t most_film_frames = 96;
+constexpr std::size_t max_film_frames = 96;
 constexpr int film_width = 640, film_height = 360;
 /// Of the strip, in two columns.
 constexpr std::size_t strip_frames = 8, strip_columns = 2;
@@ -116,8 +116,8 @@ Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, c
                 {file.name, rounded_text(cascade.grid.side_m, 3) + " m, " + side + " x " + side,
                  number_text(map.channels) + channels + sample_text(map.sample)}};
     if (is_floating(map.sample))
-        result.texts.push_back(rounded_text(static_cast<double>(shown.least), 3) + " to " +
-                               rounded_text(static_cast<double>(shown.most), 3));
+        result.texts.push_back(rounded_text(static_cast<double>(shown.min), 3) + " to " +
+                               rounded_text(static_cast<double>(shown.max), 3));
     return result;
 }
 
@@ -189,7 +189,7 @@ class FilmMaker {
         : times_(options.times),
           ocean_(ocean),
           shaded_(options.sea.sea, film_width, film_height, executor),
-          frames_(std::min(times_.count(), most_film_frames)) {}
+          frames_(std::min(times_.count(), max_film_frames)) {}
 
     /// The line that says what was made.
     std::string write_to(const OutputFolder& folder) {

@@ -142,7 +142,7 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
     return earlier;
 }
 
-std::size_t most_record_bytes(const ExportOptions& options) {
+std::size_t max_record_bytes(const ExportOptions& options) {
     constexpr std::size_t usual = std::size_t{64} << 20;
     constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice what the record takes
     const std::size_t files = file_names(options, 0).size();

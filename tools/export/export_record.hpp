@@ -43,7 +43,7 @@ ReadJson options_in(const ReadJson& head);
 std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOptions& options);
 
 /// Larger ones are not read: more than this export or any other of usual size would write.
-std::size_t most_record_bytes(const ExportOptions& options);
+std::size_t max_record_bytes(const ExportOptions& options);
 
 /// An option as a person reads it.
 struct OptionDifference {

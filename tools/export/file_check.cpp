@@ -10,7 +10,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t most_waiting = 256;
+constexpr std::size_t max_waiting = 256;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void Findings::add(std::size_t place, const std::string& what) {
     const std::lock_guard lock(mutex_);
     ++count_;
     first_.emplace(place, what);
-    if (first_.size() > most_kept) first_.erase(std::prev(first_.end()));
+    if (first_.size() > max_kept) first_.erase(std::prev(first_.end()));
 }
 
 void Findings::print() const {
@@ -53,7 +53,7 @@ FileCheck::~FileCheck() {
 void FileCheck::add(std::size_t place, std::vector<FileRecord> files) {
     if (threads_.empty()) return check({place, std::move(files)});
     std::unique_lock lock(mutex_);
-    work_went_.wait(lock, [&] { return waiting_.size() < most_waiting || failure_; });
+    work_went_.wait(lock, [&] { return waiting_.size() < max_waiting || failure_; });
     if (failure_) std::rethrow_exception(failure_);
     waiting_.push_back({place, std::move(files)});
     work_came_.notify_one();

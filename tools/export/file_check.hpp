@@ -20,7 +20,7 @@ namespace pelagic::tools {
 /// What is wrong in an export: the first few in its order, and how many there are. May be told by several threads.
 class Findings {
    public:
-    static constexpr std::size_t most_kept = 20;
+    static constexpr std::size_t max_kept = 20;
 
     /// \param place  in the export, by which findings are ordered
     void add(std::size_t place, const std::string& what);

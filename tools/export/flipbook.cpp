@@ -110,13 +110,13 @@ void check_flipbook(const ExportOptions& options, const std::string& typed) {
         throw bad_value("--flipbook", typed,
                         "at most " + number_text(largest_flipbook_side / side) + " frames of " + number_text(side) +
                             " texels along a side, for a texture of " + number_text(largest_flipbook_side));
-    constexpr double most_bytes = 2e9;
+    constexpr double max_bytes = 2e9;
     double texel_bytes = 0;
     for (const MapKind map : options.maps.maps)
         texel_bytes +=
             static_cast<double>(channels_of(map)) * static_cast<double>(bytes_of(options.maps.sample_of(map)));
     const double bytes = texel_bytes * cascades_of(options.sea.sea) * side * side * static_cast<double>(cells);
-    if (bytes > most_bytes)
+    if (bytes > max_bytes)
         throw bad_value("--flipbook", typed,
                         "images of at most 2 GB together, and these have " + rounded_text(bytes / 1e9, 2) +
                             ": fewer frames, maps, cascades or texels");

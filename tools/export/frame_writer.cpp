@@ -192,7 +192,7 @@ FrameRecord statistics_of(int number, const Frame& frame, bool has_foam) {
             .files = {}};
 }
 
-WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
+WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
     const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
                                                              : static_cast<std::size_t>(options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
@@ -203,20 +203,20 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
     const std::size_t bytes = side * side * cascades * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
                               row * row * bytes_per_vertex_in_flight;
-    const std::size_t frames = std::min(threads, most_bytes / bytes);
+    const std::size_t frames = std::min(threads, max_bytes / bytes);
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, cascades)};
-    const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);
+    const std::size_t files = max_bytes / (side * side * bytes_per_texel_of_a_file);
     return {1, std::clamp<std::size_t>(files, 1, threads)};
 }
 
 FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
-                         std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes)
+                         std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t max_bytes)
     : options_(options),
       folder_(folder),
       journal_(journal),
       records_(records),
       trace_(trace),
-      plan_(plan_writing(options, most_bytes)) {}
+      plan_(plan_writing(options, max_bytes)) {}
 
 void FrameWriter::write(int number, const Frame& frame) {
     FrameRecord record = statistics_of(number, frame, options_.has_foam());

@@ -16,12 +16,12 @@ namespace pelagic::tools {
 
 /// What an export may take with its ocean and with what it writes, so that it stays under 2 GB with its libraries; where the ocean
 /// leaves less than the second, that is for writing nonetheless.
-inline constexpr std::size_t most_bytes_of_export = std::size_t{1792} << 20;
-inline constexpr std::size_t least_bytes_for_writing = std::size_t{256} << 20;
+inline constexpr std::size_t max_bytes_of_export = std::size_t{1792} << 20;
+inline constexpr std::size_t min_bytes_for_writing = std::size_t{256} << 20;
 
 /// How much of it is left for frames that are being written.
 constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
-    return std::max(least_bytes_for_writing, most_bytes_of_export - std::min(most_bytes_of_export, ocean_bytes));
+    return std::max(min_bytes_for_writing, max_bytes_of_export - std::min(max_bytes_of_export, ocean_bytes));
 }
 
 /// A copied frame, with one file of each of its cascades interleaved, encoded and compressed: at most so many bytes a texel, measured,
@@ -45,7 +45,7 @@ struct WritingPlan {
 
 /// As much as there are threads, but no more than fits into the memory; at least one file. Two frames that don't fit aren't
 /// copied.
-WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes);
+WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes);
 
 /// All of a frame's record but the files, of a frame as the ocean hands it out, with the dynamic-wave grid if there is one.
 FrameRecord statistics_of(int number, const Frame& frame, bool has_foam);
@@ -56,9 +56,9 @@ class FrameWriter {
     /// All of it outlives the writer.
     /// \param records     gets the frames that are done
     /// \param trace       may be none
-    /// \param most_bytes  as bytes_for_writing() says
+    /// \param max_bytes  as bytes_for_writing() says
     FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
-                std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes);
+                std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t max_bytes);
 
     /// Copies the frame, and waits for an earlier one if too many are in flight; or writes it, where no copies fit. Throws FileError
     /// if that failed.

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<MeshFormat, const char*>, 5> all_formats = {
      {MeshFormat::mdd, "mdd"}}};
 
 /// Of one file for all frames, which is made in memory, glTF there twice.
-constexpr std::size_t most_animation_bytes = std::size_t{512} << 20, most_point_cache_bytes = std::size_t{1} << 30;
+constexpr std::size_t max_animation_bytes = std::size_t{512} << 20, max_point_cache_bytes = std::size_t{1} << 30;
 
 std::vector<MeshFormat> formats_in(const std::string& text) {
     std::vector<MeshFormat> formats;
@@ -37,10 +37,10 @@ std::vector<MeshFormat> formats_in(const std::string& text) {
     return formats;
 }
 
-void check_size(const char* format, std::size_t bytes, std::size_t most_bytes, std::size_t frames) {
-    if (bytes > most_bytes)
+void check_size(const char* format, std::size_t bytes, std::size_t max_bytes, std::size_t frames) {
+    if (bytes > max_bytes)
         throw InputError("--mesh " + std::string(format) + " of " + number_text(frames) + " frames has " +
-                         number_text(bytes >> 20) + " MiB, needs at most " + number_text(most_bytes >> 20) +
+                         number_text(bytes >> 20) + " MiB, needs at most " + number_text(max_bytes >> 20) +
                          " MiB: fewer frames or --mesh-steps");
 }
 
@@ -48,16 +48,16 @@ void check_sequences(const MeshOptions& options, const FrameTimes& times) {
     const auto steps = static_cast<std::size_t>(options.patch.steps), vertices = (steps + 1) * (steps + 1);
     const std::size_t frames = times.count();
     if (options.has(MeshFormat::gltf_animation)) {
-        if (frames > GlbFile::most_frames)
+        if (frames > GlbFile::max_frames)
             throw InputError("--mesh gltf-animation of " + number_text(frames) + " frames needs at most " +
-                             number_text(GlbFile::most_frames) + ": each is a morph target");
+                             number_text(GlbFile::max_frames) + ": each is a morph target");
         if (times.ranges.size() > 1)
             throw InputError("--mesh gltf-animation of frames " + text_of(times.ranges) +
                              " needs frames without a gap");
-        check_size("gltf-animation", GlbFile::buffer_bytes(vertices, 2 * steps * steps, frames), most_animation_bytes,
+        check_size("gltf-animation", GlbFile::buffer_bytes(vertices, 2 * steps * steps, frames), max_animation_bytes,
                    frames);
     }
-    if (options.has(MeshFormat::mdd)) check_size("mdd", mdd_bytes(vertices, frames), most_point_cache_bytes, frames);
+    if (options.has(MeshFormat::mdd)) check_size("mdd", mdd_bytes(vertices, frames), max_point_cache_bytes, frames);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* frames_key = "frames";
 
 /// With a million keys the options of an export are smaller, and so is any frame.
-constexpr std::size_t most_bytes_of_a_part = std::size_t{64} << 20;
+constexpr std::size_t max_bytes_of_a_part = std::size_t{64} << 20;
 
 /// Ours have five levels: this many are open at once at most, frames counted apart.
 constexpr std::size_t deepest_level = 8;
@@ -30,7 +30,7 @@ class FilePieces : public std::streambuf {
     int_type underflow() override {
         const std::size_t got = folder_.read_some(name_, file_, piece_);
         bytes_of_part_ += got;
-        if (bytes_of_part_ > most_bytes_of_a_part) throw DamagedRecord();
+        if (bytes_of_part_ > max_bytes_of_a_part) throw DamagedRecord();
         setg(piece_.data(), piece_.data(), piece_.data() + got);
         return got == 0 ? traits_type::eof() : traits_type::to_int_type(piece_[0]);
     }

@@ -10,7 +10,7 @@ std::optional<Shard> parsed(std::string_view text, std::string_view between) {
     if (middle == std::string_view::npos) return {};
     const auto index = parse_integer(text.substr(0, middle));
     const auto count = parse_integer(text.substr(middle + between.size()));
-    if (!index || !count || *count < 1 || *count > Shard::most || *index < 1 || *index > *count) return {};
+    if (!index || !count || *count < 1 || *count > Shard::max_count || *index < 1 || *index > *count) return {};
     return Shard{static_cast<int>(*index), static_cast<int>(*count)};
 }
 

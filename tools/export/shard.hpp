@@ -12,7 +12,7 @@
 namespace pelagic::tools {
 
 struct Shard {
-    static constexpr int most = 1'000'000;
+    static constexpr int max_count = 1'000'000;
 
     int index = 1;  ///< 1 to count
     int count = 1;

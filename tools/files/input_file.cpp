@@ -40,7 +40,7 @@ std::size_t InputFile::read(std::span<char> bytes) {
     }
 }
 
-std::string InputFile::read_all(std::size_t most_bytes) {
+std::string InputFile::read_all(std::size_t max_bytes) {
     constexpr std::size_t step = 1 << 16;
     std::string text;
     for (;;) {
@@ -49,7 +49,7 @@ std::string InputFile::read_all(std::size_t most_bytes) {
         const std::size_t got = read({text.data() + size, step});
         text.resize(size + got);
         if (got == 0) return text;
-        if (text.size() > most_bytes) reject(", which has more than " + number_text(most_bytes >> 20) + " MiB", 0);
+        if (text.size() > max_bytes) reject(", which has more than " + number_text(max_bytes >> 20) + " MiB", 0);
     }
 }
 

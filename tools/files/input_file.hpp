@@ -24,8 +24,8 @@ class InputFile {
     /// Bytes read, 0 only at the end. Throws InputError likewise.
     std::size_t read(std::span<char> bytes);
 
-    /// Everything that is left. Throws InputError if that is more than `most_bytes`.
-    std::string read_all(std::size_t most_bytes);
+    /// Everything that is left. Throws InputError if that is more than `max_bytes`.
+    std::string read_all(std::size_t max_bytes);
 
     /// The file's name, or "standard input".
     const std::string& name() const { return name_; }

@@ -18,8 +18,8 @@ Descriptor open_to_read(const std::filesystem::path& file) {
 }
 
 std::ptrdiff_t read_some(int descriptor, std::span<char> bytes) {
-    constexpr std::size_t most_at_once = std::size_t{1} << 30;
-    return ::_read(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
+    constexpr std::size_t max_at_once = std::size_t{1} << 30;
+    return ::_read(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), max_at_once)));
 }
 
 void keep_bytes_as_they_are() {

@@ -25,11 +25,11 @@ bool OutputFolder::read(const std::string& name, const std::function<bool(std::s
     }
 }
 
-std::optional<std::string> OutputFolder::read_text(const std::string& name, std::size_t most) const {
+std::optional<std::string> OutputFolder::read_text(const std::string& name, std::size_t max) const {
     std::string text;
     const bool is_there = read(name, [&](std::string_view piece) {
-        text += piece.substr(0, most + 1 - text.size());
-        return text.size() <= most;
+        text += piece.substr(0, max + 1 - text.size());
+        return text.size() <= max;
     });
     return is_there ? std::optional(std::move(text)) : std::nullopt;
 }

@@ -65,7 +65,7 @@ class OutputFolder {
     /// Bytes read, 0 only at the end.
     std::size_t read_some(const std::string& name, const Descriptor& file, std::span<char> bytes) const;
     /// The whole file, or its first `most` + 1 bytes if it has more than `most`.
-    std::optional<std::string> read_text(const std::string& name, std::size_t most) const;
+    std::optional<std::string> read_text(const std::string& name, std::size_t max) const;
 
     /// Hands over the name of all that is in the folder, in no order. Throws FileError.
     void for_each_name(const std::function<void(const std::string&)>& take) const;

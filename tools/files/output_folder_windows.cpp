@@ -35,10 +35,10 @@ const char* type_text(std::filesystem::file_type type) {
 
 /// 0 or an errno.
 int write_all(const Descriptor& file, std::string_view bytes) {
-    constexpr std::size_t most_at_once = std::size_t{1} << 30;
+    constexpr std::size_t max_at_once = std::size_t{1} << 30;
     while (!bytes.empty()) {
         const int written =
-            ::_write(file.get(), bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
+            ::_write(file.get(), bytes.data(), static_cast<unsigned>(std::min(bytes.size(), max_at_once)));
         if (written < 0) return errno;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }

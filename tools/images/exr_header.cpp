@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t magic = 20000630;
 constexpr std::uint32_t several_parts = 0x1000;  // a flag in the version
-constexpr std::size_t most_attributes = 4000;
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t max_attributes = 4000;
+constexpr std::size_t max_bytes = std::size_t{1} << 20;
 constexpr std::size_t bytes_behind_channel = 16;  // type, linearity, steps in x and y
 
 /// Takes bytes from the front. Throws std::runtime_error where there are none.
@@ -58,7 +58,7 @@ std::size_t channels_in(std::span<const unsigned char> list) {
 }  // namespace
 
 ExrHeaderSize read_exr_header(std::span<const unsigned char> file) {
-    HeaderReader reader(file.first(std::min(file.size(), most_bytes)));
+    HeaderReader reader(file.first(std::min(file.size(), max_bytes)));
     if (reader.number() != magic) throw std::runtime_error("it is no EXR file");
     const bool has_parts = (reader.number() & several_parts) != 0;
     ExrHeaderSize size;
@@ -69,8 +69,8 @@ ExrHeaderSize read_exr_header(std::span<const unsigned char> file) {
             const std::uint32_t bytes = reader.number();
             const auto value = reader.bytes(bytes);
             if (is_list_of_channels) size.channels += channels_in(value);
-            if (++size.attributes > most_attributes)
-                throw std::runtime_error("its EXR header has more than " + std::to_string(most_attributes) +
+            if (++size.attributes > max_attributes)
+                throw std::runtime_error("its EXR header has more than " + std::to_string(max_attributes) +
                                          " attributes");
         }
     } while (has_parts && !reader.take_null());

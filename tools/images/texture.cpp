@@ -23,10 +23,10 @@ std::string check(const Texture& texture) {
     if (texture.height < 1) return "height is " + std::to_string(texture.height) + ", needs at least 1";
     if (texture.channels != 1 && texture.channels != 2 && texture.channels != 4)
         return "channels are " + std::to_string(texture.channels) + ", needs 1, 2 or 4";
-    const auto most =
+    const auto max =
         static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(std::max(texture.width, texture.height))));
-    if (texture.levels.empty() || texture.levels.size() > most)
-        return reject("levels are", texture.levels.size(), "1 to " + std::to_string(most));
+    if (texture.levels.empty() || texture.levels.size() > max)
+        return reject("levels are", texture.levels.size(), "1 to " + std::to_string(max));
     for (std::size_t level = 0; level < texture.levels.size(); ++level)
         if (const std::size_t needed = bytes_of_level(texture, static_cast<int>(level));
             texture.levels[level].size() != needed)

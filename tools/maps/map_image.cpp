@@ -37,10 +37,10 @@ Pixels converted(const std::vector<float>& values, Convert convert) {
 
 /// The nearest of `most` parts of 1; of two equally near ones the larger, so that a flat normal map is 128, 128, 255.
 template <class Stored>
-Pixels in_parts(const std::vector<float>& values, float most, bool from_minus_one) {
+Pixels in_parts(const std::vector<float>& values, float max, bool from_minus_one) {
     return converted<Stored>(values, [=](float value) {
         const float part = from_minus_one ? 0.5f * value + 0.5f : value;
-        return static_cast<Stored>(part * most + 0.5f);
+        return static_cast<Stored>(part * max + 0.5f);
     });
 }
 

@@ -6,7 +6,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t longest = 100, most_digits = 9;
+constexpr std::size_t longest = 100, max_digits = 9;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter_or_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -36,7 +36,7 @@ std::optional<Field> field_of(std::string_view text) {
         field.end = at + 1;
     }
     const bool is_only_one = text.find_first_of("#%", field.end) == std::string_view::npos;
-    return is_only_one && field.digits <= most_digits ? std::optional(field) : std::nullopt;
+    return is_only_one && field.digits <= max_digits ? std::optional(field) : std::nullopt;
 }
 
 std::string number_of(int frame, std::size_t digits) {
@@ -80,7 +80,7 @@ std::optional<NamePattern::Parts> NamePattern::parts_of(std::string_view text) c
     const std::size_t number_begin = text.find_last_not_of("0123456789", dot - 1) + 1;
     const std::string_view digits = text.substr(number_begin, dot - number_begin);
     int frame = 0;
-    if (digits.empty() || digits.size() > most_digits || number_begin < before_.size()) return {};
+    if (digits.empty() || digits.size() > max_digits || number_begin < before_.size()) return {};
     std::from_chars(digits.data(), digits.data() + digits.size(), frame);
     Parts parts{.mark = text.substr(before_.size(), number_begin - before_.size()),
                 .extension = text.substr(dot + 1)};

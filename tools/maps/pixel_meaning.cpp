@@ -118,8 +118,8 @@ Json cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
                  {"rotation", {{"cosine", grid.cosine}, {"sine", sign * grid.sine + 0.0}}},
                  {"x_m", place(grid.cosine * texel_m, -grid.sine * texel_m)},
                  {other + "_m", place(sign * grid.sine * texel_m, sign * grid.cosine * texel_m)}};
-    if (cascade.least_k > 0) json["longest_wave_m"] = two_pi / cascade.least_k;
-    if (cascade.is_banded()) json["shortest_wave_m"] = two_pi / cascade.most_k;
+    if (cascade.min_k > 0) json["longest_wave_m"] = two_pi / cascade.min_k;
+    if (cascade.is_banded()) json["shortest_wave_m"] = two_pi / cascade.max_k;
     return json;
 }
 

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// That of 100,000 frames and more.
-constexpr std::size_t most_record_bytes = std::size_t{256} << 20;
+constexpr std::size_t max_record_bytes = std::size_t{256} << 20;
 constexpr int deepest_level = 8;  ///< ours have five
 
 /// Higher than any wave: what is beyond is no height in metres.
@@ -53,7 +53,7 @@ const Json& value_of(const Json& json, const char* key) {
 
 /// The images of the frame's heights, of the coarsest cascade and of as many finer ones as it lists, as the export names them. In an
 /// export whose files have all maps each cascade has the same.
-std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_cascades) {
+std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t max_cascades) {
     const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
     if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
     const auto is_listed = [&](const std::string& name) {
@@ -63,10 +63,10 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
     std::vector<std::string> names;
     if (options.pack != Pack::files) {
         if (const std::string name = packed_name(options, number.get<int>()); is_listed(name))
-            names.assign(most_cascades, name);
+            names.assign(max_cascades, name);
         return names;
     }
-    for (std::size_t cascade = 0; cascade < most_cascades; ++cascade) {
+    for (std::size_t cascade = 0; cascade < max_cascades; ++cascade) {
         const ImageMark mark{MapKind::displacement, static_cast<int>(cascade)};
         const std::string name = image_name(options, mark, number.get<int>(), files.size() == 1);
         if (!is_listed(name)) break;
@@ -131,10 +131,10 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
 ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
     : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
     const std::filesystem::path place = folder / sea_json_name;
-    const std::optional<std::string> text = folder_.read_text(sea_json_name, most_record_bytes);
+    const std::optional<std::string> text = folder_.read_text(sea_json_name, max_record_bytes);
     if (!text) throw InputError(place.string() + " is missing, needs a finished export");
-    if (text->size() > most_record_bytes)
-        throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
+    if (text->size() > max_record_bytes)
+        throw InputError(place.string() + " has more than " + number_text(max_record_bytes >> 20) + " MiB");
     const Json record = parsed(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
     cascades_ = plan_cascades(forecast_of(sea_));
@@ -153,7 +153,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     frames_there_ = frames.size();
     std::vector<double> times_s;
     for (const Json& frame : frames) {
-        if (names_.size() == most_frames) break;
+        if (names_.size() == max_frames) break;
         const std::string where = place.string() + ": frame " + number_text(names_.size());
         const Json& time = value_of(frame, "time_s");
         if (!time.is_number() || !std::isfinite(time.get<double>()))
@@ -189,10 +189,10 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t cascade)
     // cascades, which levels make larger by a third.
     const std::size_t texel_bytes =
         is_packed_ ? all_maps.size() * 4 * cascades_.size() * 2 * sizeof(float) : 4 * 2 * sizeof(float);
-    const std::size_t most_bytes = 2 * texels * texel_bytes + (std::size_t{1} << 20);
-    const std::optional<std::string> file = folder_.read_text(name, most_bytes);
+    const std::size_t max_bytes = 2 * texels * texel_bytes + (std::size_t{1} << 20);
+    const std::optional<std::string> file = folder_.read_text(name, max_bytes);
     if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
-    if (file->size() > most_bytes)
+    if (file->size() > max_bytes)
         throw FileError("can't read " + place.string() + ": it is larger than " + number_text(resolution) + " x " +
                         number_text(resolution) + " pixels can be");
     const ImageDescription image{.extension = name.ends_with(".tif") ? "tif" : "exr",

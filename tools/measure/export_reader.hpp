@@ -30,7 +30,7 @@ class ExportReader {
 
     const ResolvedSea& sea() const { return sea_; }
     std::size_t frames() const { return names_.size(); }
-    /// How many the export has: those beyond most_frames are left out.
+    /// How many the export has: those beyond max_frames are left out.
     std::size_t frames_there() const { return frames_there_; }
     /// Between two frames; 0 if there is one.
     double step_s() const { return step_s_; }
@@ -39,7 +39,7 @@ class ExportReader {
     /// The heights of a cascade, N x N, row by row, metres.
     std::vector<float> heights(std::size_t frame, std::size_t cascade) const;
 
-    static constexpr std::size_t most_frames = 65536;
+    static constexpr std::size_t max_frames = 65536;
 
    private:
     /// That holds a cascade's heights, by its name in the file.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double width = 560, height = 420;  ///< of a panel's axes, in SVG units
 constexpr double left = 110, top = 100, below = 80, right = 30;
-constexpr double most_decades = 5;  ///< below the largest density: less is nothing
+constexpr double max_decades = 5;  ///< below the largest density: less is nothing
 constexpr const char* found_colour = "#d62728";
 constexpr const char* model_colour = "#1f77b4";
 
@@ -22,31 +22,31 @@ std::string line(const char* format, Values... values) {
 
 /// Base-10 logarithms from `least` to `most` on `size` units.
 struct Axis {
-    double least, most, size;
+    double min, max, size;
     std::vector<double> ticks = {1};  ///< of each decade
-    double place(double value) const { return std::max(0.0, (std::log10(value) - least) / (most - least) * size); }
+    double place(double value) const { return std::max(0.0, (std::log10(value) - min) / (max - min) * size); }
     bool holds(double value) const {
         constexpr double rounding = 1e-9;
-        return value > 0 && std::log10(value) >= least - rounding && std::log10(value) <= most + rounding;
+        return value > 0 && std::log10(value) >= min - rounding && std::log10(value) <= max + rounding;
     }
 };
 
 /// An axis over the values, of which at most `decades` below the largest count. It begins and ends with a tick.
 Axis axis_over(const std::vector<double>& values, double decades, double size) {
-    double most = -300;
+    double max = -300;
     for (const double value : values)
-        if (value > 0) most = std::max(most, std::log10(value));
-    double least = most;
+        if (value > 0) max = std::max(max, std::log10(value));
+    double min = max;
     for (const double value : values)
-        if (value > 0) least = std::min(least, std::max(std::log10(value), most - decades));
-    if (most < -299) return {0, 1, size};
-    const std::vector<double> ticks = most - least < 2 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
-    double first = std::floor(least), last = std::ceil(most);
-    for (double decade = std::floor(least); decade <= std::ceil(most); ++decade)
+        if (value > 0) min = std::min(min, std::max(std::log10(value), max - decades));
+    if (max < -299) return {0, 1, size};
+    const std::vector<double> ticks = max - min < 2 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+    double first = std::floor(min), last = std::ceil(max);
+    for (double decade = std::floor(min); decade <= std::ceil(max); ++decade)
         for (const double factor : ticks) {
             const double tick = decade + std::log10(factor);
-            if (tick <= least) first = std::max(first, tick);
-            if (tick >= most) last = std::min(last, tick);
+            if (tick <= min) first = std::max(first, tick);
+            if (tick >= max) last = std::min(last, tick);
         }
     return {first, last > first ? last : first + 1, size, ticks};
 }
@@ -54,7 +54,7 @@ Axis axis_over(const std::vector<double>& values, double decades, double size) {
 std::string axes_as_svg(const Axis& across, const Axis& up, const SpectrumPanel& panel) {
     std::string svg = line("<rect width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"black\"/>\n", width, height);
     const auto each_tick = [](const Axis& axis, auto draw) {
-        for (double decade = std::floor(axis.least); decade <= axis.most; ++decade)
+        for (double decade = std::floor(axis.min); decade <= axis.max; ++decade)
             for (const double factor : axis.ticks)
                 if (const double value = factor * std::pow(10, decade); axis.holds(value))
                     draw(axis.place(value), value);
@@ -93,7 +93,7 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
 std::string panel_as_svg(const SpectrumPanel& panel) {
     std::vector<double> places, densities;
     for (const PlottedPoint& point : panel.points) densities.insert(densities.end(), {point.found, point.model});
-    const Axis up = axis_over(densities, most_decades, height);
+    const Axis up = axis_over(densities, max_decades, height);
     for (const PlottedPoint& point : panel.points)
         if (up.holds(point.found) || up.holds(point.model)) places.push_back(point.at);
     const Axis across = axis_over(places, 300, width);

@@ -19,13 +19,13 @@ using Complex = std::complex<double>;
 
 constexpr double two_pi = 6.28318530717958647693;
 
-constexpr std::size_t most_points_a_side = 16;
-constexpr std::size_t most_pairs = 8;
+constexpr std::size_t max_points_a_side = 16;
+constexpr std::size_t max_pairs = 8;
 constexpr std::size_t fewest_frames = 16;  ///< for a frequency spectrum
 constexpr double band_ratio = 1.08;
 
 /// Where a wave has turned by less than this, or by as little from half a turn, two frames hardly tell its direction.
-constexpr double least_sine = 0.2;
+constexpr double min_sine = 0.2;
 
 Water water_of(const HeightSeries& series) {
     return {series.depth_m, series.cascade.has_surface_tension ? sea_surface_tension_m3ps2 : 0};
@@ -79,7 +79,7 @@ std::vector<SpectrumPoint> in_bands(const std::vector<double>& density, double s
 
 WaveMeasurement::WaveMeasurement(const HeightSeries& series)
     : series_(series),
-      points_a_side_(std::min(most_points_a_side, static_cast<std::size_t>(series.cascade.resolution))),
+      points_a_side_(std::min(max_points_a_side, static_cast<std::size_t>(series.cascade.resolution))),
       rings_(static_cast<std::size_t>(series.cascade.resolution)) {
     if (series.frames >= fewest_frames) {
         at_points_.resize(points_a_side_ * points_a_side_);
@@ -93,10 +93,10 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
     running_.resize(static_cast<std::size_t>(series.cascade.resolution) * series.cascade.resolution);
     told_.resize(running_.size());
     constexpr std::array parts = {1.0, 0.7, 0.5};
-    for (std::size_t i = 0; i < most_pairs; ++i) {
+    for (std::size_t i = 0; i < max_pairs; ++i) {
         const double apart = std::round(parts[i % parts.size()] * series.likely_peak_period_s / 4 / series.step_s);
         const auto gap = static_cast<std::size_t>(std::clamp(apart, 1.0, static_cast<double>(series.frames - 1)));
-        const std::size_t first = i * (series.frames - gap) / most_pairs;
+        const std::size_t first = i * (series.frames - gap) / max_pairs;
         pairs_.push_back({first, first + gap, {}});
     }
 }
@@ -155,7 +155,7 @@ void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) 
             const double omega = two_pi / series_.loop_period_s *
                                  loop_harmonic(angular_frequency(k, water_of(series_)), series_.loop_period_s);
             const auto turn = det::sine_cosine_of_turns(omega * apart_s / two_pi);
-            if (std::fabs(turn.sine) < least_sine) continue;
+            if (std::fabs(turn.sine) < min_sine) continue;
             running_[j * n + i] += std::norm(h2 - h1 * Complex(turn.cosine, turn.sine)) / squared(2 * turn.sine);
             ++told_[j * n + i];
         }
@@ -242,8 +242,8 @@ bool WaveMeasurement::holds_whole_ring(std::size_t number) const {
     const auto r = static_cast<double>(number);
     // Beyond N/2 rings are cut by the square's edges; below 1 there is no wave, so the first ring of the first cascade is whole.
     return number >= 1 && 2 * number < rings_.size() &&
-           (cascade.least_k == 0 || (r - 0.5) * cascade.spacing() >= cascade.least_k) &&
-           (r + 0.5) * cascade.spacing() <= cascade.most_k;
+           (cascade.min_k == 0 || (r - 0.5) * cascade.spacing() >= cascade.min_k) &&
+           (r + 0.5) * cascade.spacing() <= cascade.max_k;
 }
 
 MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades) {

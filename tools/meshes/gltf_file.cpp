@@ -64,7 +64,7 @@ GlbFile::GlbFile(const Mesh& first, std::size_t frames) : first_(first) {
     for (const glm::vec2& uv : first.texture_coordinates)
         texture_coordinates.insert(texture_coordinates.end(),
                                    {uv.x, 1 - uv.y});  // glTF's v counts from the upper edge
-    attributes_ = {{"POSITION", add_floats(positions, 3, Bounds::least_and_most)},
+    attributes_ = {{"POSITION", add_floats(positions, 3, Bounds::min_and_max)},
                    {"NORMAL", add_floats(normals, 3, Bounds::none)},
                    {"TEXCOORD_0", add_floats(texture_coordinates, 2, Bounds::none)}};
     if (first.foam.empty()) return;
@@ -76,7 +76,7 @@ GlbFile::GlbFile(const Mesh& first, std::size_t frames) : first_(first) {
 
 void GlbFile::add(const Mesh& mesh) {
     assert(mesh.positions.size() == first_.positions.size() && mesh.foam.size() == first_.foam.size());
-    Json target = {{"POSITION", add_floats(differences(first_.positions, mesh.positions), 3, Bounds::least_and_most)},
+    Json target = {{"POSITION", add_floats(differences(first_.positions, mesh.positions), 3, Bounds::min_and_max)},
                    {"NORMAL", add_floats(differences(first_.normals, mesh.normals), 3, Bounds::none)}};
     if (!mesh.foam.empty()) {
         std::vector<std::int8_t> greys;
@@ -126,7 +126,7 @@ Json GlbFile::animation(double fps, bool closes) {
         times_s.push_back(static_cast<float>(static_cast<double>(key) / fps));
         if (key > 0 && key <= targets) weights[key * targets + key - 1] = 1;  // the first frame has no target
     }
-    const std::size_t input = add_floats(times_s, 1, Bounds::least_and_most);
+    const std::size_t input = add_floats(times_s, 1, Bounds::min_and_max);
     const std::size_t output = add_floats(weights, 1, Bounds::none);
     for (const std::size_t accessor : {input, output}) views_[accessor].erase("target");  // they are no vertices
     return {{"name", "waves"},
@@ -149,13 +149,13 @@ std::size_t GlbFile::add_floats(std::span<const float> numbers, std::size_t widt
     for (const float number : numbers) append_little_endian(buffer_, number);
     const std::size_t accessor = add_accessor(begin, numbers.size() / width, type_of(width), a_float);
     if (bounds == Bounds::none) return accessor;
-    std::vector<float> least(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(width)), most = least;
+    std::vector<float> min(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(width)), max = min;
     for (std::size_t at = 0; at < numbers.size(); ++at) {
-        least[at % width] = std::min(least[at % width], numbers[at]);
-        most[at % width] = std::max(most[at % width], numbers[at]);
+        min[at % width] = std::min(min[at % width], numbers[at]);
+        max[at % width] = std::max(max[at % width], numbers[at]);
     }
-    accessors_[accessor]["min"] = least;
-    accessors_[accessor]["max"] = most;
+    accessors_[accessor]["min"] = min;
+    accessors_[accessor]["max"] = max;
     return accessor;
 }
 

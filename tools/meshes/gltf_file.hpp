@@ -18,7 +18,7 @@ namespace pelagic::tools {
 class GlbFile {
    public:
     /// WebGL 2 has 256 layers of a texture for certain, and three.js keeps a target in each.
-    static constexpr std::size_t most_frames = 256;
+    static constexpr std::size_t max_frames = 256;
 
     /// \param frames  how many there will be, for memory
     explicit GlbFile(const Mesh& first, std::size_t frames = 1);
@@ -34,7 +34,7 @@ class GlbFile {
     static std::size_t buffer_bytes(std::size_t vertices, std::size_t triangles, std::size_t frames);
 
    private:
-    enum class Bounds { none, least_and_most };
+    enum class Bounds { none, min_and_max };
 
     /// These add an accessor and its part of the buffer, and return its number.
     std::size_t add_floats(std::span<const float> numbers, std::size_t width, Bounds bounds);

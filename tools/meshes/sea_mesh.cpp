@@ -9,15 +9,15 @@
 namespace pelagic::tools {
 
 double foam_of(const Frame& frame, glm::dvec2 rest) {
-    double most = 0;
+    double max = 0;
     for (const Cascade& cascade : frame.cascades) {
         const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.y);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
+        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
                                       x - column, z - row));
     }
-    return most;
+    return max;
 }
 
 std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans) {

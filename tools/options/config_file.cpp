@@ -44,21 +44,21 @@ std::string_view without_comment(std::string_view line) {
 /// toml++ recurses for each part of a dotted key, on the stack, and so it does where it frees the tables. It limits nested values
 /// itself, to 256 levels, each of which may add a dotted key: with these limits it uses less than 2 MiB of stack.
 void require_few_levels(std::string_view text, const std::filesystem::path& file) {
-    constexpr std::size_t most_bytes = std::size_t{1} << 20;
-    constexpr std::size_t most_line = 4096;
-    constexpr std::ptrdiff_t most_dots = 16;
+    constexpr std::size_t max_bytes = std::size_t{1} << 20;
+    constexpr std::size_t max_line = 4096;
+    constexpr std::ptrdiff_t max_dots = 16;
     const auto reject = [&](std::size_t line, const std::string& what) {
         throw InputError(file.string() + ":" + number_text(line) + ": " + what +
                          ", needs lines such as wind_speed = 9.0");
     };
-    if (text.size() > most_bytes) reject(1, "TOML of more than 1 MiB");
+    if (text.size() > max_bytes) reject(1, "TOML of more than 1 MiB");
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         const std::string_view data = without_comment(line);
-        if (line.size() > most_line) reject(number, "a line of more than " + number_text(most_line) + " bytes");
-        if (std::count(data.begin(), data.end(), '.') > most_dots)
-            reject(number, "a line with more than " + number_text(most_dots) + " dots");
+        if (line.size() > max_line) reject(number, "a line of more than " + number_text(max_line) + " bytes");
+        if (std::count(data.begin(), data.end(), '.') > max_dots)
+            reject(number, "a line with more than " + number_text(max_dots) + " dots");
     }
 }
 
@@ -123,12 +123,12 @@ WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& 
 }
 
 WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known) {
-    const std::string text = InputFile("--weather", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    const std::string text = InputFile("--weather", file, "a TOML file or a sea.json").read_all(max_config_bytes);
     return is_json(text) ? parse_weather_record(text, file, known) : parse_weather(text, file, known);
 }
 
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
-    const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(max_config_bytes);
     return is_json(text) ? parse_sea_record(text, file, known) : parse_config(text, file, known);
 }
 

@@ -52,10 +52,10 @@ WeatherConfig parse_weather_record(std::string_view text, const std::filesystem:
 /// One of the two of a file, as read_config().
 WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known);
 
-inline constexpr std::size_t most_config_bytes = std::size_t{64} << 20;
+inline constexpr std::size_t max_config_bytes = std::size_t{64} << 20;
 
 /// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read or is larger than
-/// most_config_bytes.
+/// max_config_bytes.
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools

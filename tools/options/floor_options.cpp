@@ -18,28 +18,28 @@ namespace pelagic::tools {
 namespace {
 
 constexpr const char* an_image = "a PNG or EXR image, each side from 2 to 4096 pixels";
-constexpr std::size_t most_bytes = std::size_t{256} << 20;
+constexpr std::size_t max_bytes = std::size_t{256} << 20;
 constexpr double usual_size_m = 1000, usual_low_m = -20, usual_high_m = 10;
 
-std::pair<double, double> two_numbers(const char* option, const std::string& text, double most,
+std::pair<double, double> two_numbers(const char* option, const std::string& text, double max,
                                       const char* accepted) {
     const std::vector<std::string> parts = split_at_commas(text);
     const auto first = parse_number(parts[0]), second = parse_number(parts.size() == 2 ? parts[1] : "");
-    if (!first || !second || std::abs(*first) > most || std::abs(*second) > most)
+    if (!first || !second || std::abs(*first) > max || std::abs(*second) > max)
         throw bad_value(option, text, accepted);
     return {*first, *second};
 }
 
 /// All channels are decoded for the sake of the first.
 void require_few_channels(std::size_t channels) {
-    constexpr std::size_t most = 4;
-    if (channels > most)
-        throw std::runtime_error("it has " + number_text(channels) + " channels, needs at most " + number_text(most));
+    constexpr std::size_t max = 4;
+    if (channels > max)
+        throw std::runtime_error("it has " + number_text(channels) + " channels, needs at most " + number_text(max));
 }
 
 /// The first channel: of a PNG from 0 for black to 1 for white, of an EXR what it holds.
 ShoreOptions read_heights(const std::string& file, const std::string& extension) {
-    const std::string bytes = InputFile("--floor", file, an_image).read_all(most_bytes);
+    const std::string bytes = InputFile("--floor", file, an_image).read_all(max_bytes);
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     ShoreOptions field;
     try {
@@ -53,8 +53,8 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
         if (extension == "exr") require_few_channels(read_exr_header(data).channels);
         image_codec().measure(image, data);
         require_few_channels(static_cast<std::size_t>(image.channels));
-        constexpr int most = ShoreOptions::most_samples_a_side;
-        if (image.width < 2 || image.width > most || image.height < 2 || image.height > most)
+        constexpr int max = ShoreOptions::max_samples_a_side;
+        if (image.width < 2 || image.width > max || image.height < 2 || image.height > max)
             throw std::runtime_error("it has " + number_text(image.width) + " x " + number_text(image.height) +
                                      " pixels");
         const std::vector<float> pixels = image_codec().decode(image, data);

@@ -10,7 +10,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int most_frames = 100'000;
+constexpr int max_frames = 100'000;
 
 /// Empty if the option was not given. \param extension  ".png" or ".exr"
 std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
@@ -92,7 +92,7 @@ RenderOptions RenderFlags::resolve() const {
         options.time_s = number_in(option, text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
     });
     given("frames", [&](const auto& option, const auto& text) {
-        options.frames = whole_number_in(option, text, 1, most_frames);
+        options.frames = whole_number_in(option, text, 1, max_frames);
     });
     given("rock", [&](const auto& option, const auto& text) {
         options.rock_m = rock_place(option, text);

@@ -14,14 +14,14 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-constexpr int most_pixels_a_side = 8192;
+constexpr int max_pixels_a_side = 8192;
 
 void read_size(SceneOptions& options, const std::string& text) {
     const std::size_t x = text.find('x');
     const auto side = [&](std::string_view digits) {
         const std::int64_t pixels = parse_integer(digits).value_or(0);
-        if (pixels < 16 || pixels > most_pixels_a_side)
-            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(most_pixels_a_side));
+        if (pixels < 16 || pixels > max_pixels_a_side)
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(max_pixels_a_side));
         return static_cast<int>(pixels);
     };
     options.width = side(std::string_view(text).substr(0, x));
@@ -151,12 +151,12 @@ void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
     };
     given("exposure", [&](const auto& option, const auto& text) {
         if (text == "auto") return;
-        settings.fixed_ev = static_cast<float>(number_in(option, text, double{gl::least_ev}, double{gl::most_ev},
+        settings.fixed_ev = static_cast<float>(number_in(option, text, double{gl::min_ev}, double{gl::max_ev},
                                                          "auto, or an exposure value in [-10, 20]"));
     });
     given("exposure-bias", [&](const auto& option, const auto& text) {
-        const auto most = double{gl::most_bias_stops};
-        settings.bias_stops = static_cast<float>(number_in(option, text, -most, most, "stops in [-5, 5]"));
+        const auto max = double{gl::max_bias_stops};
+        settings.bias_stops = static_cast<float>(number_in(option, text, -max, max, "stops in [-5, 5]"));
     });
     given("bloom", [&](const auto& option, const auto& text) {
         settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));

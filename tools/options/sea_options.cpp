@@ -253,10 +253,10 @@ void keep_cascades(SeaState& sea, const SeaState& first) {
     keep(&SeaState::seed);
 }
 
-constexpr double most_time_s = 1e9;
+constexpr double max_time_s = 1e9;
 /// Cascades are laid out for all of its seas: some milliseconds each before the first frame.
-constexpr std::size_t most_changes = 1000;
-constexpr double most_swell_from_m = 2e7;
+constexpr std::size_t max_changes = 1000;
+constexpr double max_swell_from_m = 2e7;
 
 }  // namespace
 
@@ -317,9 +317,9 @@ ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::
 
 /// A change goes on from the sea before it, or from a preset, on the cascades of the first.
 void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
-    if (weather.changes.size() > most_changes)
+    if (weather.changes.size() > max_changes)
         throw bad_value(file.string(), "a forecast of " + number_text(weather.changes.size()) + " changes",
-                        "at most " + number_text(most_changes));
+                        "at most " + number_text(max_changes));
     for (const WeatherConfig::Change& config : weather.changes) {
         ResolvedChange change{.sea = first.changes.empty() ? first : first.changes.back().sea};
         change.sea.changes.clear();
@@ -328,17 +328,17 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         std::vector<ConfigEntry> of_sea;
         for (const ConfigEntry& entry : config.entries) {
             const std::string option = entry.place + ": " + entry.key;
-            const auto number = [&](double least, double most, const std::string& accepted) {
+            const auto number = [&](double min, double max, const std::string& accepted) {
                 if (entry.quoted)
                     throw bad_value(option, '"' + entry.value + '"', "a number without quotes: " + accepted);
-                return number_in(option, entry.value, least, most, accepted);
+                return number_in(option, entry.value, min, max, accepted);
             };
             if (entry.key == "from")
-                from_s = number(-most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
+                from_s = number(-max_time_s, max_time_s, "seconds in [-1e9, 1e9]");
             else if (entry.key == "over")
-                over_s = number(0, most_time_s, "seconds in (0, 1e9]");
+                over_s = number(0, max_time_s, "seconds in (0, 1e9]");
             else if (entry.key == "swell_from")
-                change.swell_from_m = number(0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
+                change.swell_from_m = number(0, max_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, option);
                 keep_cascades(change.sea.sea, first.sea);

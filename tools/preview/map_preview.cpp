@@ -51,11 +51,11 @@ MapPreview preview_of(const MapImage& map, int side) {
     MapPreview result{RgbaImage(side, side, Colour{0, 0, 0}), value_at(map, 0), value_at(map, 0)};
     for (std::size_t i = 1; i < n * n * channels; ++i) {
         const float value = value_at(map, i);
-        result.least = std::min(result.least, value);
-        result.most = std::max(result.most, value);
+        result.min = std::min(result.min, value);
+        result.max = std::max(result.max, value);
     }
-    const bool is_signed = is_floating(map.sample) && result.least < 0;
-    const float range = is_floating(map.sample) ? std::max({-result.least, result.most, 1e-30f}) : 1.f;
+    const bool is_signed = is_floating(map.sample) && result.min < 0;
+    const float range = is_floating(map.sample) ? std::max({-result.min, result.max, 1e-30f}) : 1.f;
     const auto shade = [&](float value) {
         const float part = is_signed ? 0.5f + 0.5f * value / range : value / range;
         return static_cast<std::uint8_t>(std::clamp(255 * part + 0.5f, 0.f, 255.f));

@@ -8,7 +8,7 @@ namespace pelagic::tools {
 
 struct MapPreview {
     RgbaImage image;
-    float least, most;  ///< of the values, all channels together
+    float min, max;  ///< of the values, all channels together
 };
 
 /// Bytes and words as they are; floats from black, their largest magnitude below 0, to white, where some are below 0, else from 0.

@@ -16,7 +16,7 @@ constexpr float foam_albedo = 0.75f;
 /// Of water at normal incidence, ((1.34 - 1) / (1.34 + 1))^2.
 constexpr float normal_reflectance = 0.021f;
 /// What ripples shorter than any texel leave, so that nothing divides by zero.
-constexpr float least_slope_variance = 2e-4f;
+constexpr float min_slope_variance = 2e-4f;
 
 float square(float x) { return x * x; }
 
@@ -30,7 +30,7 @@ float sun_glint(const LitWater& water, const glm::vec3& to_sun, float to_eye_cos
     const float to_sun_cosine = glm::dot(water.normal, to_sun);
     if (to_sun_cosine <= 0) return 0;
     const glm::vec3 half = glm::normalize(water.to_eye + to_sun);
-    const float alpha2 = 2 * (water.slope_variance + least_slope_variance);
+    const float alpha2 = 2 * (water.slope_variance + min_slope_variance);
     const float facing = std::max(glm::dot(water.normal, half), 0.f);
     constexpr float pi = 3.14159265f;
     const float density = alpha2 / (pi * square(square(facing) * (alpha2 - 1) + 1));

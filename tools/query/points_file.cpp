@@ -17,9 +17,9 @@ constexpr double farthest_m = 1e15;
 constexpr const char* a_point = "x,z: two numbers of metres in [-1e15, 1e15]";
 
 // What is in memory at once, whatever the file's length: more bytes in a line are no points.
-constexpr std::size_t most_line_length = std::size_t{1} << 16;
-constexpr std::size_t most_block_text = std::size_t{4} << 20;
-constexpr std::size_t buffer_size = 2 * most_line_length;
+constexpr std::size_t max_line_length = std::size_t{1} << 16;
+constexpr std::size_t max_block_text = std::size_t{4} << 20;
+constexpr std::size_t buffer_size = 2 * max_line_length;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r";
@@ -82,9 +82,9 @@ bool PointReader::next_line(std::string_view& line) {
         const void* const newline = std::memchr(buffer_.data() + searched, '\n', end_ - searched);
         const std::size_t stop =
             newline ? static_cast<std::size_t>(static_cast<const char*>(newline) - buffer_.data()) : end_;
-        if (stop - begin_ > most_line_length)
+        if (stop - begin_ > max_line_length)
             throw InputError(name_ + ":" + number_text(line_number_ + 1) + ": the line has more than " +
-                             number_text(most_line_length) + " characters, needs " + a_point);
+                             number_text(max_line_length) + " characters, needs " + a_point);
         if (newline) {
             line = {buffer_.data() + begin_, stop - begin_};
             begin_ = stop + 1;
@@ -132,13 +132,13 @@ void PointReader::take_point(std::string_view line, PointBlock& block) {
     block.row_ends.push_back(block.text.size());
 }
 
-bool PointReader::read_block(PointBlock& block, std::size_t most_points) {
+bool PointReader::read_block(PointBlock& block, std::size_t max_points) {
     block.x.clear();
     block.z.clear();
     block.text.clear();
     block.row_ends.clear();
     std::string_view line;
-    while (block.size() < most_points && block.text.size() < most_block_text && next_line(line)) {
+    while (block.size() < max_points && block.text.size() < max_block_text && next_line(line)) {
         line = trimmed(line);
         if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);  // a byte order mark
         if (line.empty()) continue;

@@ -36,9 +36,9 @@ class PointReader {
     /// \param read  fills the bytes, returns how many, 0 at the end; may throw
     PointReader(std::string name, std::function<std::size_t(std::span<char>)> read);
 
-    /// Reads on: at most `most_points`. False if no point is left. Throws InputError, one line that names the file, for a
+    /// Reads on: at most `max_points`. False if no point is left. Throws InputError, one line that names the file, for a
     /// bad line its number and its text too; a file without any point is bad.
-    bool read_block(PointBlock& block, std::size_t most_points);
+    bool read_block(PointBlock& block, std::size_t max_points);
 
     /// As the first line names them, as written; x and z without such a line. Known after the first block.
     const std::vector<std::string>& columns() const { return columns_; }

@@ -18,7 +18,7 @@ constexpr std::size_t pieces = 32;
 
 /// Room for the longest row beside the file's own columns, so that a job allocates nothing: a job must not throw. A number
 /// takes 25 characters at most, its JSON key 12.
-constexpr std::size_t most_answer_length = (Answers::most_values + 5) * (25 + 12);
+constexpr std::size_t max_answer_length = (Answers::max_values + 5) * (25 + 12);
 /// JSON writes a control character as \u001f.
 constexpr std::size_t most_escaped_length = 6;
 
@@ -67,7 +67,7 @@ void append_json_number(std::string& out, auto value) {
 }  // namespace
 
 Answers::Answers(bool has_foam, bool has_depth) {
-    for (std::size_t value = 0; value < most_values; ++value) {
+    for (std::size_t value = 0; value < max_values; ++value) {
         if ((value == foam_at && !has_foam) || (value == depth_at && !has_depth)) continue;
         columns_[values_there_] = value;
         names_[values_there_++] = all_names[value];
@@ -186,7 +186,7 @@ void RowWriter::write(const PointBlock& block, double time_s) {
             end == begin ? 0 : block.row_ends[end - 1] - (begin == 0 ? 0 : block.row_ends[begin - 1]);
         pieces_[piece].text.clear();
         pieces_[piece].text.reserve((end - begin) *
-                                        (most_answer_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
+                                        (max_answer_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
                                     own * (as_json_ ? most_escaped_length : 1));
         pieces_[piece].cells.reserve(json_keys_.size());
     }

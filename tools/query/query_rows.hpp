@@ -17,7 +17,7 @@ namespace pelagic::tools {
 /// Answers for a block of points.
 class Answers {
    public:
-    static constexpr std::size_t most_values = 11;
+    static constexpr std::size_t max_values = 11;
 
     Answers(bool has_foam, bool has_depth);
 
@@ -32,14 +32,14 @@ class Answers {
     bool converged(std::size_t point) const { return converged_[point] != 0; }
 
    private:
-    static constexpr std::array<const char*, most_values> all_names = {
+    static constexpr std::array<const char*, max_values> all_names = {
         "height", "nx", "ny", "nz", "vx", "vy", "vz", "jacobian", "error_m", "foam", "depth"};
     static constexpr std::size_t foam_at = 9, depth_at = 10;
 
-    std::array<const char*, most_values> names_;
-    std::array<std::size_t, most_values> columns_;  ///< of the names
+    std::array<const char*, max_values> names_;
+    std::array<std::size_t, max_values> columns_;  ///< of the names
     std::size_t values_there_ = 0;
-    std::array<std::vector<float>, most_values> values_;
+    std::array<std::vector<float>, max_values> values_;
     std::vector<std::uint8_t> converged_;
 };
 

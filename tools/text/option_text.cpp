@@ -27,17 +27,17 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<std::int64_t> parse_integer(std::string_view text) { return parse_whole<std::int64_t>(text); }
 
-double number_in(const std::string& option, const std::string& text, double least, double most,
+double number_in(const std::string& option, const std::string& text, double min, double max,
                  const std::string& accepted) {
     const auto value = parse_number(text);
-    if (!value || *value < least || *value > most) throw bad_value(option, text, accepted);
+    if (!value || *value < min || *value > max) throw bad_value(option, text, accepted);
     return *value;
 }
 
-int whole_number_in(const std::string& option, const std::string& text, int least, int most) {
+int whole_number_in(const std::string& option, const std::string& text, int min, int max) {
     const auto value = parse_integer(text);
-    if (!value || *value < least || *value > most)
-        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
+    if (!value || *value < min || *value > max)
+        throw bad_value(option, text, "a whole number from " + number_text(min) + " to " + number_text(max));
     return static_cast<int>(*value);
 }
 

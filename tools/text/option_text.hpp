@@ -21,11 +21,11 @@ std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
 /// The number, if it lies in [least, most]; else throws InputError: "OPTION is TEXT, needs ACCEPTED".
-double number_in(const std::string& option, const std::string& text, double least, double most,
+double number_in(const std::string& option, const std::string& text, double min, double max,
                  const std::string& accepted);
 
 /// The same of whole numbers: "OPTION is TEXT, needs a whole number from LEAST to MOST".
-int whole_number_in(const std::string& option, const std::string& text, int least, int most);
+int whole_number_in(const std::string& option, const std::string& text, int min, int max);
 
 /// The value of that name; else throws InputError: "OPTION is TEXT, needs a, b or c".
 template <class Value, std::size_t count>

@@ -30,7 +30,7 @@ void set_option(Light& light, const std::string& name, const val& value) {
         return;
     }
     if (name == "stops") {
-        const auto accepts = [](double stops) { return std::abs(stops) <= double{gl::most_bias_stops}; };
+        const auto accepts = [](double stops) { return std::abs(stops) <= double{gl::max_bias_stops}; };
         light.stops = static_cast<float>(number_of(name, value, accepts, "[-5, 5]"));
         return;
     }

@@ -203,8 +203,8 @@ val sea_option_table() {
         row.set("name", name);
         row.set("default", defaults[name]);
         row.set("accepted", std::string(field.accepted));
-        row.set("least", field.least);
-        row.set("most", field.most);
+        row.set("least", field.min);
+        row.set("most", field.max);
         table.call<void>("push", row);
     }
     return table;

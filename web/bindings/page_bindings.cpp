@@ -44,21 +44,21 @@ val light_object(const gl::SkyOptions& sky, float stops) {
 
 val light_option_table() {
     val table = val::array();
-    const auto add = [&](const std::string& name, val value, const std::string& accepted, val least, val most) {
+    const auto add = [&](const std::string& name, val value, const std::string& accepted, val min, val max) {
         val row = val::object();
         row.set("name", name);
         row.set("default", value);
         row.set("accepted", accepted);
-        row.set("least", least);
-        row.set("most", most);
+        row.set("least", min);
+        row.set("most", max);
         table.call<void>("push", row);
     };
     const gl::SkyOptions defaults;
     for (const SkyField& field : gl::sky_fields())
-        add(camel_case(field.name), val(number_in(field, defaults)), std::string(field.accepted), val(field.least),
-            val(field.most));
+        add(camel_case(field.name), val(number_in(field, defaults)), std::string(field.accepted), val(field.min),
+            val(field.max));
     add("placesMoon", val(defaults.places_moon), "true or false", val::undefined(), val::undefined());
-    add("stops", val(0), "[-5, 5]", val(-gl::most_bias_stops), val(gl::most_bias_stops));
+    add("stops", val(0), "[-5, 5]", val(-gl::max_bias_stops), val(gl::max_bias_stops));
     return table;
 }
 
@@ -80,8 +80,8 @@ val slider_table(std::span<const viewer::Slider> sliders) {
         val row = val::object();
         row.set("label", std::string(slider.label));
         row.set("option", slider.option == "bias_stops" ? "stops" : camel_case(slider.option));
-        row.set("least", slider.least);
-        row.set("most", slider.most);
+        row.set("least", slider.min);
+        row.set("most", slider.max);
         row.set("format", std::string(slider.format));
         table.call<void>("push", row);
     }

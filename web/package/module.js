@@ -3,7 +3,7 @@
 export const isNode = typeof process === 'object' && typeof process?.versions?.node === 'string';
 const isPageThread = !isNode && typeof document !== 'undefined';
 
-const mostThreads = 64;
+const maxThreads = 64;
 // More than that gains little at the resolutions that a page draws, and each thread is a worker of its own.
 const defaultMaxThreads = 8;
 
@@ -30,8 +30,8 @@ async function coresHere() {
 
 /** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
 export async function threadsFor(wanted) {
-  if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= mostThreads))
-    throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, needs a whole number from 1 to ${mostThreads}`);
+  if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= maxThreads))
+    throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, needs a whole number from 1 to ${maxThreads}`);
   const isShared = typeof SharedArrayBuffer !== 'undefined' && (isNode || globalThis.crossOriginIsolated === true);
   if (wanted > 1 && isPageThread)
     throw new Error(`threads is ${wanted}, needs 1 on a page's own thread, which must not wait for others: pelagic/worker has threads`);

@@ -4,7 +4,7 @@ import math
 from mathutils import Vector
 
 names = ("near", "middle", "far", "horizon", "glitter")
-least_pixels = 60
+min_pixels = 60
 
 
 def rays_of(camera, target, fov_deg, width, height):
@@ -50,7 +50,7 @@ def means(image, regions):
             for c in range(3):
                 entry[c + 1] += pixel[c]
     return {name: tuple(v / sums[name][0] for v in sums[name][1:])
-            for name in names if name in sums and sums[name][0] >= least_pixels}
+            for name in names if name in sums and sums[name][0] >= min_pixels}
 
 
 def luminance(colour):

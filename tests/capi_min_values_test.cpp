@@ -13,7 +13,7 @@ namespace pelagic {
 namespace {
 
 /// The least double, one whose square is 0, the least float, one whose square is 0 as a float, and one below 0.
-constexpr std::array least_values = {5e-324, 1e-300, 1.4e-45, 1e-30, -5e-324};
+constexpr std::array min_values = {5e-324, 1e-300, 1.4e-45, 1e-30, -5e-324};
 
 template <class Struct>
 struct Named {
@@ -153,7 +153,7 @@ void expect_rejected_or_finite(const std::string& what, const char* name, const 
 template <class Struct, std::size_t count, class Try>
 void walk(const Struct& all, const Named<Struct> (&fields)[count], const std::string& which, Try attempt) {
     for (const auto& field : fields)
-        for (const double value : least_values) {
+        for (const double value : min_values) {
             Struct changed = all;
             changed.*field.member = value;
             char text[40];
@@ -508,7 +508,7 @@ TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
     pelagic_ocean_options options = all_options();
     options.dynamic_waves = &dynamic_waves;
     const COcean ocean = ocean_of(two_cascades(), options);
-    for (const double value : least_values) {
+    for (const double value : min_values) {
         auto frame = sized<pelagic_frame>();
         EXPECT_EQ(pelagic_ocean_follow(ocean.get(), value, value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), value), PELAGIC_OK);
