@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
-#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 
 namespace pelagic {

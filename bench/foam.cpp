@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/tick_clock.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 
 namespace pelagic {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "pelagic/bench/peers/scalar_query.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/surface_texels.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"

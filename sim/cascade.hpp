@@ -70,7 +70,7 @@ struct CascadeGrid {
     }
 };
 
-/// How much a cascade contracts the water together, for queries of frames with several cascades (surface/contraction_map.hpp).
+/// How much a cascade contracts the water together, for queries of frames with several cascades (buffers/contraction_map.hpp).
 struct ContractionBound {
     static constexpr int one = 160;  ///< bytes are parts of this; the largest byte means that or anything more
 
@@ -95,7 +95,7 @@ struct Cascade {
     /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
     /// unless OceanOptions::velocities.
     PlaneView velocity_x, velocity_y, velocity_z;
-    /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless
+    /// Where the surface may lie over itself, for surface queries (buffers/fold_map.hpp). Empty unless
     /// OceanOptions::queries, and where a frame has several cascades.
     std::span<const std::uint8_t> folds;
     ContractionBound contraction;  ///< instead of folds, where a frame has several cascades
@@ -117,7 +117,7 @@ struct Cascade {
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
     /// Water of the Jacobian J of the cascade makes foam of clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1): as much of it,
-    /// in the mean over time and while it lasts, as whitecaps cover in that wind (spectrum/whitecaps.hpp), cascades together.
+    /// in the mean over time and while it lasts, as whitecaps cover in that wind (foam/whitecaps.hpp), cascades together.
     /// no_whitecaps where the cascade makes none.
     float whitecap_jacobian = 0;
     float whitecap_ramp = 1;  ///< above 0

@@ -43,7 +43,7 @@ struct OceanOptions {
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
     bool gradients = false;   ///< frames of several cascades have each cascade's own normals too; those of one always do
     bool slopes = false;      ///< a frame of one cascade has slopes too (slope_sum.hpp); those of several always do
-    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (history/foam_history.hpp). A frame then takes a
+    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (foam/history.hpp). A frame then takes a
     /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
     /// ticks, as long as ten to twenty frames; 5 N^2 bytes a cascade. Without it half floats hold only what breaks at that very moment.
     bool foam = false;

@@ -15,7 +15,7 @@
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 #include "pelagic/examples/buoyancy/trace.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/one_cascade_frame.hpp"

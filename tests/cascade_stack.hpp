@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/contraction_map.hpp"
+#include "pelagic/sim/buffers/contraction_map.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {

@@ -11,7 +11,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"

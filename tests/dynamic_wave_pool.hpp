@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
+#include "pelagic/sim/dynamic_waves/grid.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {

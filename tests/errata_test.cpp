@@ -7,7 +7,7 @@
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"

@@ -1,5 +1,5 @@
 // The formula of foam that lasts against foam itself, over sums of many waves in time.
-#include "pelagic/sim/spectrum/foam_accumulation.hpp"
+#include "pelagic/sim/foam/accumulation.hpp"
 
 #include <gtest/gtest.h>
 

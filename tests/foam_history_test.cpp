@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "pelagic/sim/foam_report.hpp"
-#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/foam/drift.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/tick_clock.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"

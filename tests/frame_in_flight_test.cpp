@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/spectrum_cache.hpp"
+#include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/sanitized.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 

@@ -19,7 +19,7 @@
 #include "pelagic/bench/peers/scalar_half.hpp"
 #include "pelagic/bench/peers/scalar_query.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/foam_source.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
 
 namespace pelagic::peers {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/refraction.hpp"
-#include "pelagic/sim/spectrum/shore_waves.hpp"
+#include "pelagic/sim/shore/refraction.hpp"
+#include "pelagic/sim/shore/shore_waves.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/shores.hpp"

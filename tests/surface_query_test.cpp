@@ -13,7 +13,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 #include "pelagic/tests/oracle/surface_oracle.hpp"

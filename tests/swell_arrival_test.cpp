@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/sources/fft_plan.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"

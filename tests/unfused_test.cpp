@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/foam_source.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/sanitized.hpp"

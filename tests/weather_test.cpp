@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/sources/spectrum_cache.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"

@@ -1,5 +1,5 @@
 // What a frame says of its sea: the waves' height, and where it is white.
-#include "pelagic/sim/spectrum/whitecaps.hpp"
+#include "pelagic/sim/foam/whitecaps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/sim/surface/surface_appearance.hpp"
 
 namespace pelagic::peers {
 namespace {

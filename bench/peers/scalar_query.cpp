@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/surface/surface_texels.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 
 namespace pelagic::peers {
 namespace {

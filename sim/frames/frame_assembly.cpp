@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/history/foam_drift.hpp"
-#include "pelagic/sim/sources/spectral_cascade.hpp"
-#include "pelagic/sim/sources/pond.hpp"
+#include "pelagic/sim/foam/drift.hpp"
+#include "pelagic/sim/cascades/spectral_cascade.hpp"
+#include "pelagic/sim/cascades/pond.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -130,7 +130,7 @@ void FrameAssembly::keep_foam_of(const SeaChange& next) {
     const bool has_ticks_due = ticks_due_ > 0;  // of a frame in flight
     if (!has_ticks_due && !newest_tick_) return;
     const std::int64_t newest = has_ticks_due ? frame_tick_.number : *newest_tick_;
-    const double oldest_s = clock().time_s(newest - foam_->warm_up_ticks());
+    const double oldest_s = clock().time_s(newest - FoamHistory::warm_up_ticks);
     if (clock().time_s(newest) <= next.from_s && oldest_s >= weather_.end_of_forgotten_by_next()) return;
     if (has_ticks_due)
         foam_ends_with_frame_ = true;
@@ -228,7 +228,7 @@ SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
 /// every loop, unless applications add to it what need not loop.
 void FrameAssembly::plan_ticks(double time_s) {
     frame_tick_ = clock().at(time_s);
-    const std::int64_t all = foam_->warm_up_ticks();
+    const std::int64_t all = FoamHistory::warm_up_ticks;
     std::int64_t ahead = all;
     if (newest_tick_) {
         ahead = frame_tick_.number - *newest_tick_;

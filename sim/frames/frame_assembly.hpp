@@ -11,15 +11,15 @@
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/history/foam_history.hpp"
-#include "pelagic/sim/sources/wave_inputs.hpp"
-#include "pelagic/sim/sources/wave_source.hpp"
-#include "pelagic/sim/sources/weather.hpp"
+#include "pelagic/sim/foam/history.hpp"
+#include "pelagic/sim/cascades/wave_inputs.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/cascades/weather.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
-#include "pelagic/sim/surface/frame_slots.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/texture_targets.hpp"
-#include "pelagic/sim/tick_clock.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 
 namespace pelagic {
 

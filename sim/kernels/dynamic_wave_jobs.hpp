@@ -1,4 +1,4 @@
-// The jobs of dynamic waves (sim/sources/dynamic_wave_grid.hpp). Texels lie in rows, a torus: the column behind the last one is
+// The jobs of dynamic waves (sim/dynamic_waves/grid.hpp). Texels lie in rows, a torus: the column behind the last one is
 // the first. Rows have a margin before them whose nearest float repeats the row's last one, and the float behind a row its first.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The job of waves over a shore (sim/sources/shore_source.hpp).
+// The job of waves over a shore (sim/shore/shore_source.hpp).
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "pelagic/sim/surface/surface_texels.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic {

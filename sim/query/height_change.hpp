@@ -1,7 +1,7 @@
 // How much the height of the water can differ between two places.
 //
 // Let q and q' be reference points of places d apart, e_i, -s_i and g_i a cascade's largest horizontal displacement, its least eigenvalue
-// as in surface/contraction_map.hpp, over the whole cascade, and the steepest its heights are at rest. For any number k of the coarsest
+// as in buffers/contraction_map.hpp, over the whole cascade, and the steepest its heights are at rest. For any number k of the coarsest
 // cascades that leave m = 1 - s_0 - ... - s_(k-1) > 0,
 //
 //   m |q' - q| <= |C(q') - C(q)| <= d + 2 (e_k + e_(k+1) + ...),      C(q) = q + D_0(q) + ... + D_(k-1)(q)

@@ -9,8 +9,8 @@
 
 #include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/surface/fold_map.hpp"
-#include "pelagic/sim/surface/surface_texels.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 
 namespace pelagic {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/query/shore_at.hpp"
+#include "pelagic/sim/shore/shore_at.hpp"
 
 namespace pelagic {
 

@@ -8,7 +8,7 @@
 
 #include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/query/shore_parts.hpp"
-#include "pelagic/sim/surface/contraction_map.hpp"
+#include "pelagic/sim/buffers/contraction_map.hpp"
 
 namespace pelagic {
 namespace {

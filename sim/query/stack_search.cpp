@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/surface/contraction_map.hpp"
+#include "pelagic/sim/buffers/contraction_map.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,6 +1,6 @@
 // The exact search for queries of several cascades: all reference points that are drawn at a place, in double, by branch and bound.
 //
-// surface/contraction_map.hpp says why a box holds at most one of them where the cascades contraction little, and how far from a known
+// buffers/contraction_map.hpp says why a box holds at most one of them where the cascades contraction little, and how far from a known
 // one others can be. A box is left out if it is drawn too far away: from its centre c, no cascade's displacement changes by more
 // than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
 // is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once

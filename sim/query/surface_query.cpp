@@ -12,7 +12,7 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/query/one_cascade_query.hpp"
-#include "pelagic/sim/query/shore_at.hpp"
+#include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
 #include "pelagic/simd/float_environment.hpp"
 

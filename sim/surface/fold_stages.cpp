@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
 
 namespace pelagic {
 

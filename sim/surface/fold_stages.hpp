@@ -6,7 +6,7 @@
 
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/surface/frame_slots.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
 
 namespace pelagic {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/surface/foam_source.hpp"
-#include "pelagic/sim/surface/item_stage.hpp"
-#include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/surface/surface_appearance.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tests/unfused/unfused_foam.hpp"
 

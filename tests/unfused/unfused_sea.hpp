@@ -8,7 +8,7 @@
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 
 namespace pelagic::unfused {
 

@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// Of a tick: a time that is meant to be a tick's own may be rounded, as an ocean takes it (frames/dynamic_wave_frames.cpp).
+/// Of a tick: a time that is meant to be a tick's own may be rounded, as an ocean takes it (dynamic_waves/frames.cpp).
 constexpr double clock_slack = 0x1p-16;
 /// An ocean's jump in time has no more than that many seconds of ticks.
 constexpr double longest_jump_s = 0.5;

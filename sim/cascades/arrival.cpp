@@ -1,0 +1,25 @@
+#include "pelagic/sim/cascades/arrival.hpp"
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/harmonic_bands.hpp"
+
+namespace pelagic {
+
+Arrival::Arrival(const SeaChange& change) : over_s_(change.over_s) {
+    constexpr double two_pi = 6.28318530717958647693;
+    const SwellArrival swell(change.sea, change.swell_from_m);
+    const double loop_s = change.sea.loop_period_s;
+    delays_s_.resize(harmonic_band(loop_harmonic(swell.last_omega(), loop_s)) + 1);
+    for (std::size_t band = 0; band < bands(); ++band)
+        delays_s_[band] = swell.delay_s(two_pi / loop_s * middle_harmonic(band));
+}
+
+LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival, double since_s) {
+    LineStatistics sum;
+    for (std::size_t band = std::min(before.first(), after.first()); band < std::max(before.end(), after.end());
+         ++band)
+        sum += between(before.at(band), after.at(band), arrival.part(band, since_s));
+    return sum;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,198 @@
+#include "pelagic/sim/gerstner_input.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/cascades/input_grid.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+/// A wave as a cascade has it.
+struct Held {
+    std::size_t cascade;
+    GridIndex at;
+    std::uint32_t harmonic;
+    PlaneWave wave;
+    double direction_x, direction_z;
+};
+
+}  // namespace
+
+// A wave's angle at texel (i, j) is that of m i / N turns and that of the rest. The cosines and sines of the first are a table of each
+// wave, and those of the second come from one of N parts of a turn, so no texel asks for a sine.
+struct GerstnerInput::State {
+    explicit State(AnalyticSea waves) : asked(std::move(waves)) {}
+
+    void make_room(std::size_t resolution) {
+        circle.resize(resolution);
+        for (std::size_t i = 0; i < resolution; ++i)
+            circle[i] = det::sine_cosine_of_turns(static_cast<double>(i) / static_cast<double>(resolution));
+        columns = AlignedBuffer<float>(2 * resolution * max_waves);
+        columns_of.fill(std::numeric_limits<int>::min());
+        held.reserve(max_waves);
+    }
+
+    /// The waves that are asked for, as the cascades can have them.
+    void hold(const InputMoment& moment) {
+        if (circle.size() != static_cast<std::size_t>(moment.resolution))
+            make_room(static_cast<std::size_t>(moment.resolution));
+        held.clear();
+        choppiness = asked.choppiness;
+        for (const AnalyticWave& wave : asked.waves) {
+            const auto cascade = input_cascade_of(1 / wave.wavelength_m, moment);
+            if (!cascade || wave.amplitude_m == 0) continue;
+            const CascadeGrid& grid = moment.grids[*cascade];
+            const auto [sine, cosine] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
+            const GridIndex at = nearest_place(grid, cosine / wave.wavelength_m, sine / wave.wavelength_m);
+            if (at == GridIndex{} || !is_on_grid(at, moment.resolution)) continue;
+            const auto [x, z] = turns_per_m_of(grid, at);
+            const double turns_per_m = at.steps() / grid.side_m;
+            const std::uint32_t harmonic = input_harmonic(turns_per_m, moment.loop_period_s);
+            make_columns(held.size(), at.m);
+            held.push_back({*cascade,
+                            at,
+                            harmonic,
+                            {.amplitude_m = wave.amplitude_m,
+                             .turns_per_m_x = x,
+                             .turns_per_m_z = z,
+                             .frequency_hz = harmonic / moment.loop_period_s,
+                             .phase_turns = wave.phase_rad / two_pi},
+                            x / turns_per_m,
+                            z / turns_per_m});
+        }
+    }
+
+    const det::SineCosine& part_of_turn(std::int64_t parts) const {
+        return circle[static_cast<std::size_t>(parts) & (circle.size() - 1)];
+    }
+
+    void make_columns(std::size_t wave, int m) {
+        if (columns_of[wave] == m) return;
+        const std::size_t n = circle.size();
+        float* const cosines = columns.data() + 2 * n * wave;
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto [sine, cosine] = part_of_turn(static_cast<std::int64_t>(i) * m);
+            cosines[i] = static_cast<float>(cosine);
+            cosines[n + i] = static_cast<float>(sine);
+        }
+        columns_of[wave] = m;
+    }
+
+    /// h = A cos(a + b) and D = -choppiness A k/|k| sin(a + b), where b is a's wave's angle at the row's first texel.
+    GridWaveRow row_of(std::size_t wave, std::size_t place, std::size_t row) const {
+        const Held& of = held[wave];
+        const det::SineCosine& start = starts[place][wave];
+        const det::SineCosine& down = part_of_turn(static_cast<std::int64_t>(row) * of.at.n);
+        const double height = of.wave.amplitude_m;
+        const double cosine = start.cosine * down.cosine - start.sine * down.sine;
+        const double sine = start.sine * down.cosine + start.cosine * down.sine;
+        const double x = choppiness * height * of.direction_x, z = choppiness * height * of.direction_z;
+        const float* const cosines = columns.data() + 2 * circle.size() * wave;
+        return {.cosine = cosines,
+                .sine = cosines + circle.size(),
+                .of_cosine = {static_cast<float>(-x * sine), static_cast<float>(height * cosine),
+                              static_cast<float>(-z * sine)},
+                .of_sine = {static_cast<float>(-x * cosine), static_cast<float>(-height * sine),
+                            static_cast<float>(-z * cosine)}};
+    }
+
+    /// In time: angles fall by w a second, and so cos becomes w sin, and sin -w cos.
+    static GridWaveRow derivative_of(const GridWaveRow& row, double frequency_hz) {
+        const float omega = static_cast<float>(two_pi * frequency_hz);
+        GridWaveRow derivative = row;
+        for (std::size_t field = 0; field < input_fields; ++field) {
+            derivative.of_cosine[field] = -omega * row.of_sine[field];
+            derivative.of_sine[field] = omega * row.of_cosine[field];
+        }
+        return derivative;
+    }
+
+    AnalyticSea asked;  ///< from the next frame on
+    std::vector<Held> held;
+    double choppiness = 0;
+    std::vector<det::SineCosine> circle;     ///< of N parts of a turn
+    AlignedBuffer<float> columns;            ///< of each wave N cosines and N sines
+    std::array<int, max_waves> columns_of;  ///< which m
+    /// Of each wave's angle at texel (0, 0), by the moment's place.
+    std::array<std::array<det::SineCosine, max_waves>, 2> starts;
+};
+
+GerstnerInput::GerstnerInput(const AnalyticSea& waves) : state_(std::make_unique<State>(AnalyticSea{})) {
+    set(waves);
+}
+
+GerstnerInput::~GerstnerInput() = default;
+
+void GerstnerInput::set(const AnalyticSea& waves) {
+    const DefaultFloatEnvironment environment;
+    if (!waves.waves.empty())
+        if (const std::string reason = check(waves); !reason.empty()) throw std::invalid_argument(reason);
+    state_->asked = waves;
+}
+
+PlaneWaves GerstnerInput::held() const {
+    PlaneWaves waves{.waves = {}, .choppiness = state_->choppiness};
+    for (const Held& held : state_->held) waves.waves.push_back(held.wave);
+    return waves;
+}
+
+void GerstnerInput::begin(const InputMoment& moment) {
+    if (moment.place == 0) state_->hold(moment);
+    for (std::size_t i = 0; i < state_->held.size(); ++i) {
+        const Held& held = state_->held[i];
+        state_->starts[moment.place][i] =
+            det::sine_cosine_of_turns(input_turns(held.wave.phase_turns, held.harmonic, moment.loop_turns));
+    }
+}
+
+bool GerstnerInput::adds_to(std::size_t cascade) const {
+    const auto& held = state_->held;
+    return std::any_of(held.begin(), held.end(), [cascade](const Held& wave) { return wave.cascade == cascade; });
+}
+
+double GerstnerInput::largest_slope(std::size_t cascade) const {
+    double sum = 0;
+    for (const Held& held : state_->held)
+        if (held.cascade == cascade) sum += two_pi * held.wave.turns_per_m() * held.wave.amplitude_m;
+    return sum;
+}
+
+void GerstnerInput::add(const InputRows& rows) const {
+    const Kernels& kernels = kernels_for(rows.moment.isa);
+    const bool with_velocities = !rows.velocity_x.empty();
+    std::array<GridWaveRow, max_waves> waves, derivatives;
+    for (std::size_t row = 0; row < rows.row_count; ++row) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < state_->held.size(); ++i) {
+            const Held& held = state_->held[i];
+            if (held.cascade != rows.cascade) continue;
+            waves[count] = state_->row_of(i, rows.moment.place, rows.first_row + row);
+            if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
+            ++count;
+        }
+        const auto add_to = [&](const std::array<GridWaveRow, max_waves>& of, std::span<float> x,
+                                std::span<float> y, std::span<float> z) {
+            kernels.add_waves(
+                {.waves = of.data(),
+                 .count = count,
+                 .columns = rows.resolution(),
+                 .rows = {rows.row_of(x, row).data(), rows.row_of(y, row).data(), rows.row_of(z, row).data()}});
+        };
+        add_to(waves, rows.dx, rows.height, rows.dz);
+        if (with_velocities) add_to(derivatives, rows.velocity_x, rows.velocity_y, rows.velocity_z);
+    }
+}
+
+}  // namespace pelagic

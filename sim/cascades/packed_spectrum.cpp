@@ -1,0 +1,174 @@
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/harmonic_bands.hpp"
+#include "pelagic/sim/spectrum/wind_drift.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+/// S' of equation 22.
+using PackedWave = std::array<float, 4>;
+
+PackedWave packed(const OppositeWaves& waves) {
+    const std::complex<double> along = waves.along.amplitude, against = std::conj(waves.against.amplitude);
+    return {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
+            static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
+}
+
+/// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the cascade
+double central_difference(const CascadePlan& cascade, int periods) {
+    const double texel_m = cascade.grid.side_m / cascade.resolution;
+    return det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution).sine / texel_m;
+}
+
+/// What a cascade's texture shows of a wave's derivative along an axis of the cascade.
+struct ShownSlope {
+    double derivative;  ///< 1/m, at texels
+    double filter;      ///< what a bilinear filter leaves of the mean square between them
+};
+
+/// \param periods  of the wave in a side of the cascade
+ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
+    if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // texels count as they are
+    const double texel_m = cascade.grid.side_m / cascade.resolution;
+    const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution);
+    // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
+    const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
+    return {2 * (near + far) / texel_m, (2 + cosine) / 3};
+}
+
+}  // namespace
+
+PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, const Allocator& memory)
+    : lanes(lane_count),
+      pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
+      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
+      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
+
+LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
+    height_variance += other.height_variance;
+    mean_square_slope += other.mean_square_slope;
+    mean_square_convergence += other.mean_square_convergence;
+    slopes += other.slopes;
+    folding += other.folding;
+    stokes_x += other.stokes_x;
+    stokes_z += other.stokes_z;
+    return *this;
+}
+
+LineStatistics& StatisticsByBand::operator[](std::size_t band) {
+    if (statistics_.empty()) first_ = band;
+    if (band < first_) {
+        statistics_.insert(statistics_.begin(), first_ - band, LineStatistics());
+        first_ = band;
+    }
+    if (band >= end()) statistics_.resize(band - first_ + 1);
+    return statistics_[band - first_];
+}
+
+StatisticsByBand& StatisticsByBand::operator+=(const StatisticsByBand& other) {
+    for (std::size_t band = other.first(); band < other.end(); ++band) (*this)[band] += other.at(band);
+    return *this;
+}
+
+LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part) {
+    if (part == 0) return before;
+    if (part == 1) return after;
+    LineStatistics sum;
+    const auto add = [&](const LineStatistics& of, double weight) {
+        sum += {.height_variance = of.height_variance * weight,
+                .mean_square_slope = of.mean_square_slope * weight,
+                .mean_square_convergence = of.mean_square_convergence * weight,
+                .slopes = of.slopes * weight,
+                .folding = of.folding * weight,
+                .stokes_x = of.stokes_x * weight,
+                .stokes_z = of.stokes_z * weight};
+    };
+    add(before, 1 - part);
+    add(after, part);
+    return sum;
+}
+
+LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
+                               PackedSpectrum& out, StatisticsByBand* by_band) {
+    const CascadePlan& cascade = waves.cascade();
+    const int resolution = cascade.resolution;
+    const int radix = plan.tables().first_step().radix;
+    const int n = static_cast<int>(line);
+    const double spacing = cascade.spacing();
+    const ShownSlope shown_z = shown_slope(cascade, n);
+    // Of a frame of one cascade stage `gradients` makes the Jacobians, banded or not.
+    const bool folds_as_shown = !cascade.is_banded() || cascades_of(sea) > 1;
+    const auto fold_derivative = [&](const ShownSlope& shown, int periods) {
+        return folds_as_shown ? shown.derivative : central_difference(cascade, periods);
+    };
+    const double fold_z = fold_derivative(shown_z, n);
+    const WindDrift usual = usual_foam_drift(sea);
+    const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
+    const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
+    LineStatistics all;
+    float* wave = out.block(line / out.lanes) + line % out.lanes;
+    std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
+
+    for (const GroupPair& pair : plan.pairs()) {
+        for (int s = 0; s < radix; ++s, wave += wave_quantities * out.lanes, harmonic += out.lanes) {
+            const int position = pair.plus + s * (resolution / radix);
+            const int m = position < resolution / 2 ? position : position - resolution;
+            if (!waves.holds(m, n)) continue;  // all zeros
+            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const double k = length * spacing;
+            const double frequency = angular_frequency(k, waves.water());
+            const std::uint32_t periods = loop_harmonic(frequency, sea.loop_period_s);
+            const auto put = [&](WaveQuantity quantity, double value) {
+                wave[quantity * out.lanes] = static_cast<float>(value);
+            };
+            const ShownSlope shown_x = shown_slope(cascade, m);
+            const double fold_x = fold_derivative(shown_x, m);
+            const double drift = stokes_drift(k, waves.water()) / k;
+            const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
+            const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
+                const PackedWave values = packed(opposites);
+                for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
+                LineStatistics statistics;
+                statistics.height_variance = mirrors * opposites.expected_square();
+                statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
+                statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
+                const double sign = signed_m == m ? 1 : -1;
+                // Foam that drifts meets waves the slower, the more it runs with them.
+                const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
+                const auto square_rate = [](const Wave& of, double met_frequency) {
+                    return std::norm(of.amplitude) * met_frequency * met_frequency;
+                };
+                statistics.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
+                                         mirrors *
+                                             (square_rate(opposites.along, frequency - drifted) +
+                                              square_rate(opposites.against, frequency + drifted)) *
+                                             orbit_square,
+                                         signed_m * spacing, n * spacing, sign * fold_x, fold_z);
+                statistics.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
+                                        sign * shown_x.derivative, shown_z.derivative);
+                const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
+                statistics.stokes_x = running * (signed_m * spacing);
+                statistics.stokes_z = running * (n * spacing);
+                all += statistics;
+                if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += statistics;
+            };
+            const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
+            put_wave(plus_cos_re, mirrored.plus, m);
+            if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
+            put(direction_x, m / length * orbit);
+            put(direction_z, n / length * orbit);
+            *harmonic = periods;
+        }
+    }
+    return all;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,186 @@
+#include "pelagic/sim/cascades/pond.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "pelagic/analytic/pond_terms.hpp"
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Texels that go through the kernel at once.
+constexpr std::size_t row_part = 256;
+
+/// Rows a job: one takes as long as all of a spectrum's columns.
+constexpr std::size_t rows_a_job = 4;
+
+/// What the kernel says of a part of a row. Heights alone are half the work.
+struct RowPart {
+    alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, vertical_velocity, slope_variance;
+
+    PondAnswers answers(bool with_velocities) {
+        if (!with_velocities) return {.height = height.data()};
+        return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), vertical_velocity.data(), slope_variance.data()};
+    }
+};
+
+/// Writes floats of a row, from column `first` on, into one component of a surface's blocks.
+void store_row(const float* values, std::size_t count, std::size_t first, float* component, std::size_t lanes,
+               std::size_t block_floats) {
+    for (std::size_t i = 0; i < count; i += lanes)
+        std::memcpy(component + (first + i) / lanes * block_floats, values + i, lanes * sizeof(float));
+}
+
+/// The turns of an octave at the origin: its phase less harmonic times fraction, exact.
+double start_of(const GridOctave& octave, LoopFraction fraction) {
+    const std::uint64_t gone = std::uint64_t{octave.harmonic * fraction.turns} << 32;
+    return static_cast<double>(static_cast<std::int64_t>(turned(1, octave.octave.phase_turns) - gone)) * 0x1p-64;
+}
+
+}  // namespace
+
+Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras)
+    : slots_(slots),
+      cascade_(cascade),
+      lanes_(kernels_for(isa).lanes),
+      kernels_(analytic_kernels_for(isa)),
+      has_velocities_(extras.velocities),
+      resolution_(slots.resolution()),
+      row_bounds_(static_cast<std::size_t>(resolution_)) {
+    for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
+    for (std::vector<double>& starts : starts_.values)
+        starts.reserve(max_analytic_waves);  // frames allocate nothing
+}
+
+FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+    const StageId filled = graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", cascade_),
+                                      .count = static_cast<std::size_t>(resolution_),
+                                      .batch = rows_a_job,
+                                      .waits_for = waits_for,
+                                      .body = for_each_item([this, pass](std::size_t row) { fill_row(pass, row); }),
+                                      .stack_bytes = stack_margin});
+    return {filled, filled};
+}
+
+void Pond::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
+    const LoopFraction fraction = loop_fraction(moment.time_s, waves_.loop_period_s);
+    std::vector<double>& starts = starts_[pass];
+    starts.resize(waves_.octaves.size());
+    for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = start_of(waves_.octaves[i], fraction);
+    cascade.grid = waves_.plan.grid;
+    cascade.whitecap_jacobian = Cascade::no_whitecaps;
+    cascade.whitecap_ramp = 1;
+    cascade.slope_ranges = waves_.slope_ranges;
+}
+
+void Pond::fill_row(Pass pass, std::size_t row) {
+    const std::size_t block_floats = column_block_floats(resolution_, lanes_);
+    CascadeBuffers& buffers = slots_.buffers(cascade_);
+    const auto component = [&](AlignedBuffer<float>& planes, SurfaceComponent of) {
+        return planes.data() + (row * surface_components + of) * lanes_;
+    };
+    const bool with_velocities = has_velocities_ && pass == Pass::frame;
+    const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, row_part);
+    std::array<double, row_part> z;
+    std::array<float, row_part> footprint;
+    z.fill(static_cast<double>(row));
+    footprint.fill(static_cast<float>(waves_.plan.grid.side_m / resolution_));
+    static constexpr std::array<float, row_part> none{};
+    RowPart part;
+    RowBounds bounds{3.4e38f, -3.4e38f};
+    for (std::size_t first = 0; first < n; first += count) {
+        kernels_.pond({.octaves = waves_.terms.data(),
+                           .starts = starts_[pass].data(),
+                           .octave_count = static_cast<int>(waves_.terms.size()),
+                           .count = count,
+                           .x = columns_.data() + first,
+                           .z = z.data(),
+                           .footprint = footprint.data(),
+                           .out = part.answers(with_velocities)});
+        const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
+            store_row(values, count, first, component(planes, of), lanes_, block_floats);
+        };
+        store(part.height.data(), buffers.surface, surface_height);
+        store(none.data(), buffers.surface, surface_dx);
+        store(none.data(), buffers.surface, surface_dz);
+        if (with_velocities) {
+            store(part.vertical_velocity.data(), buffers.velocity, surface_height);
+            store(none.data(), buffers.velocity, surface_dx);
+            store(none.data(), buffers.velocity, surface_dz);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            bounds.min = std::min(bounds.min, part.height[i]);
+            bounds.max = std::max(bounds.max, part.height[i]);
+        }
+    }
+    row_bounds_[row] = bounds;
+}
+
+FrameBounds Pond::end_frame() {
+    RowBounds all = row_bounds_.front();
+    for (const RowBounds& row : row_bounds_) all = {std::min(all.min, row.min), std::max(all.max, row.max)};
+    return {.height_min_m = all.min + 0.f, .height_max_m = all.max + 0.f};
+}
+
+void Pond::add_spectrum_stage(JobGraph& graph) {
+    graph.add({.name = stage_name("spectrum", cascade_),
+               .count = 1,
+               .body = for_each_item([](std::size_t) {}),  // begin_spectrum() is quicker than a job
+               .stack_bytes = stack_margin});
+}
+
+Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
+    Waves waves{.plan = plan,
+                .loop_period_s = sea.loop_period_s,
+                .octaves = grid_octaves(sea, plan),
+                .terms = {},
+                .slope_ranges = {}};
+    std::erase_if(waves.octaves, [](const GridOctave& octave) { return octave.shown == 0; });
+    for (const GridOctave& octave : waves.octaves) {
+        PondTerms terms = pond_terms_of(octave.octave);
+        terms.phase = {static_cast<double>(octave.at.m) / plan.resolution,
+                       static_cast<double>(octave.at.n) / plan.resolution};
+        waves.terms.push_back(terms);
+    }
+    const double mean_square_slope = statistics_of(waves).mean_square_slope;
+    waves.slope_ranges = slope_ranges(mean_square_slope, mean_square_slope);
+    return waves;
+}
+
+LineStatistics Pond::statistics_of(const Waves& waves) {
+    const double texel_m = waves.plan.grid.side_m / waves.plan.resolution;
+    const auto difference = [&](int periods) {  // what central differences over texels make of a wave number
+        return det::sine_cosine_of_turns(static_cast<double>(periods) / waves.plan.resolution).sine / texel_m;
+    };
+    LineStatistics statistics;
+    for (const GridOctave& octave : waves.octaves) {
+        const double shown = octave.shown * octave.shown;
+        statistics.height_variance += octave.height_variance();
+        statistics.mean_square_slope += shown * octave.slope_variance();
+        const double height = octave.octave.height_m;
+        statistics.slopes.add_wave(pond_slope_variance * (height * height) * shown, difference(octave.at.m),
+                                difference(octave.at.n));
+    }
+    return statistics;
+}
+
+void Pond::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double) { bake_ = waves_of(sea, plan); }
+
+LineStatistics Pond::adopt_spectrum(std::size_t, std::size_t) {
+    waves_ = *std::exchange(bake_, std::nullopt);
+    return statistics_of(waves_);
+}
+
+std::size_t Pond::bytes() const {
+    return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(RowBounds) +
+           waves_.octaves.capacity() * sizeof(GridOctave) + waves_.terms.capacity() * sizeof(PondTerms);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,247 @@
+#include "pelagic/sim/cascades/spectral_cascade.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/cascades/arrival.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Stages `evolve+rows` and, with less, `columns+finalize`.
+std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
+    return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
+}
+
+constexpr double two_pi = 6.28318530717958647693;
+
+// Lines a job: a wind change should not hold up frames.
+constexpr std::size_t spectrum_batch = 2;
+
+}  // namespace
+
+SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras)
+    : slots_(slots),
+      cascade_(cascade),
+      kernels_(kernels),
+      memory_(extras.memory),
+      has_velocities_(extras.velocities),
+      resolution_(slots.resolution()),
+      plan_(resolution_),
+      fft_(plan_.tables()),
+      part_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
+      velocity_bounds_(has_velocities_ ? part_bounds_.size() : 0) {}
+
+void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
+    graph.add({.name = stage_name("spectrum", cascade_),
+               .count = line_count(resolution_),
+               .batch = spectrum_batch,
+               .body = for_each_item([this](std::size_t line) { spectrum(line); }),
+               .stack_bytes = stack_margin});
+}
+
+FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+    const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
+    const auto surface = [this] { return slots_.buffers(cascade_).surface.data(); };
+    const bool is_tick = pass == Pass::tick;
+    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", cascade_),
+                                          .count = line_blocks(resolution_, kernels_.lanes),
+                                          .waits_for = waits_for,
+                                          .body = for_each_item([this, pass, surface](std::size_t block) {
+                                              if (shown_[pass].is_idle) return;
+                                              blend(pass, block);
+                                              kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
+                                          }),
+                                          .stack_bytes = transforms});
+    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
+                                            .count = part_bounds_.size(),
+                                            .waits_for = {lines_done},
+                                            .body = for_each_item([this, pass, surface](std::size_t pair) {
+                                                if (shown_[pass].is_idle) return;
+                                                columns_finalize(pass, pair, surface(), part_bounds_[pair]);
+                                            }),
+                                            .stack_bytes = transforms});
+    return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
+}
+
+// The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
+StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
+    const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
+    const auto velocity = [this] { return slots_.buffers(cascade_).velocity.data(); };
+    const StageId lines_done =
+        graph.add({.name = stage_name("velocity rows", cascade_),
+                   .count = line_blocks(resolution_, kernels_.lanes),
+                   .waits_for = {blend_done},
+                   .body = for_each_item([this, velocity](std::size_t block) {
+                       kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
+                   }),
+                   .stack_bytes = transforms});
+    return graph.add({.name = stage_name("velocity columns", cascade_),
+                      .count = velocity_bounds_.size(),
+                      .waits_for = {lines_done},
+                      .body = for_each_item([this, velocity](std::size_t pair) {
+                          columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair]);
+                      }),
+                      .stack_bytes = transforms});
+}
+
+const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) const {
+    const auto found =
+        std::find_if(seas_.begin(), seas_.end(), [&](const auto& waves) { return waves && waves->number == number; });
+    assert(found != seas_.end() && "the sea's spectrum has not been baked");
+    return **found;
+}
+
+SpectralCascade::Look SpectralCascade::look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const {
+    return {whitecap_cover > 0
+                ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
+                : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
+            slope_ranges(statistics.mean_square_slope, statistics.mean_square_convergence)};
+}
+
+void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
+    Shown& shown = shown_[pass];
+    const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
+    shown.before = &before;
+    shown.after = &after;
+    shown.part = static_cast<float>(moment.part);
+    shown.choppiness = static_cast<float>(before.choppiness);
+    shown.cosine = static_cast<float>(grid_.cosine);
+    shown.sine = static_cast<float>(grid_.sine);
+    shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
+    shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
+    shown.parts.clear();
+    Look look = before.look;
+    if (!moment.is_steady()) {
+        if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
+        const auto between_both = [&](double of_before, double of_after) {
+            return (1 - moment.part) * of_before + moment.part * of_after;
+        };
+        const double choppiness = between_both(before.choppiness, after.choppiness);
+        shown.choppiness = static_cast<float>(choppiness);
+        LineStatistics statistics = between(before.statistics, after.statistics, moment.part);
+        if (moment.arrival) {
+            for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
+                shown.parts.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
+            statistics = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
+        }
+        look = look_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
+    }
+    shown.is_blend = shown.part != 0 || !shown.parts.empty();
+    cascade.grid = grid_;
+    cascade.whitecap_jacobian = look.whitecaps.jacobian;
+    cascade.whitecap_ramp = look.whitecaps.ramp;
+    cascade.slope_ranges = look.slope_ranges;
+    shown.is_idle = pass == Pass::tick && !cascade.makes_whitecaps();
+}
+
+FrameBounds SpectralCascade::end_frame() {
+    PartBounds all = part_bounds_.front();
+    for (const PartBounds& part : part_bounds_) {
+        all.height_min = std::min(all.height_min, part.height_min);
+        all.height_max = std::max(all.height_max, part.height_max);
+        all.horizontal_x_max = std::max(all.horizontal_x_max, part.horizontal_x_max);
+        all.horizontal_z_max = std::max(all.horizontal_z_max, part.horizontal_z_max);
+    }
+    return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
+}
+
+void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) {
+    bake_.emplace(Bake{sea,
+                       whitecap_cover,
+                       plan,
+                       std::make_unique<std::once_flag>(),
+                       {},
+                       PackedSpectrum(plan_, kernels_.lanes, memory_),
+                       std::vector<LineStatistics>(line_count(resolution_)),
+                       std::vector<StatisticsByBand>(line_count(resolution_))});
+}
+
+LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t place) {
+    LineStatistics all;
+    for (const LineStatistics& line : bake_->lines) all += line;
+    StatisticsByBand by_band;
+    for (const StatisticsByBand& line : bake_->lines_by_band) by_band += line;
+    const SeaState& sea = bake_->sea;
+    grid_ = bake_->plan.grid;
+    loop_period_s_ = sea.loop_period_s;
+    const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
+    seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,
+                               std::move(by_band), look});
+    bake_.reset();
+    return all;
+}
+
+void SpectralCascade::spectrum(std::size_t line) {
+    std::call_once(*bake_->has_begun, [this] { bake_->waves.emplace(bake_->sea, bake_->plan); });
+    bake_->lines[line] =
+        bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum, &bake_->lines_by_band[line]);
+}
+
+/// What evolves the block of lines next reads of it.
+void SpectralCascade::blend(Pass pass, std::size_t line_block) {
+    Shown& shown = shown_[pass];
+    if (!shown.is_blend) return;
+    const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
+    float* const out = shown.blended.data() + line_block * before.block_floats();
+    if (shown.parts.empty())
+        kernels_.blend_waves({.before = before.block(line_block),
+                              .after = after.block(line_block),
+                              .pairs = before.pairs,
+                              .part = shown.part,
+                              .out = out});
+    else
+        kernels_.blend_arriving_waves({.before = before.block(line_block),
+                                       .after = after.block(line_block),
+                                       .harmonics = before.block_harmonics(line_block),
+                                       .pairs = before.pairs,
+                                       .parts = shown.parts.data(),
+                                       .last_band = static_cast<std::int32_t>(shown.parts.size()) - 1,
+                                       .out = out});
+}
+
+EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
+    const std::size_t first_line = line_block * kernels_.lanes;
+    const Shown& shown = shown_[pass];
+    const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
+    return {.waves = !shown.is_blend ? spectrum.block(line_block)
+                                     : shown.blended.data() + line_block * spectrum.block_floats(),
+            .harmonics = spectrum.block_harmonics(line_block),
+            .fraction = shown.fraction.turns,
+            .first_line = first_line,
+            .line_count = std::min(kernels_.lanes, line_count(resolution_) - first_line),
+            .fft = &fft_,
+            .lines = lines,
+            .first_frequency = shown.first_frequency};
+}
+
+void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
+    const Shown& shown = shown_[pass];
+    ColumnsFinalizeJob job{.blocks = {},
+                           .fft = &fft_,
+                           .choppiness = shown.choppiness,
+                           .cosine = shown.cosine,
+                           .sine = shown.sine,
+                           .bounds = &bounds};
+    const std::size_t block_floats = column_block_floats(resolution_, kernels_.lanes);
+    const ColumnBlockPair pair = column_block_pair(resolution_, kernels_.lanes, number);
+    job.blocks[0] = surface + pair.first * block_floats;
+    if (pair.has_second) job.blocks[1] = surface + pair.second * block_floats;
+    kernels_.columns_finalize(job);
+}
+
+std::size_t SpectralCascade::bytes() const {
+    std::size_t bytes = sizeof(SpectralCascade) + plan_.bytes() +
+                        (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
+    for (const auto& waves : seas_)
+        if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
+    for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
+    return bytes;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,120 @@
+// Waves of a spectrum on the grid of one cascade: the stages that turn the spectrum into displacement.
+//
+//   spectrum (on demand) -> evolve+rows -> columns+finalize
+//
+// If wanted, evolve+rows and columns+finalize once more for velocities. Stages that can hand each other their data while it
+// is in a near cache are one job. Everything between spectrum and outputs lives on the stack or in the outputs themselves.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/spectrum_cache.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/spectrum/amplitudes.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
+
+namespace pelagic {
+
+class SpectralCascade final : public SeaSource {
+   public:
+    /// \param cascade  which of the slots' cascades it fills
+    SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
+    SpectralCascade(const SpectralCascade&) = delete;  // stages point into it
+    SpectralCascade& operator=(const SpectralCascade&) = delete;
+
+    /// Velocities are the frame's alone.
+    FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
+    void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) override;
+    FrameBounds end_frame() override;
+    std::size_t bytes() const override;
+
+    void add_spectrum_stage(JobGraph& graph) override;
+    void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
+    LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
+    const StatisticsByBand* statistics_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
+    const CascadeGrid& grid() const override { return grid_; }
+    void drop_spectrum() override { bake_.reset(); }
+    void stage_spectrum() override { bake_.swap(staged_); }
+    void forget_seas() override { seas_ = {}; }
+
+   private:
+    StageId add_velocity_stages(JobGraph& graph, StageId blend_done);
+    void spectrum(std::size_t line);
+    void blend(Pass pass, std::size_t line_block);
+    EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds);
+
+    FrameSlots& slots_;
+    std::size_t cascade_;
+    const Kernels& kernels_;
+    Allocator memory_;
+    bool has_velocities_;
+    int resolution_;
+    FftPlan plan_;
+    FftTables fft_;
+
+    /// How the cascade's textures are to be read.
+    struct Look {
+        WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
+        SlopeRanges slope_ranges;
+    };
+    Look look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const;
+
+    /// The waves of a sea.
+    struct Waves {
+        std::size_t number;
+        double choppiness, whitecap_cover;
+        PackedSpectrum spectrum;
+        LineStatistics statistics;
+        StatisticsByBand by_band;
+        Look look;
+    };
+    const Waves& waves_of(std::size_t number) const;
+    std::array<std::optional<Waves>, SpectrumCache::places> seas_;
+    CascadeGrid grid_;       ///< of frames to come, and so is
+    double loop_period_s_ = 1;  ///< this: a pass in flight has its own
+
+    /// What a pass evaluates.
+    struct Shown {
+        const Waves *before = nullptr, *after = nullptr;
+        bool is_blend = false;     ///< else `before` alone
+        float part = 0;            ///< of all waves, or
+        std::vector<float> parts;  ///< of each band while a swell from afar comes; else empty
+        bool is_idle = false;      ///< ticks are for whitecaps alone
+        float choppiness = 0;
+        float cosine = 1, sine = 0;  ///< of the grid
+        float first_frequency = 0;   ///< of the loop, radians a second
+        LoopFraction fraction;
+        AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
+    };
+    OfEachPass<Shown> shown_;
+
+    /// A spectrum being baked.
+    struct Bake {
+        SeaState sea;
+        double whitecap_cover;
+        CascadePlan plan;
+        std::unique_ptr<std::once_flag> has_begun;
+        std::optional<CascadeWaves>
+            waves;  ///< by the first line that is baked: they take longer than a frame has time for
+        PackedSpectrum spectrum;
+        std::vector<LineStatistics> lines;
+        std::vector<StatisticsByBand> lines_by_band;
+    };
+    std::optional<Bake> bake_, staged_;
+
+    std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
+    std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
+};
+
+}  // namespace pelagic

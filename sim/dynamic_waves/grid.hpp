@@ -1,0 +1,144 @@
+// Dynamic waves (dynamic_waves.hpp), tick by tick.
+//
+// spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over omega(k). Each wave goes on by
+//                          z_k(t + dt) = z_k(t) exp(-i omega(k) dt - (2 nu k^2 + decay) dt),
+//                          omega^2 = (g k + (T/rho) k^3) tanh(k depth): exact dispersion, at any length of a tick
+// verlet                   h' = h + d^2 (h - h_before) + d c lap h,  d = exp(-decay dt),  c = (speed dt / dx)^2
+//
+// In either case the grid is a torus whose border takes waves away before they come round, and texels that enter it are flat.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
+#include "pelagic/sim/dynamic_waves/sources.hpp"
+#include "pelagic/sim/dynamic_waves/grid_placement.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/allocator.hpp"
+
+namespace pelagic {
+
+class DynamicWaveGrid {
+   public:
+    /// c of Verlet's step, at most: the bound of its stability in two dimensions is 0.5.
+    static constexpr double max_coupling = 0.4;
+    /// Texels that Verlet's waves run in a tick.
+    static double courant_number(const DynamicWavesOptions& options);
+
+    /// Throws std::invalid_argument(check(options)), std::bad_alloc. \pre runs_here(isa)
+    DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const Allocator& memory = {});
+    DynamicWaveGrid(const DynamicWaveGrid&) = delete;  // stages point into it
+    DynamicWaveGrid& operator=(const DynamicWaveGrid&) = delete;
+
+    /// Adds the stages of a tick; returns the one after which it is over. The grid outlives the graph's runs.
+    StageId add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for = {});
+
+    /// The grid's middle, in the world, as near as whole texels allow; those that enter are flat. Throws
+    /// std::invalid_argument unless both are in [-1e8, 1e8]. \pre no tick is in flight
+    void follow(double x_m, double z_m);
+
+    /// What pushes from the next tick on. What lies outside of the grid does nothing. \pre no tick is in flight
+    DynamicWaveSources& sources() { return sources_; }
+    const DynamicWaveSources& sources() const { return sources_; }
+    void set_source(std::uint32_t number, const Disturbance& source) { sources_.set(number, source, ticks_); }
+    void set_rain(const Rain& rain) { sources_.set_rain(rain, options_); }
+
+    /// Before and after each run of the tick's stages.
+    void begin_tick();
+    void end_tick();
+
+    const DynamicWavesOptions& options() const { return options_; }
+    double texel_m() const { return placement_.texel_m(); }
+    double tick_s() const { return 1.0 / options_.ticks_per_s; }
+    std::int64_t ticks() const { return ticks_; }  ///< that are over
+    /// The lowest texel of the grid; texel i stands at i texel_m.
+    std::int64_t first_x() const { return placement_.first()[0]; }
+    std::int64_t first_z() const { return placement_.first()[1]; }
+    /// At a texel of the grid.
+    float height_m(std::int64_t x, std::int64_t z) const { return planes_[height_][texel(x, z)]; }
+    std::uint8_t foam(std::int64_t x, std::int64_t z) const { return foam_[foam_texel(x, z)]; }
+    /// Spectral: w. Verlet: the height of the tick before.
+    float companion_m(std::int64_t x, std::int64_t z) const { return planes_[1 - height_][texel(x, z)]; }
+
+    /// Puts together what a frame shows of the rows of an item, `part` of the way from the tick before to the last one: rows of N floats
+    /// and bytes, and the extremes of each row's heights. A wave's velocity is off by (3 part^2 - 1) / 6 (omega tick)^2 of itself. Items may
+    /// run side by side. \pre no tick is in flight
+    static constexpr std::size_t rows_an_item = 16;
+    struct Shown {
+        float *height_m, *vertical_velocity_mps;
+        std::uint8_t* foam;
+        float *lowest_m, *highest_m;
+    };
+    void show(float part, std::size_t item, const Shown& to) const;
+
+    /// Of the grid's place, ticks and texels: XXH3 of what is saved but for the sources.
+    std::uint64_t hash() const;
+    /// All that ticks and frames to come depend on; 17 N^2 bytes and some. \pre no tick is in flight
+    std::vector<std::uint8_t> saved() const;
+    /// Takes that up, in a grid of the same options, on any machine of the same byte order. Throws std::invalid_argument if such a
+    /// grid can't have saved it; nothing has changed then. \pre no tick is in flight
+    void restore(std::span<const std::uint8_t> saved);
+
+    std::size_t bytes() const;
+
+   private:
+    std::size_t texel(std::int64_t x, std::int64_t z) const {
+        return dynamic_row_margin + placement_.in_torus(z) * dynamic_row_stride(n()) + placement_.in_torus(x);
+    }
+    std::size_t foam_texel(std::int64_t x, std::int64_t z) const {
+        return placement_.in_torus(z) * n() + placement_.in_torus(x);
+    }
+    std::size_t n() const { return static_cast<std::size_t>(options_.resolution); }
+    std::size_t block_stride() const;
+    /// Which plane holds h once the step is done: Verlet's goes where the height of the tick before was.
+    std::size_t stepped_plane() const { return options_.step == DynamicWavesStep::verlet ? 1 - height_ : height_; }
+    /// Of Verlet's two heights the one that `plane` is not; the spectral step has one.
+    float* verlets_other(std::size_t plane) {
+        return options_.step == DynamicWavesStep::verlet ? first_texel(1 - plane) : nullptr;
+    }
+    static constexpr std::size_t saved_planes = 4;
+    std::size_t saved_texel_bytes() const { return saved_planes * n() * n() * sizeof(float) + foam_.size(); }
+    float* first_texel(std::size_t plane) { return planes_[plane].data() + dynamic_row_margin; }
+    const float* first_texel(std::size_t plane) const { return planes_[plane].data() + dynamic_row_margin; }
+
+    StageId add_spectral_stages(JobGraph& graph, StageId prepared);
+    StageId add_verlet_stage(JobGraph& graph, StageId prepared);
+    BorderDamping border() const { return {left_[0].data(), left_[1].data()}; }
+    void bake_phases();
+    void lay_border();
+    void flatten_column(std::int64_t x);
+    void flatten_row(std::int64_t z);
+    void prepare_rows(std::size_t job);
+    void finish_rows(std::size_t job);
+    void foam_rows(std::size_t first_row);
+    void repeat_ends(std::size_t plane, std::size_t first_row);
+
+    DynamicWavesOptions options_;
+    const Kernels& kernels_;
+    GridPlacement placement_;
+    std::int64_t ticks_ = 0;
+    std::size_t height_ = 0;  ///< which plane holds h
+    std::array<AlignedBuffer<float>, 2> planes_;
+    AlignedBuffer<float>
+        tick_before_;  ///< h where the last tick began, with what it was given at once: frames show the way from there
+    AlignedBuffer<float> way_before_;  ///< that h went in the tick before
+    AlignedBuffer<std::uint8_t> foam_;
+    std::vector<std::uint8_t> has_foam_;         ///< by row; 0: none
+    std::array<AlignedBuffer<float>, 2> left_;   ///< of each column and row of the torus by a tick
+    std::array<AlignedBuffer<float>, 2> shown_;  ///< and by what a frame shows: 0 at the edges
+    DynamicWaveSources sources_;
+
+    // Of the spectral step alone.
+    std::vector<FftPlan> plan_;  ///< one, or none
+    AlignedBuffer<float> phases_;
+    AlignedBuffer<float> lines_;
+};
+
+}  // namespace pelagic

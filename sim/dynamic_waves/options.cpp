@@ -1,0 +1,105 @@
+#include "pelagic/sim/dynamic_waves.hpp"
+
+#include <array>
+#include <cmath>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/dynamic_waves/grid.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr std::array fields = {
+    NumericField<DynamicWavesOptions>{"resolution", &DynamicWavesOptions::resolution, 64, 1024,
+                                    "64, 128, 256, 512 or 1024", Among::powers_of_two},
+    NumericField<DynamicWavesOptions>{"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
+    NumericField<DynamicWavesOptions>{"ticks_per_s", &DynamicWavesOptions::ticks_per_s, 10, 240, "[10, 240]"},
+    NumericField<DynamicWavesOptions>{"border_m", &DynamicWavesOptions::border_m, 0.001, 2500,
+                                    "[0.001, side_m / 4], or 0: none", Among::all, 0},
+    NumericField<DynamicWavesOptions>{"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
+    NumericField<DynamicWavesOptions>{"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
+    NumericField<DynamicWavesOptions>{"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
+                                    Among::above_min},
+    NumericField<DynamicWavesOptions>{"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
+    NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100, "[0.001, 100]"},
+};
+
+/// Texels of a frame's grid, with their neighbours.
+class DynamicWaveTexels {
+   public:
+    explicit DynamicWaveTexels(const DynamicWavesView& water)
+        : water_(water), last_(static_cast<std::size_t>(water.resolution) - 1) {}
+
+    double height(std::int64_t x, std::int64_t z) const { return static_cast<double>(water_.height_m[place(x, z)]); }
+    DynamicWavesSample at(std::int64_t x, std::int64_t z) const {
+        const double half = 0.5 / water_.texel_m;
+        const std::size_t here = place(x, z);
+        return {.height_m = static_cast<double>(water_.height_m[here]),
+                .slope_x = (height(x + 1, z) - height(x - 1, z)) * half,
+                .slope_z = (height(x, z + 1) - height(x, z - 1)) * half,
+                .vertical_velocity_mps = static_cast<double>(water_.vertical_velocity_mps[here]),
+                .foam = static_cast<double>(water_.foam[here]) * (1.0 / 255)};
+    }
+
+   private:
+    std::size_t place(std::int64_t x, std::int64_t z) const {
+        return (static_cast<std::size_t>(z) & last_) * (last_ + 1) + (static_cast<std::size_t>(x) & last_);
+    }
+    const DynamicWavesView& water_;
+    std::size_t last_;
+};
+
+DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double part) {
+    const auto mixed = [&](double DynamicWavesSample::*member) { return a.*member + part * (b.*member - a.*member); };
+    return {mixed(&DynamicWavesSample::height_m), mixed(&DynamicWavesSample::slope_x), mixed(&DynamicWavesSample::slope_z),
+            mixed(&DynamicWavesSample::vertical_velocity_mps), mixed(&DynamicWavesSample::foam)};
+}
+
+}  // namespace
+
+std::string check(const DynamicWavesOptions& options) {
+    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (options.border_m > options.side_m / 4)
+        return invalid_value_message("border_m", options.border_m,
+                       "at most a quarter of side_m, " + number_text(options.side_m / 4));
+    const double courant = DynamicWaveGrid::courant_number(options);
+    if (options.step == DynamicWavesStep::verlet && courant * courant > DynamicWaveGrid::max_coupling)
+        return invalid_value_message("wave_speed_mps", options.wave_speed_mps,
+                       "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(DynamicWaveGrid::max_coupling) +
+                           " at most, which is " + rounded_text(courant * courant, 3));
+    return {};
+}
+
+DynamicWavesSample sample(const DynamicWavesView& water, double x_m, double z_m) {
+    if (!water) return {};
+    const double u = x_m / water.texel_m - static_cast<double>(water.first_x);
+    const double v = z_m / water.texel_m - static_cast<double>(water.first_z);
+    // The outermost texels have neighbours on the other side of the grid only, and are 0.
+    const double last = water.resolution - 2;
+    if (!(u >= 1 && v >= 1 && u < last && v < last)) return {};
+    const double column = std::floor(u), row = std::floor(v);
+    const auto x = water.first_x + static_cast<std::int64_t>(column),
+               z = water.first_z + static_cast<std::int64_t>(row);
+    const DynamicWaveTexels texels(water);
+    const DynamicWavesSample above = between(texels.at(x, z), texels.at(x + 1, z), u - column);
+    const DynamicWavesSample below = between(texels.at(x, z + 1), texels.at(x + 1, z + 1), u - column);
+    return between(above, below, v - row);
+}
+
+std::uint64_t dynamic_waves_hash_of(const Frame& frame) {
+    const DynamicWavesView& water = frame.dynamic_waves;
+    if (!water) return 0;
+    XXH3_state_t state;
+    XXH3_64bits_reset(&state);
+    const std::int64_t place[] = {water.resolution, water.first_x, water.first_z};
+    XXH3_64bits_update(&state, place, sizeof place);
+    XXH3_64bits_update(&state, water.height_m.data(), water.height_m.size_bytes());
+    XXH3_64bits_update(&state, water.vertical_velocity_mps.data(), water.vertical_velocity_mps.size_bytes());
+    XXH3_64bits_update(&state, water.foam.data(), water.foam.size_bytes());
+    return XXH3_64bits_digest(&state);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,167 @@
+#include "pelagic/sim/dynamic_waves/rain_drops.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
+#include "pelagic/sim/spectrum/split_mix.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Texels along a side of a cell of the world, whose drops are drawn together.
+constexpr std::int64_t cell_texels = 8;
+/// Drops fall on this many places of a texel along an axis, so that their shapes are baked.
+constexpr std::size_t parts = 8;
+/// Of a drop, in radii: beyond, it is less than 1e-3 of its height.
+constexpr double reach_radii = 3;
+/// Drops that reach a texel in a tick, on the mean; what a tick costs grows with it.
+constexpr double max_at_a_texel = 16;
+/// Drops of a cell and tick: their mean is 16 at most, and 100 is further from it than any draw of 53 bits goes.
+constexpr int max_in_a_cell = 100;
+constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
+
+double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }
+double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
+    return std::max(rain.radius_m, texel_of(water));
+}
+std::int64_t reach_of(const Rain& rain, const DynamicWavesOptions& water) {
+    return static_cast<std::int64_t>(std::ceil(reach_radii * drawn_radius(rain, water) / texel_of(water)));
+}
+double max_drops(const Rain& rain, const DynamicWavesOptions& water) {
+    const double side_m = static_cast<double>(2 * reach_of(rain, water) + 2) * texel_of(water);
+    return max_at_a_texel * water.ticks_per_s / (side_m * side_m);
+}
+
+/// The cells along an axis whose drops may reach texels [first, end), from the first to the one behind the last.
+std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end, std::int64_t reach) {
+    // Shifts round down, below 0 as well.
+    static_assert(cell_texels == 8);
+    return {(first - reach - 1) >> 3, ((end - 1 + reach) >> 3) + 1};
+}
+
+}  // namespace
+
+std::string check(const Rain& rain, const DynamicWavesOptions& water) {
+    if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
+    const double widest = water.side_m / 16;
+    if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
+        return invalid_value_message("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
+    if (!(rain.height_m >= -10 && rain.height_m <= 10)) return invalid_value_message("height_m", rain.height_m, "[-10, 10]");
+    const double max = max_drops(rain, water);
+    if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= max))
+        return invalid_value_message("drops_per_m2_s", rain.drops_per_m2_s,
+                       "[0, " + rounded_text(max, 6) + "] for drops so wide in such a grid");
+    return {};
+}
+
+/// A drop's middle: the texel below it, and the part of a texel that it is above that.
+struct RainDrops::Drop {
+    std::int64_t x, z;
+    std::size_t part_x, part_z;
+};
+
+RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
+    if (const std::string reason = check(rain, water); !reason.empty()) throw std::invalid_argument(reason);
+    const DefaultFloatEnvironment environment;
+    if (rain.drops_per_m2_s == 0) return;
+    rain_ = rain;
+    const double texel_m = texel_of(water), radius = drawn_radius(rain, water), narrower = rain.radius_m / radius;
+    const double cell_m = static_cast<double>(cell_texels) * texel_m;
+    mean_ = rain.drops_per_m2_s * cell_m * cell_m / water.ticks_per_s;
+    none_ = det::exp(-mean_);
+    height_ = static_cast<float>(rain.height_m * narrower * narrower);
+    reach_ = reach_of(rain, water);
+    shapes_.resize(parts * width());
+    for (std::size_t part = 0; part < parts; ++part) {
+        const auto middle = static_cast<double>(reach_) + static_cast<double>(part) / static_cast<double>(parts);
+        const auto squared = [&](std::size_t texel) {
+            const double away = (static_cast<double>(texel) - middle) * texel_m / radius;
+            return away * away;
+        };
+        // The sum of rim over texels is nearly 0, as its integral is. It has to be 0: rain adds no water.
+        double e_sum = 0, rim_sum = 0;
+        for (std::size_t texel = 0; texel < width(); ++texel) {
+            const double e = det::exp(-squared(texel));
+            e_sum += e;
+            rim_sum += (squared(texel) - 0.5) * e;
+        }
+        for (std::size_t texel = 0; texel < width(); ++texel) {
+            const double e = det::exp(-squared(texel));
+            shapes_[part * width() + texel] = {static_cast<float>(e),
+                                               static_cast<float>((squared(texel) - 0.5 - rim_sum / e_sum) * e)};
+        }
+    }
+}
+
+template <class OfDrop>
+void RainDrops::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t cell_z, OfDrop of_drop) const {
+    const double u = static_cast<double>(split_mix(state) >> 11) * two_to_minus_53;
+    double likely = none_, up_to = none_;
+    for (int drop = 1; drop <= max_in_a_cell && u >= up_to; ++drop) {
+        // One draw says where: the cell has 64 places along each axis.
+        const std::uint64_t place = split_mix(state + static_cast<std::uint64_t>(drop) * golden_gamma);
+        of_drop(Drop{.x = cell_x * cell_texels + static_cast<std::int64_t>(place >> 61),
+                     .z = cell_z * cell_texels + static_cast<std::int64_t>(place >> 55 & 7),
+                     .part_x = static_cast<std::size_t>(place >> 58 & 7),
+                     .part_z = static_cast<std::size_t>(place >> 52 & 7)});
+        likely *= mean_ / drop;
+        up_to += likely;
+    }
+}
+
+void RainDrops::push_rows(const GridPlacement& placement, std::int64_t tick, std::size_t first_row, std::size_t rows,
+                          HeightPlanes heights) const {
+    if (shapes_.empty()) return;
+    const std::int64_t side = placement.resolution(), count = static_cast<std::int64_t>(width());
+    const std::int64_t first_x = placement.first()[0], first_z = placement.first()[1];
+    const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(side));
+
+    const auto add_row = [&](const Drop& drop, std::int64_t z) {
+        const Shape along_z = shape_at(drop.part_z)[z - (drop.z - reach_)];
+        const float e = height_ * along_z.e, rim = height_ * along_z.rim;
+        const Shape* const along_x = shape_at(drop.part_x);
+        const std::size_t row = placement.in_torus(z) * stride;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::size_t texel = row + placement.in_torus(drop.x - reach_ + i);
+            const float height = along_x[i].rim * e + along_x[i].e * rim;
+            heights.now[texel] += height;
+            if (heights.before) heights.before[texel] += height;  // it is dug, and does not move yet
+            heights.tick_before[texel] += height;
+        }
+    };
+    const auto add_drops = [&](std::int64_t from_z, std::int64_t to_z) {
+        const auto [begin_x, end_x] = cells_reaching(first_x, first_x + side, reach_);
+        const auto [begin_z, end_z] = cells_reaching(from_z, to_z, reach_);
+        const std::uint64_t of_tick =
+            split_mix(split_mix(rain_.seed + golden_gamma) + static_cast<std::uint64_t>(tick) + golden_gamma);
+        for (std::int64_t z = begin_z; z < end_z; ++z) {
+            const std::uint64_t of_row = split_mix(of_tick + static_cast<std::uint64_t>(z) + golden_gamma);
+            for (std::int64_t x = begin_x; x < end_x; ++x)
+                for_drops(split_mix(of_row + static_cast<std::uint64_t>(x) + golden_gamma), x, z,
+                          [&](const Drop& drop) {
+                              const auto is_whole = [&](std::int64_t at, std::int64_t first) {
+                                  return at - reach_ >= first && at - reach_ + count <= first + side;
+                              };
+                              if (!is_whole(drop.x, first_x) || !is_whole(drop.z, first_z)) return;
+                              const std::int64_t end = std::min(drop.z - reach_ + count, to_z);
+                              for (std::int64_t row = std::max(drop.z - reach_, from_z); row < end; ++row)
+                                  add_row(drop, row);
+                          });
+        }
+    };
+
+    // Rows of the torus are those of the grid from where it begins in it, and go round once.
+    const std::int64_t begins = static_cast<std::int64_t>(placement.in_torus(first_z));
+    const std::int64_t from = static_cast<std::int64_t>(first_row), to = static_cast<std::int64_t>(first_row + rows);
+    const std::int64_t cut = std::clamp(begins, from, to);
+    if (cut < to) add_drops(first_z + cut - begins, first_z + to - begins);
+    if (from < cut) add_drops(first_z + side + from - begins, first_z + side + cut - begins);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,322 @@
+#include "pelagic/sim/dynamic_waves/sources.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+constexpr double gauss_reach = 3;  ///< in radii
+
+/// Texels of the grid within `reach_m` of a place along an axis: the first, and the one behind the last.
+std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridPlacement& placement, std::size_t axis) {
+    const auto low = static_cast<std::int64_t>(std::ceil((middle_m - reach_m) / placement.texel_m()));
+    const auto high = static_cast<std::int64_t>(std::floor((middle_m + reach_m) / placement.texel_m())) + 1;
+    const std::int64_t first = placement.first()[axis], end = first + placement.resolution();
+    return {std::clamp(low, first, end), std::clamp(high, first, end)};
+}
+
+struct SavedHeader {
+    std::int64_t next_number, lasting, waiting, settled;
+    double rain_drops, rain_radius, rain_height;
+    std::int64_t rain_seed;
+};
+
+/// A source as it is saved, or with numbers of 0 a disturbance: numbers without gaps between them.
+struct SavedSource {
+    std::int64_t number, since, shape, mode;
+    double x, z, radius, length, heading, height, rate, velocity_x, velocity_z;
+};
+
+SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturbance& of) {
+    return {number,
+            since,
+            static_cast<std::int64_t>(of.shape),
+            static_cast<std::int64_t>(of.mode),
+            of.x_m,
+            of.z_m,
+            of.radius_m,
+            of.length_m,
+            of.heading_rad,
+            of.height_m,
+            of.rate_per_s,
+            of.velocity_x_mps,
+            of.velocity_z_mps};
+}
+
+Disturbance disturbance_of(const SavedSource& saved) {
+    if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
+        throw std::invalid_argument(invalid_value_message("a saved source's shape", saved.shape, "0 or 1"));
+    if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::impulse))
+        throw std::invalid_argument(invalid_value_message("a saved source's mode", saved.mode, "0, 1 or 2"));
+    const Disturbance source = {.shape = static_cast<Disturbance::Shape>(saved.shape),
+                                .mode = static_cast<Disturbance::Mode>(saved.mode),
+                                .x_m = saved.x,
+                                .z_m = saved.z,
+                                .radius_m = saved.radius,
+                                .length_m = saved.length,
+                                .heading_rad = saved.heading,
+                                .height_m = saved.height,
+                                .rate_per_s = saved.rate,
+                                .velocity_x_mps = saved.velocity_x,
+                                .velocity_z_mps = saved.velocity_z};
+    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    return source;
+}
+
+RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& water) {
+    if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
+        throw std::invalid_argument(invalid_value_message("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
+    const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
+    return {{saved.rain_drops, saved.rain_radius, saved.rain_height, seed}, water};
+}
+
+void need_room(const char* what, std::size_t count) {
+    if (count == DynamicWaveSources::max_count)
+        throw std::invalid_argument(invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
+}
+
+}  // namespace
+
+void DynamicWaveSources::disturb(const Disturbance& disturbance) {
+    if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
+    need_room("the number of disturbances of a tick", waiting_.size());
+    waiting_.push_back(disturbance);
+}
+
+void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
+    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    const auto at =
+        std::lower_bound(sources_.begin(), sources_.end(), number,
+                         [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
+    if (at != sources_.end() && at->number == number) {
+        *at = {number, source, ticks};
+        return;
+    }
+    need_room("the number of sources", sources_.size());
+    sources_.insert(at, {number, source, ticks});
+}
+
+void DynamicWaveSources::remove(std::uint32_t number) {
+    std::erase_if(sources_, [number](const Source& source) { return source.number == number; });
+}
+
+bool DynamicWaveSources::has(std::uint32_t number) const {
+    return std::binary_search(sources_.begin(), sources_.end(),
+                              Source{.number = number, .disturbance = {}, .since = 0},
+                              [](const Source& a, const Source& b) { return a.number < b.number; });
+}
+
+std::vector<std::uint32_t> DynamicWaveSources::numbers() const {
+    std::vector<std::uint32_t> numbers;
+    for (const Source& source : sources_) numbers.push_back(source.number);
+    return numbers;
+}
+
+void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s) {
+    tick_ = ticks;
+    for (const Source& source : sources_) {
+        Disturbance moved = source.disturbance;
+        const double since_s = static_cast<double>(ticks - source.since) * tick_s;
+        moved.x_m += since_s * moved.velocity_x_mps;
+        moved.z_m += since_s * moved.velocity_z_mps;
+        if (check(moved).empty()) add_splash(moved, placement, tick_s);  // else it has left the world
+    }
+    for (const Disturbance& disturbance : waiting_) add_splash(disturbance, placement, tick_s);
+    waiting_.clear();
+    settled_ = 0;
+}
+
+void DynamicWaveSources::add_splash(const Disturbance& of, const GridPlacement& placement, double tick_s) {
+    const bool is_hull = of.shape == Disturbance::Shape::hull;
+    const double reach_m = is_hull ? std::max(of.length_m, of.radius_m) : gauss_reach * of.radius_m;
+    const auto [first_x, end_x] = reached(of.x_m, reach_m, placement, 0);
+    const auto [first_z, end_z] = reached(of.z_m, reach_m, placement, 1);
+    if (first_x >= end_x || first_z >= end_z) return;
+    const auto heading = det::sine_cosine_of_turns(of.heading_rad / two_pi);
+    splashes_.push_back({.of = of,
+                         .part = static_cast<float>(1 - det::exp(-of.rate_per_s * tick_s)),
+                         .first_x = first_x,
+                         .end_x = end_x,
+                         .first_z = first_z,
+                         .end_z = end_z,
+                         .profile = profiles_.size(),
+                         .cosine = heading.cosine,
+                         .sine = heading.sine});
+    if (!is_hull) add_profile(splashes_.back(), placement);
+}
+
+void DynamicWaveSources::add_profile(const Splash& splash, const GridPlacement& placement) {
+    const auto add_along = [&](double middle_m, std::int64_t first, std::int64_t end) {
+        for (std::int64_t texel = first; texel < end; ++texel) {
+            const double away = (static_cast<double>(texel) * placement.texel_m() - middle_m) / splash.of.radius_m;
+            profiles_.push_back(static_cast<float>(det::exp(-away * away)));
+        }
+    };
+    add_along(splash.of.x_m, splash.first_x, splash.end_x);
+    add_along(splash.of.z_m, splash.first_z, splash.end_z);
+}
+
+/// Calls at_texel(floats from the first texel, shape, shape over its height) for what a splash reaches in the rows.
+template <class AtTexel>
+void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& placement, std::size_t first_row,
+                              std::size_t rows, AtTexel at_texel) const {
+    const Disturbance& of = splash.of;
+    const float height = static_cast<float>(of.height_m);
+    const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(placement.resolution()));
+    for (std::int64_t z = splash.first_z; z < splash.end_z; ++z) {
+        const std::size_t row = placement.in_torus(z);
+        if (row < first_row || row >= first_row + rows) continue;
+        const std::size_t begin = row * stride;
+        if (of.shape == Disturbance::Shape::gauss) {
+            const float* const along_x = profiles_.data() + splash.profile;
+            const float along_z = along_x[splash.end_x - splash.first_x + z - splash.first_z];
+            for (std::int64_t x = splash.first_x; x < splash.end_x; ++x) {
+                const float gauss = along_x[x - splash.first_x] * along_z;
+                at_texel(begin + placement.in_torus(x), height * gauss, gauss);
+            }
+            continue;
+        }
+        const double away_z = static_cast<double>(z) * placement.texel_m() - of.z_m;
+        for (std::int64_t x = splash.first_x; x < splash.end_x; ++x) {
+            const double away_x = static_cast<double>(x) * placement.texel_m() - of.x_m;
+            const double along = (away_x * splash.cosine + away_z * splash.sine) / of.length_m;
+            const double across = (away_z * splash.cosine - away_x * splash.sine) / of.radius_m;
+            const double inside = 1 - along * along - across * across;
+            if (inside <= 0) continue;
+            const float part = static_cast<float>(std::sqrt(inside));
+            at_texel(begin + placement.in_torus(x), height * part, part);
+        }
+    }
+}
+
+void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                             HeightPlanes heights) const {
+    float *const now = heights.now, *const before = heights.before;
+    for (const Splash& splash : splashes_) {
+        const auto push = [&](auto at_texel) { for_texels(splash, placement, first_row, rows, at_texel); };
+        switch (splash.of.mode) {
+            case Disturbance::Mode::pressure:
+                // A step moves what the water lacks of its shape at rest; Verlet's knows it at two moments.
+                push([=](std::size_t texel, float shape, float) {
+                    now[texel] -= shape;
+                    if (before) before[texel] -= shape;
+                });
+                break;
+            case Disturbance::Mode::relaxation:
+                // Of both of Verlet's heights the same, here and below: water that is brought has no speed.
+                push([=, part = splash.part](std::size_t texel, float shape, float weight) {
+                    const float brought = part * weight * (shape - now[texel]);
+                    now[texel] += brought;
+                    if (before) before[texel] += brought;
+                });
+                break;
+            case Disturbance::Mode::impulse:
+                push([=, tick_before = heights.tick_before](std::size_t texel, float shape, float) {
+                    now[texel] += shape;
+                    if (before) before[texel] += shape;
+                    tick_before[texel] += shape;
+                });
+                break;
+        }
+    }
+    rain_.push_rows(placement, tick_, first_row, rows, heights);
+}
+
+void DynamicWaveSources::lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                             HeightPlanes heights) const {
+    float *const now = heights.now, *const before = heights.before;
+    for (const Splash& splash : splashes_) {
+        if (splash.of.mode != Disturbance::Mode::pressure) continue;
+        for_texels(splash, placement, first_row, rows, [=](std::size_t texel, float shape, float) {
+            now[texel] += shape;
+            if (before) before[texel] += shape;
+        });
+    }
+}
+
+void DynamicWaveSources::end_tick() {
+    splashes_.clear();
+    profiles_.clear();
+}
+
+std::size_t DynamicWaveSources::saved_bytes() const {
+    return sizeof(SavedHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
+}
+
+void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
+    assert(bytes.size() == saved_bytes());
+    const Rain& rain = rain_.rain();
+    const SavedHeader header = {next_number_,
+                                static_cast<std::int64_t>(sources_.size()),
+                                static_cast<std::int64_t>(waiting_.size()),
+                                static_cast<std::int64_t>(settled_),
+                                rain.drops_per_m2_s,
+                                rain.radius_m,
+                                rain.height_m,
+                                rain.seed};
+    std::memcpy(bytes.data(), &header, sizeof header);
+    std::uint8_t* to = bytes.data() + sizeof header;
+    const auto put = [&to](const SavedSource& saved) {
+        std::memcpy(to, &saved, sizeof saved);
+        to += sizeof saved;
+    };
+    for (const Source& source : sources_) put(saved_source(source.number, source.since, source.disturbance));
+    for (const Disturbance& disturbance : waiting_) put(saved_source(0, 0, disturbance));
+}
+
+DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
+                                    const DynamicWavesOptions& water) {
+    SavedHeader header{};
+    if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
+    const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
+    constexpr auto max_of_each = static_cast<std::int64_t>(max_count);
+    if (!can_be(header.lasting, max_of_each) || !can_be(header.waiting, max_of_each) ||
+        !can_be(header.settled, header.waiting) ||
+        bytes.size() !=
+            sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
+        throw std::invalid_argument(
+            invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
+    if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
+        throw std::invalid_argument(invalid_value_message("the saved water's next source", header.next_number, "[1, 2^32)"));
+    DynamicWaveSources sources;
+    sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
+    sources.rain_ = restored_rain(header, water);
+    const std::uint8_t* from = bytes.data() + sizeof header;
+    const auto next = [&from] {
+        SavedSource saved;
+        std::memcpy(&saved, from, sizeof saved);
+        from += sizeof saved;
+        return saved;
+    };
+    for (std::int64_t i = 0, last = 0; i < header.lasting; ++i) {
+        const SavedSource saved = next();
+        if (saved.number <= last || saved.number >= header.next_number)
+            throw std::invalid_argument(invalid_value_message("a saved source's number", saved.number, "more than the one before"));
+        if (saved.since < 0 || saved.since > ticks)
+            throw std::invalid_argument(invalid_value_message("a saved source's tick", saved.since, "one of the water's"));
+        sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
+        last = saved.number;
+    }
+    for (std::int64_t i = 0; i < header.waiting; ++i) sources.waiting_.push_back(disturbance_of(next()));
+    sources.settled_ = static_cast<std::size_t>(header.settled);
+    return sources;
+}
+
+std::size_t DynamicWaveSources::bytes() const {
+    return sources_.capacity() * sizeof(Source) + waiting_.capacity() * sizeof(Disturbance) +
+           splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float) + rain_.bytes();
+}
+
+}  // namespace pelagic

@@ -1,0 +1,68 @@
+// Foam that lasts: what breaking water leaves behind, cascade by cascade.
+//
+//   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 9
+//
+// Texels rest, so a texel is the water that foam floats on, and orbital motion carries foam for nothing. What the wind drifts
+// is moved by whole texels at ticks. After W = ceil(255 / F) = 29 ticks a full byte has faded: the past is forgotten exactly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
+
+namespace pelagic {
+
+class FoamHistory {
+   public:
+    FoamHistory(FrameSlots& slots, const Kernels& kernels, const Allocator& memory);
+    FoamHistory(const FoamHistory&) = delete;  // stages point into it
+    FoamHistory& operator=(const FoamHistory&) = delete;
+
+    /// Ticks after which foam has faded completely, so a frame needs no earlier ones.
+    static constexpr int warm_up_ticks = (255 + FoamTickJob::fade - 1) / FoamTickJob::fade;
+
+    /// Adds the stages of one tick. \param surfaces_done  the stages that compute the tick's displacement, by cascade
+    /// Returns the stages after which the tick is stored, by cascade.
+    std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done);
+    /// Clears all foam.
+    void forget();
+    /// Moves to the next tick, which the next run of the stages computes. \pre no run is in flight
+    void advance();
+
+    /// The foam as bytes, the same on every machine. \pre `bytes` has saved_bytes()
+    std::size_t saved_bytes() const;
+    void save(std::span<std::uint8_t> bytes) const;
+    void restore(std::span<const std::uint8_t> bytes);
+    std::size_t bytes() const;
+
+    /// The cascade at the tick to come: its grid and what is white there.
+    Cascade& cascade(std::size_t cascade) { return cascades_[cascade].at_tick; }
+    /// How far its foam drifts in that tick, along the cascade's axes, in texels of any sign. \pre cascade() says what is white
+    void set_drift(std::size_t cascade, int texels_x, int texels_z);
+
+    /// N^2 bytes, as the last tick leaves them.
+    const std::uint8_t* remembered(std::size_t cascade) const { return cascades_[cascade].maps[newest_].data(); }
+
+   private:
+    static constexpr int ticks_to_empty = warm_up_ticks + 1;
+    void tick_rows(std::size_t cascade, std::size_t job);
+
+    struct CascadeMemory {
+        Cascade at_tick;
+        std::size_t shift_x = 0, shift_z = 0;
+        int ticks_to_fade = 0;  ///< until both maps are empty, if no more water breaks: weather may turn calm
+        std::array<AlignedBuffer<std::uint8_t>, 2> maps;
+    };
+    FrameSlots& slots_;
+    const Kernels& kernels_;
+    std::vector<CascadeMemory> cascades_;
+    std::size_t newest_ = 0;
+};
+
+}  // namespace pelagic

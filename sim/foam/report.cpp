@@ -1,0 +1,37 @@
+#include "pelagic/sim/foam_report.hpp"
+
+#include <cmath>
+
+#include "pelagic/sim/foam/drift.hpp"
+#include "pelagic/sim/foam/history.hpp"
+#include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+
+namespace pelagic {
+namespace {
+
+double length(double x, double z) { return std::sqrt(x * x + z * z); }
+
+}  // namespace
+
+FoamReport report_on_foam(const Frame& frame) {
+    const TickClock clock(frame.sea.loop_period_s);
+    const SeaStatistics& statistics = frame.statistics;
+    FoamReport report{.tick_s = clock.tick_s(),
+                      .ticks_a_loop = clock.ticks_a_loop(),
+                      .warm_up_ticks = FoamHistory::warm_up_ticks,
+                      .drift_mps = length(statistics.foam_drift_x_mps, statistics.foam_drift_z_mps),
+                      .drift_direction_rad = std::atan2(statistics.foam_drift_z_mps, statistics.foam_drift_x_mps),
+                      .whitecap_cover = whitecap_cover(frame.sea),
+                      .cascades = {}};
+    for (const Cascade& cascade : frame.cascades) {
+        const DriftTexels loop = drift_a_loop(statistics, cascade.grid, cascade.resolution(), clock);
+        report.cascades.push_back({.makes_whitecaps = cascade.makes_whitecaps(),
+                                .columns_a_loop = loop.x,
+                                .rows_a_loop = loop.z,
+                                .drift_mps = length(loop.x, loop.z) * cascade.texel_m() / frame.sea.loop_period_s});
+    }
+    return report;
+}
+
+}  // namespace pelagic

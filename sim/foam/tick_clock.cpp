@@ -1,0 +1,36 @@
+#include "pelagic/sim/foam/tick_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+
+namespace pelagic {
+namespace {
+constexpr double ticks_a_second = 10;
+constexpr double max_loops = 0x1p40;
+}  // namespace
+
+TickClock::TickClock(double loop_period_s)
+    : loop_period_s_(loop_period_s),
+      ticks_(std::max(1, static_cast<int>(std::floor(ticks_a_second * loop_period_s + 0.5)))) {}
+
+// A tick's own fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added before it is cut.
+TickPlace TickClock::at(double time_s) const {
+    const std::uint64_t turns = loop_fraction(time_s, loop_period_s_).turns;
+    const std::uint64_t ticks = static_cast<std::uint64_t>(ticks_);
+    const std::uint64_t place = turns * ticks + ticks;
+    // The loop whose fraction that is: the nearest, because a fraction may have been rounded up to the next one's 0.
+    const double loops = std::floor(time_s / loop_period_s_ - static_cast<double>(turns) * 0x1p-32 + 0.5);
+    const auto whole = static_cast<std::int64_t>(std::clamp(loops, -max_loops, max_loops));
+    return {whole * ticks_ + static_cast<std::int64_t>(place >> 32), static_cast<std::uint32_t>(place)};
+}
+
+int TickClock::in_loop(std::int64_t number) const {
+    const std::int64_t rest = number % ticks_;
+    return static_cast<int>(rest < 0 ? rest + ticks_ : rest);
+}
+
+double TickClock::time_in_loop_s(std::int64_t number) const { return in_loop(number) * loop_period_s_ / ticks_; }
+
+}  // namespace pelagic

@@ -1,0 +1,44 @@
+#include "pelagic/sim/foam/whitecaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/foam/accumulation.hpp"
+#include "pelagic/sim/cascade.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Less wind than this makes no waves that anybody sees, and its power would leave the range of numbers.
+constexpr double min_wind_mps = 0.01;
+
+/// Jacobians are floats near 1: where they vary less than this, their rounding is a step of foam's bytes.
+constexpr double min_deviation = 1e-4;
+
+/// Part of a Gaussian's ramp that is left at least, however bent the distribution of Jacobians is.
+constexpr double min_ramp = 0.125;
+
+}  // namespace
+
+double whitecap_cover(double wind_speed_mps) {
+    return std::min(0.4, 3.84e-6 * det::pow(std::max(wind_speed_mps, min_wind_mps), 3.41));
+}
+
+double whitecap_cover(const SeaState& sea) {
+    return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
+}
+
+double cover_of_each(double cover, int cascades) { return cascades == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / cascades); }
+
+WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
+    const FoldDistribution jacobians(moments, choppiness);
+    if (!(jacobians.deviation >= min_deviation)) return {.jacobian = Cascade::no_whitecaps, .ramp = 1};
+    constexpr double ramp = FoamAccumulation::ramp_deviations;
+    const double level = FoamAccumulation(moments.frequency_radps(), tick_s).level_of(cover);
+    const double none = jacobians.below_mean(level - ramp / 2), all = jacobians.below_mean(level + ramp / 2);
+    return {.jacobian = static_cast<float>((none + all) / 2),
+            .ramp = static_cast<float>(std::max(none - all, min_ramp * ramp * jacobians.deviation))};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,430 @@
+#include "pelagic/sim/ocean.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/frames/frame_assembly.hpp"
+#include "pelagic/sim/dynamic_waves/frames.hpp"
+#include "pelagic/sim/shore/shore_source.hpp"
+
+namespace pelagic {
+namespace {
+
+// A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
+constexpr std::size_t max_texels_without_jobs = 64 * 64;
+
+template <class Options>
+const Options& checked(const Options& options) {
+    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    return options;
+}
+
+}  // namespace
+
+// The runs are last, so that they go first and wait for what is in flight.
+struct Ocean::State {
+    /// \pre check(forecast) is empty
+    State(const Forecast& forecast, OceanOptions options)
+        : executor(options.executor ? std::move(options.executor) : make_default_executor()),
+          isa(choose_isa(options.isa)),
+          frames(forecast, isa,
+                 {.folds = options.queries,
+                  .velocities = options.velocities,
+                  .gradients = options.gradients,
+                  .slopes = options.slopes,
+                  .foam = options.foam,
+                  .memory = options.memory},
+                 std::move(options.inputs)) {
+        frames.add_frame_stages(frame_graph);
+        if (options.foam) {
+            frames.add_tick_stages(tick_graph);
+            frames.add_frame_stages(tick_and_frame_graph, frames.add_tick_stages(tick_and_frame_graph));
+        }
+        if (options.shore) {
+            shore = std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_cascades(forecast),
+                                                  kernels_for(isa), options.memory);
+            shore->add_frame_stage(frame_graph);
+            if (options.foam) shore->add_frame_stage(tick_and_frame_graph);
+        }
+        frames.add_spectrum_stages(spectrum_graph);
+        const bool is_small = frames.texels() <= max_texels_without_jobs;
+        const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
+        frame_runs_ahead = frame_executor->runs_ahead();
+        const auto frame_numbers = std::make_shared<std::uint64_t>();  // of both graphs that make some
+        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame", frame_numbers);
+        if (options.foam) {
+            tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick", std::make_shared<std::uint64_t>());
+            tick_and_frame_run =
+                prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frame_numbers);
+        }
+        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
+        if (options.dynamic_waves)
+            dynamic_waves =
+                std::make_unique<DynamicWaveFrames>(checked(*options.dynamic_waves), isa, options.memory,
+                                              [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
+                                                  return prepare(*executor, graph, options.trace, "dynamic_waves", runs);
+                                              });
+    }
+
+    static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
+                                             const std::shared_ptr<TraceSink>& trace, const char* run_name,
+                                             const std::shared_ptr<std::uint64_t>& runs) {
+        return trace ? prepare_traced(on, graph, trace, run_name, runs) : on.prepare(graph);
+    }
+
+    /// What the run of spectra is for.
+    enum class Bake {
+        nothing,
+        ahead,  ///< a sea of the forecast, which frames will need
+        other,  ///< another weather's, until complete_sea()
+        staged  ///< that one is done and waits, and the run is free
+    };
+
+    void bake(std::size_t number) {
+        frames.begin_sea(number);
+        try {
+            spectrum_run->schedule();
+        } catch (...) {
+            frames.drop_sea();
+            throw;
+        }
+    }
+    void complete_bake() {
+        try {
+            if (bake_in_flight == Bake::ahead && !executor->runs_ahead())
+                bake_blocks(std::numeric_limits<std::size_t>::max());
+            else
+                spectrum_run->complete();
+        } catch (...) {
+            frames.drop_sea();
+            bake_in_flight = Bake::nothing;
+            throw;
+        }
+    }
+    /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a cascade.
+    void bake_blocks(std::size_t max) {
+        for (; max > 0 && baking_stage < spectrum_graph.stages().size(); --max) {
+            const Stage& stage = spectrum_graph.stages()[baking_stage];
+            run_block(stage, baking_block);
+            if (++baking_block < block_count(stage)) continue;
+            baking_block = 0;
+            ++baking_stage;
+        }
+    }
+    bool is_baked_ahead() const {
+        if (bake_in_flight != Bake::ahead) return false;
+        return executor->runs_ahead() ? spectrum_run->is_done() : baking_stage == spectrum_graph.stages().size();
+    }
+    void begin_ahead(std::size_t number) {
+        if (executor->runs_ahead()) {
+            bake(number);
+        } else {
+            frames.begin_sea(number);
+            baking_stage = baking_block = 0;
+        }
+        bake_in_flight = Bake::ahead;
+    }
+    /// Leaves the run free for another sea.
+    void end_bake() {
+        if (bake_in_flight == Bake::ahead) {
+            complete_bake();
+            frames.adopt_sea();
+            bake_in_flight = Bake::nothing;
+        } else if (bake_in_flight == Bake::other) {
+            complete_bake();
+            frames.stage_sea();
+            bake_in_flight = Bake::staged;
+        }
+    }
+    /// Puts at hand what a pass of that moment takes: a sea that is missing is baked here and now. Before begin_frame() and before
+    /// each tick.
+    void ensure_resident(Pass pass, double time_s) {
+        const SeaMoment moment = frames.weather().moment_at(time_s);
+        frames.weather().need(pass, moment);
+        for (const std::size_t number : {moment.before, moment.after}) {
+            if (frames.weather().has(number)) continue;
+            end_bake();
+            if (frames.weather().has(number)) continue;
+            bake(number);
+            complete_bake();
+            frames.adopt_sea();
+        }
+    }
+    /// Takes what was baked ahead, if it is done. \pre no frame is in flight
+    void adopt_ahead() {
+        frames.weather().need_nothing();
+        if (is_baked_ahead()) end_bake();
+    }
+    /// Begins to bake what frames around this one will take.
+    void bake_ahead(double time_s) {
+        if (bake_in_flight == Bake::nothing)
+            if (const auto soon = frames.weather().wanted_soon(time_s)) begin_ahead(*soon);
+        if (bake_in_flight == Bake::ahead && !executor->runs_ahead()) bake_blocks(1);
+    }
+
+    std::shared_ptr<Executor> executor;
+    Isa isa;
+    FrameAssembly frames;
+    std::unique_ptr<ShoreSource> shore;  ///< if the ocean has one
+    JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
+    bool frame_runs_ahead = false;  ///< else complete() does all the work
+    bool frame_in_flight = false;
+    GraphRun* run_in_flight = nullptr;  ///< none: complete() has not begun a frame that needs several ticks
+    Bake bake_in_flight = Bake::nothing;
+    std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
+    const Frame* completed = nullptr;
+    std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
+    std::unique_ptr<DynamicWaveFrames> dynamic_waves;  ///< if the ocean has dynamic waves
+
+    /// \pre the ocean has one
+    void bake_shore() {
+        JobGraph graph;
+        shore->add_bake_stages(graph);
+        const std::unique_ptr<GraphRun> run = executor->prepare(graph);
+        run->schedule();
+        run->complete();
+        shore->end_bake();
+    }
+    void require_constant_sea() const {
+        if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
+    }
+
+    DynamicWaveFrames& needed_dynamic_waves() {
+        if (!dynamic_waves)
+            throw std::invalid_argument("the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
+        return *dynamic_waves;
+    }
+
+    void begin_tick() {
+        ensure_resident(Pass::tick, frames.next_tick_s());
+        frames.begin_tick();
+    }
+    /// Begins the run that makes the frame, with its last tick if it needs one.
+    void begin_run() {
+        const bool with_tick = frames.ticks_due() > 0;
+        if (with_tick) begin_tick();
+        run_in_flight = with_tick ? tick_and_frame_run.get() : frame_run.get();
+        run_in_flight->schedule();
+    }
+    void complete_run() {
+        if (!run_in_flight) {
+            while (frames.ticks_due() > 1) {
+                begin_tick();
+                tick_run->schedule();
+                tick_run->complete();
+            }
+            begin_run();
+        }
+        run_in_flight->complete();
+    }
+    /// All of a frame's buffers, before anything of it can fail: drop_frame() turns all of them back.
+    void turn() {
+        if (dynamic_waves) dynamic_waves->turn();
+        if (shore) shore->turn();
+        frames.turn();
+    }
+    /// \pre turn() for this frame
+    void drop_frame() {
+        if (dynamic_waves) dynamic_waves->drop_frame();
+        if (shore) shore->drop_frame();
+        frames.drop_frame();
+        frames.forget();
+        frames.weather().need_nothing();
+    }
+};
+
+Ocean::Ocean(const SeaState& sea, OceanOptions options)
+    : Ocean(Forecast{.first = checked(sea)}, std::move(options)) {}
+
+Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
+    checked(forecast);
+    if (options.shore) {
+        if (const std::string reason = check(*options.shore, forecast.first); !reason.empty())
+            throw std::invalid_argument(reason);
+        if (!forecast.changes.empty())
+            throw std::invalid_argument(
+                invalid_value_message("changes' number", forecast.changes.size(), "0 where there is a shore"));
+    }
+    state_.reset(new State(forecast, std::move(options)));
+    state_->bake(0);
+    state_->complete_bake();
+    state_->frames.adopt_sea();
+    if (state_->shore) state_->bake_shore();
+}
+
+Ocean::~Ocean() = default;
+
+void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    assert(std::isfinite(time_s));
+    if (const std::string reason =
+            cascades.empty() ? std::string() : check(cascades, cascade_count(), resolution(), state_->frames.contents());
+        !reason.empty())
+        throw std::invalid_argument(reason);
+    state_->adopt_ahead();
+    state_->ensure_resident(Pass::frame, time_s);
+    state_->bake_ahead(time_s);
+    state_->run_in_flight = nullptr;
+    state_->turn();
+    try {
+        if (state_->dynamic_waves) state_->dynamic_waves->begin_frame(time_s);
+        if (state_->shore) state_->shore->begin_frame(time_s);
+        state_->frames.begin_frame(time_s, cascades);
+        if (state_->frames.ticks_due() <= 1) state_->begin_run();
+    } catch (...) {
+        state_->drop_frame();
+        throw;
+    }
+    state_->frame_in_flight = true;
+}
+
+bool Ocean::is_ready() const {
+    if (!state_->frame_in_flight) return true;
+    if (state_->dynamic_waves && state_->executor->runs_ahead() && !state_->dynamic_waves->is_done()) return false;
+    return !state_->frame_runs_ahead || !state_->run_in_flight || state_->run_in_flight->is_done();
+}
+
+const Frame& Ocean::complete() {
+    assert((state_->frame_in_flight || state_->completed) && "schedule() a frame first");
+    if (state_->frame_in_flight) {
+        state_->frame_in_flight = false;
+        try {
+            state_->complete_run();
+            if (state_->shore) state_->frames.show(state_->shore->end_frame());
+            if (state_->dynamic_waves) {
+                state_->dynamic_waves->complete();
+                state_->frames.show(state_->dynamic_waves->surface());
+            }
+        } catch (...) {
+            state_->drop_frame();
+            throw;
+        }
+        state_->completed = &state_->frames.end_frame();
+        state_->frames.weather().need_nothing();
+    }
+    return *state_->completed;
+}
+
+const Frame& Ocean::frame_at(double time_s) {
+    schedule(time_s);
+    return complete();
+}
+
+FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascades) {
+    const Frame* const completed = state_->completed;
+    if (const std::string reason = check(cascades, cascade_count(), resolution(), state_->frames.contents());
+        !reason.empty())
+        throw std::invalid_argument(reason);
+    const Frame& frame = frame_at(time_s);
+    copy_frame(frame, cascades);
+    state_->completed = completed;
+    state_->frames.drop_frame();
+    if (state_->dynamic_waves) state_->dynamic_waves->drop_frame();
+    if (state_->shore) state_->shore->drop_frame();
+    return frame.bounds;
+}
+
+void Ocean::schedule_sea(const SeaState& sea) {
+    using Bake = State::Bake;
+    assert((state_->bake_in_flight == Bake::nothing || state_->bake_in_flight == Bake::ahead) &&
+           "complete_sea() first");
+    state_->require_constant_sea();
+    checked(sea);
+    if (const auto cascades = static_cast<std::size_t>(cascades_of(sea)); cascades != cascade_count())
+        throw std::invalid_argument(
+            invalid_value_message("cascades", cascades, number_text(cascade_count()) + ", as the ocean was built"));
+    if (resolution_of(sea) != resolution())
+        throw std::invalid_argument(
+            invalid_value_message("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
+    if ((sea.waves == WaveModel::pond) != (this->sea().waves == WaveModel::pond))
+        throw std::invalid_argument(invalid_value_message("waves", name_of(sea.waves),
+                                            std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
+    state_->end_bake();
+    state_->frames.begin_other_weather(sea);
+    try {
+        state_->spectrum_run->schedule();
+    } catch (...) {
+        state_->frames.drop_sea();
+        throw;
+    }
+    state_->bake_in_flight = Bake::other;
+}
+
+bool Ocean::sea_is_ready() const {
+    return state_->bake_in_flight != State::Bake::other || !state_->executor->runs_ahead() ||
+           state_->spectrum_run->is_done();
+}
+
+void Ocean::complete_sea() {
+    using Bake = State::Bake;
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    if (state_->bake_in_flight != Bake::other && state_->bake_in_flight != Bake::staged) return;
+    if (state_->bake_in_flight == Bake::staged)
+        state_->frames.stage_sea();
+    else
+        state_->complete_bake();
+    state_->bake_in_flight = Bake::nothing;
+    state_->frames.adopt_other_weather();
+}
+
+void Ocean::schedule_sea(const SeaChange& change) {
+    assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
+           "complete_sea() first");
+    state_->require_constant_sea();
+    Weather& weather = state_->frames.weather();
+    checked(weather.with(change));
+    state_->end_bake();
+    state_->frames.keep_foam_of(change);
+    weather.add(change);
+    state_->begin_ahead(weather.number_of_last());
+}
+
+std::vector<std::uint8_t> Ocean::saved_history() const {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    return state_->frames.saved_history();
+}
+
+void Ocean::restore_history(std::span<const std::uint8_t> saved) {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    state_->frames.restore_history(saved);
+}
+
+void Ocean::disturb(const Disturbance& disturbance) { state_->needed_dynamic_waves().disturb(disturbance); }
+std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->needed_dynamic_waves().add_source(source); }
+void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
+    state_->needed_dynamic_waves().set_source(number, source);
+}
+void Ocean::remove_source(std::uint32_t number) { state_->needed_dynamic_waves().remove_source(number); }
+void Ocean::follow(double x_m, double z_m) { state_->needed_dynamic_waves().follow(x_m, z_m); }
+void Ocean::set_rain(const Rain& rain) { state_->needed_dynamic_waves().set_rain(rain); }
+
+std::vector<std::uint8_t> Ocean::saved_water() const {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    return state_->needed_dynamic_waves().saved();
+}
+
+void Ocean::restore_water(std::span<const std::uint8_t> saved) {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    state_->needed_dynamic_waves().restore(saved);
+}
+
+std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }
+int Ocean::resolution() const { return state_->frames.resolution(); }
+const SeaState& Ocean::sea() const { return state_->frames.weather().forecast().last(); }
+const Forecast& Ocean::forecast() const { return state_->frames.weather().forecast(); }
+Isa Ocean::isa() const { return state_->isa; }
+const Executor& Ocean::executor() const { return *state_->executor; }
+const JobGraph& Ocean::graph() const { return state_->frame_graph; }
+std::size_t Ocean::memory_bytes() const {
+    return sizeof(State) + state_->frames.bytes() + (state_->dynamic_waves ? state_->dynamic_waves->bytes() : 0) +
+           (state_->shore ? state_->shore->bytes() : 0);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,94 @@
+#include "pelagic/sim/kernels/fft_plan.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+// log2 of each radix, first step first: as many eights as leave only fours. The four-point steps come first, where
+// the data is still in order.
+struct Radices {
+    std::array<int, 4> bits{};
+    std::size_t count = 0;
+};
+
+Radices radices_of(int size) {
+    const int total_bits = std::bit_width(static_cast<unsigned>(size)) - 1;
+    const int fours = total_bits % 3 == 0 ? 0 : (3 - total_bits % 3);  // 2 bits each: 1 left over takes two of them
+    Radices radices;
+    for (int i = 0; i < fours; ++i) radices.bits[radices.count++] = 2;
+    for (int left = total_bits - 2 * fours; left > 0; left -= 3) radices.bits[radices.count++] = 3;
+    return radices;
+}
+
+}  // namespace
+
+FftPlan::FftPlan(int size) : size_(size) {
+    assert(size >= 16 && size <= 2048 && std::has_single_bit(static_cast<unsigned>(size)));
+    const DefaultFloatEnvironment environment;
+    const Radices radices = radices_of(size);
+    int span = 1;
+    std::vector<float> roots;
+    for (std::size_t step = 0; step < radices.count; ++step) {
+        const int radix = 1 << radices.bits[step];
+        steps_[step_count_++] = {radix, span, roots.size()};
+        for (int j = 0; j < span; ++j) {
+            for (int l = 0; l < radix; ++l) {
+                const auto root = det::sine_cosine_of_turns(static_cast<double>(l * j) / (radix * span));
+                roots.push_back(static_cast<float>(root.cosine));
+                roots.push_back(static_cast<float>(root.sine));
+            }
+        }
+        span *= radix;
+    }
+    twiddles_ = AlignedBuffer<float>(roots.size());
+    std::copy(roots.begin(), roots.end(), twiddles_.data());
+    place_inputs();
+    pair_groups();
+}
+
+// The last step joins the inputs by their remainder modulo its radix, the one before by the next digit, ...
+void FftPlan::place_inputs() {
+    positions_.resize(static_cast<std::size_t>(size_));
+    for (int i = 0; i < size_; ++i) {
+        int rest = i;
+        int block = size_;
+        int position = 0;
+        for (std::size_t step = step_count_; step-- > 0;) {
+            block /= steps_[step].radix;
+            position += rest % steps_[step].radix * block;
+            rest /= steps_[step].radix;
+        }
+        positions_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(position);
+    }
+}
+
+void FftPlan::pair_groups() {
+    const int groups = size_ / steps_[0].radix;
+    const int parts = steps_[step_count_ - 1].radix;
+    for (int part = 0; part <= parts / 2; ++part) {
+        const bool is_own_negative = part == 0 || part == parts / 2;
+        for (int plus = part; plus < groups; plus += parts) {
+            const int minus = (groups - plus) % groups;
+            if (is_own_negative && minus < plus) continue;  // met before, as the other one's negative
+            pairs_.push_back({static_cast<std::uint16_t>(plus), static_cast<std::uint16_t>(minus)});
+        }
+        first_pair_[static_cast<std::size_t>(part) + 1] = static_cast<std::uint16_t>(pairs_.size());
+    }
+}
+
+FftTables FftPlan::tables() const {
+    return {size_,         steps_.data(),     step_count_, twiddles_.data(), positions_.data(),
+            pairs_.data(), first_pair_.data()};
+}
+
+std::size_t FftPlan::bytes() const {
+    return twiddles_.bytes() + positions_.capacity() * sizeof(std::uint16_t) + pairs_.capacity() * sizeof(GroupPair);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,187 @@
+#include "pelagic/sim/shore/refraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+// Sweeps in each of the four orders; a floor of islands takes some.
+constexpr int max_rounds = 64;
+constexpr double still_rad = 1e-9;
+
+// Fluxes that come in where contours turn away from the waves, or towards them.
+constexpr double min_flux = 0.25, max_flux = 2;
+
+// Of the whole rectangle; less is an even floor with something on it.
+constexpr double min_slope = 1e-3;
+
+// A wave whose way is nearer to an edge than this runs along it.
+constexpr double min_inward = 1e-9;
+
+/// Of the way that straight waves are followed; any would do.
+constexpr double straight_texels = 8;
+
+}  // namespace
+
+Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave) : Refraction(bed, wave, false) {}
+
+Refraction Refraction::straight(const SeaBed& bed, double along_x, double along_z) {
+    return Refraction(bed, {.omega = 0, .along_x = along_x, .along_z = along_z, .depth_m = 1}, true);
+}
+
+Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_straight)
+    : bed_(bed),
+      k_(bed.texels()),
+      phase_(bed.texels(), nowhere),
+      height_(bed.texels()),
+      shoaling_(bed.texels(), 1.0),
+      flux_(bed.texels()),
+      way_x_(bed.texels()),
+      way_z_(bed.texels()),
+      comes_in_(bed.texels()) {
+    double open_k = two_pi / (straight_texels * bed.texel_m);
+    if (is_straight) {
+        std::fill(k_.begin(), k_.end(), open_k);
+    } else {
+        open_k = wave_number(wave.omega, wave.depth_m);
+        const double open_speed = group_velocity(open_k, wave.depth_m);
+        const double max_k = std::max(open_k, two_pi / (min_texels * bed.texel_m));
+        for (std::size_t texel = 0; texel < bed.texels(); ++texel) {
+            k_[texel] = open_k;
+            if (!bed.is_water(texel)) continue;
+            const double k = wave_number(wave.omega, bed.depth_m[texel]);
+            k_[texel] = std::min(k, max_k);
+            shoaling_[texel] = std::sqrt(open_speed / group_velocity(k, bed.depth_m[texel]));
+        }
+    }
+    come_in(wave, open_k);
+    sweep();
+    carry_energy();
+    for (const std::uint32_t texel : order_) height_[texel] = std::sqrt(flux_[texel]) * shoaling_[texel];
+}
+
+void Refraction::come_in(const IncomingWave& wave, double open_k) {
+    const double corner_x = bed_.x_m + (wave.along_x < 0 ? (bed_.columns - 1) * bed_.texel_m : 0);
+    const double corner_z = bed_.z_m + (wave.along_z < 0 ? (bed_.rows - 1) * bed_.texel_m : 0);
+    corner_phase_ = open_k * (wave.along_x * corner_x + wave.along_z * corner_z);
+    come_in_along(wave, open_k, true);
+    come_in_along(wave, open_k, false);
+}
+
+/// Along the first column that a wave comes to, or the first row, away from the corner that both share. There the wave vector keeps its part
+/// along the contours of the floor (Snell), and what is between two rays keeps its energy.
+void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool along_column) {
+    const int step_i = wave.along_x < 0 ? -1 : 1, step_j = wave.along_z < 0 ? -1 : 1;
+    const int first_i = step_i < 0 ? bed_.columns - 1 : 0, first_j = step_j < 0 ? bed_.rows - 1 : 0;
+    // s along the edge, n into the rectangle.
+    const double way_s = std::fabs(along_column ? wave.along_z : wave.along_x);
+    const double way_n = std::fabs(along_column ? wave.along_x : wave.along_z);
+    if (way_n < min_inward) return;
+    // g down the slope, c along the contours. Over an even floor the wave has come straight on, as if contours lay across its way.
+    const double steepness = std::sqrt(bed_.slope_x * bed_.slope_x + bed_.slope_z * bed_.slope_z);
+    const double slope_s = along_column ? bed_.slope_z * step_j : bed_.slope_x * step_i;
+    const double slope_n = along_column ? bed_.slope_x * step_i : bed_.slope_z * step_j;
+    const bool is_even = steepness < min_slope;
+    const double g_s = is_even ? way_s : slope_s / steepness, g_n = is_even ? way_n : slope_n / steepness;
+    const int count = along_column ? bed_.rows : bed_.columns;
+    double phase = 0, slowness_before = 0;
+    for (int s = 0; s < count; ++s) {
+        const std::size_t texel =
+            along_column ? bed_.at(first_i, first_j + s * step_j) : bed_.at(first_i + s * step_i, first_j);
+        const double c_s = g_n, c_n = 0 - g_s;
+        const double kept = open_k * (way_s * c_s + way_n * c_n), across = way_s * g_s + way_n * g_n;
+        const double k = std::max(k_[texel], std::fabs(kept));
+        const double turned = std::sqrt(k * k - kept * kept) * (across < 0 ? -1 : 1);
+        const double slowness = std::max(0.0, kept * c_s + turned * g_s);
+        const double inward = std::max(0.0, kept * c_n + turned * g_n);
+        if (s > 0) phase += 0.5 * (slowness_before + slowness) * bed_.texel_m;
+        slowness_before = slowness;
+        if (!bed_.is_water(texel)) continue;
+        const double length = std::sqrt(slowness * slowness + inward * inward);
+        const double way_along = length > 0 ? slowness / length : 0, way_in = length > 0 ? inward / length : 1;
+        const double spread = std::fabs(turned) > 0 ? std::fabs(across) * k / std::fabs(turned) : 1;
+        phase_[texel] = phase;
+        comes_in_[texel] = 1;
+        flux_[texel] = std::clamp(spread, min_flux, max_flux);
+        way_x_[texel] = static_cast<float>((along_column ? way_in : way_along) * step_i);
+        way_z_[texel] = static_cast<float>((along_column ? way_along : way_in) * step_j);
+    }
+}
+
+void Refraction::sweep() {
+    for (int round = 0; round < max_rounds; ++round) {
+        bool has_moved = false;
+        for (const int order : {0, 1, 2, 3}) {
+            const bool left = (order & 1) != 0, up = (order & 2) != 0;
+            for (int row = 0; row < bed_.rows; ++row)
+                for (int column = 0; column < bed_.columns; ++column)
+                    has_moved |= arrive(left ? bed_.columns - 1 - column : column, up ? bed_.rows - 1 - row : row);
+        }
+        if (!has_moved) break;
+    }
+}
+
+bool Refraction::arrive(int i, int j) {
+    const std::size_t here = bed_.at(i, j);
+    if (comes_in_[here] || !bed_.is_water(here)) return false;
+    const double left = i > 0 ? phase_[here - 1] : nowhere, right = i + 1 < bed_.columns ? phase_[here + 1] : nowhere;
+    const double up = j > 0 ? phase_[bed_.at(i, j - 1)] : nowhere;
+    const double down = j + 1 < bed_.rows ? phase_[bed_.at(i, j + 1)] : nowhere;
+    const double a = std::min(left, right), b = std::min(up, down), first = std::min(a, b);
+    if (first == nowhere) return false;
+    const double step = k_[here] * bed_.texel_m, apart = std::max(a, b) - first;
+    const double phase = apart >= step ? first + step : 0.5 * (a + b + std::sqrt(2 * step * step - apart * apart));
+    if (!(phase < phase_[here])) return false;
+    const bool is_new = phase_[here] == nowhere || phase_[here] - phase > still_rad;
+    phase_[here] = phase;
+    return is_new;
+}
+
+Refraction::Upstream Refraction::upstream(std::size_t texel) const {
+    const auto columns = static_cast<std::size_t>(bed_.columns);
+    const std::size_t i = texel % columns, j = texel / columns;
+    const auto earlier = [&](bool has_before, std::size_t before, bool has_after, std::size_t after) {
+        const double at_before = has_before ? phase_[before] : nowhere,
+                     at_after = has_after ? phase_[after] : nowhere;
+        if (at_before == nowhere && at_after == nowhere) return texel;
+        return at_before <= at_after ? before : after;
+    };
+    Upstream from{.x = earlier(i > 0, texel - 1, i + 1 < columns, texel + 1),
+                  .z = earlier(j > 0, texel - columns, j + 1 < static_cast<std::size_t>(bed_.rows), texel + columns),
+                  .share_x = 0,
+                  .share_z = 0};
+    const auto way_from = [&](std::size_t other) {
+        return phase_[other] < phase_[texel] ? phase_[texel] - phase_[other] : 0.0;
+    };
+    const double x = way_from(from.x), z = way_from(from.z), squared = x * x + z * z;
+    if (squared > 0) from.share_x = x * x / squared, from.share_z = z * z / squared;
+    return from;
+}
+
+// Upwind and conservative: what leaves a texel through a side is its flux times the way's part across that side.
+void Refraction::carry_energy() {
+    for (std::size_t texel = 0; texel < phase_.size(); ++texel)
+        if (phase_[texel] < nowhere) order_.push_back(static_cast<std::uint32_t>(texel));
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return phase_[a] != phase_[b] ? phase_[a] < phase_[b] : a < b;
+    });
+    for (const std::uint32_t texel : order_) {
+        if (comes_in_[texel]) continue;
+        const Upstream from = upstream(texel);
+        const double toward_x = from.x < texel ? 1 : -1, toward_z = from.z < texel ? 1 : -1;
+        const double way_x = std::sqrt(from.share_x), way_z = std::sqrt(from.share_z);
+        double comes = 0;
+        if (way_x > 0) comes += std::max(0.0, static_cast<double>(way_x_[from.x]) * toward_x) * flux_[from.x];
+        if (way_z > 0) comes += std::max(0.0, static_cast<double>(way_z_[from.z]) * toward_z) * flux_[from.z];
+        if (way_x + way_z > 0) flux_[texel] = std::min(comes / (way_x + way_z), max_focus * max_focus);
+        way_x_[texel] = static_cast<float>(way_x * toward_x);
+        way_z_[texel] = static_cast<float>(way_z * toward_z);
+    }
+}
+
+}  // namespace pelagic

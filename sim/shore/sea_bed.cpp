@@ -1,0 +1,55 @@
+#include "pelagic/sim/shore/sea_bed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelagic {
+namespace {
+
+constexpr int whole = 16;  // columns and rows come in these
+
+int rounded_up(double texels) { return std::max(1, static_cast<int>(std::ceil(texels / whole))) * whole; }
+
+/// Bilinear; beyond the edges the field goes on as high as they are.
+double height_at(const ShoreOptions& field, double column, double row) {
+    const double u = std::clamp(column, 0.0, static_cast<double>(field.columns - 1));
+    const double v = std::clamp(row, 0.0, static_cast<double>(field.rows - 1));
+    const int i = std::min(static_cast<int>(u), field.columns - 2), j = std::min(static_cast<int>(v), field.rows - 2);
+    const auto height = [&](int x, int z) {
+        return static_cast<double>(
+            field.heights_m[static_cast<std::size_t>(z) * static_cast<std::size_t>(field.columns) +
+                            static_cast<std::size_t>(x)]);
+    };
+    const double above = height(i, j) + (u - i) * (height(i + 1, j) - height(i, j));
+    const double below = height(i, j + 1) + (u - i) * (height(i + 1, j + 1) - height(i, j + 1));
+    return above + (v - j) * (below - above);
+}
+
+}  // namespace
+
+SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(options.corner_z_m) {
+    const double wide_m = (options.columns - 1) * options.metres_a_sample;
+    const double deep_m = (options.rows - 1) * options.metres_a_sample;
+    texel_m = std::max(wide_m, deep_m) / (options.resolution - 1);
+    columns = wide_m >= deep_m ? options.resolution : rounded_up(wide_m / texel_m + 1);
+    rows = deep_m >= wide_m ? options.resolution : rounded_up(deep_m / texel_m + 1);
+    const double samples_a_texel = texel_m / options.metres_a_sample;
+    depth_m.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            depth_m[at(i, j)] = 0 - height_at(options, i * samples_a_texel, j * samples_a_texel);
+
+    // On a whole grid the columns and rows of a plane's least squares don't mix.
+    double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const double x = (i - 0.5 * (columns - 1)) * texel_m, z = (j - 0.5 * (rows - 1)) * texel_m;
+            const double water_m = std::max(depth_m[at(i, j)], 0.0);
+            along_x += x * water_m, along_z += z * water_m;
+            squares_x += x * x, squares_z += z * z;
+        }
+    slope_x = along_x / squares_x;
+    slope_z = along_z / squares_z;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,460 @@
+#include "pelagic/sim/shore/shore_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
+constexpr std::size_t groups_an_item = 64;
+
+// Ways along which the shelter of shorter waves is found: those of as many long waves, neighbours in frequency, which run to all sides.
+constexpr std::size_t max_ways = 8;
+
+// Depths for which a table says what they leave of a cascade, by the square root of the depth.
+constexpr int depths = 256;
+
+// So far from water there is some over the sand, and less with each texel.
+constexpr int swash_texels = 8;
+// As far everywhere, for what is interpolated at the waterline; further only where the ground is no higher than some times the swash.
+constexpr int steep_swash_texels = 2;
+constexpr double max_ground_over_swash = 2;
+
+// What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
+constexpr double min_amplitude_m = 1e-9;
+
+constexpr double min_envelope_m = 1e-6;
+
+/// Second-order crests over first-order ones are no higher, or troughs would have humps.
+constexpr double max_sharp = 0.25;
+
+// Crests of a cascade in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
+// crest of the long waves.
+constexpr double highest_crest = 5.2, high_crest = 4;
+
+/// Bounds of a sum of Keys' weights in two dimensions, 9/8 and -1/8 at most in one: so much of the range is beyond each end of it.
+constexpr double max_overshoot = 0.28125;
+
+double eased(double part) {
+    const double u = std::clamp(part, 0.0, 1.0);
+    return u * u * (3 - 2 * u);
+}
+
+/// The factor that brings `value` down to a maximum.
+double attenuation_to(double max, double value) { return value > max ? max / value : 1; }
+
+/// Calls take(texel) for the neighbours of a texel along both axes.
+template <class Take>
+void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
+    const std::size_t here = bed.at(i, j), columns = static_cast<std::size_t>(bed.columns);
+    if (i > 0) take(here - 1);
+    if (i + 1 < bed.columns) take(here + 1);
+    if (j > 0) take(here - columns);
+    if (j + 1 < bed.rows) take(here + columns);
+}
+
+/// What comes over sand from water: phase and height of the nearest texels with waves, later and lower texel by texel.
+void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m) {
+    std::vector<double> phase_after = phase, height_after = height;
+    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
+        for (int j = 0; j < bed.rows; ++j)
+            for (int i = 0; i < bed.columns; ++i) {
+                const std::size_t here = bed.at(i, j);
+                if (phase[here] < Refraction::nowhere || bed.is_water(here)) continue;
+                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m)
+                    continue;
+                double nearest = 0 - Refraction::nowhere, highest = 0;
+                for_neighbours(bed, i, j, [&](std::size_t texel) {
+                    if (!(phase[texel] < Refraction::nowhere)) return;
+                    nearest = std::max(nearest, phase[texel]);
+                    highest = std::max(highest, height[texel]);
+                });
+                if (!(highest > 0)) continue;
+                phase_after[here] = nearest + k * bed.texel_m;
+                height_after[here] = highest * (1 - 1.0 / (swash_texels + 2 - texel_away));
+            }
+        phase = phase_after;
+        height = height_after;
+    }
+}
+
+}  // namespace
+
+ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
+                         const Kernels& kernels, const Allocator& memory)
+    : bed_(options),
+      sea_(sea),
+      fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
+      swash_m_(std::max(options.swash_m, min_envelope_m)),
+      kernels_(kernels),
+      waves_(shore_waves(sea, plans.front())),
+      amplitudes_(bed_.texels() * 2 * waves_.size(), memory),
+      has_waves_(bed_.texels() / group_texels),
+      highest_envelope_(bed_.texels(), memory),
+      breaking_envelope_(bed_.texels(), memory),
+      sharpness_(bed_.texels(), memory),
+      depth_(bed_.texels(), memory),
+      parts_(bed_.texels(), memory),
+      bake_(std::make_unique<Bake>()),
+      moments_(waves_.size()) {
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
+    std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
+
+    const std::size_t ways = std::min(max_ways, waves_.size());
+    const auto first_way = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - ways) / 2);
+    bake_->ways.assign(first_way, first_way + static_cast<std::ptrdiff_t>(ways));
+    bake_->shelters.resize(ways);
+    bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
+    bake_->variances.push_back(DepthPart(sea, plans.front()).variance());
+    bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
+    bake_->deviation_m.resize(bed_.texels());
+    bake_->attenuation.resize(bed_.texels());
+    for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
+        const DepthPart part(sea, plans[cascade]);
+        bake_->variances.push_back(part.variance());
+        std::vector<double>& table = bake_->depth_parts.emplace_back();
+        for (int i = 0; i <= depths; ++i) {
+            const double root = static_cast<double>(i) / depths;
+            table.push_back(part.at(bake_->deepest_m * root * root));
+        }
+    }
+    const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
+    for (Slot& slot : slots_) {
+        slot.height = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.vertical_velocity = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.foam = AlignedBuffer<std::uint8_t>(bed_.texels(), memory);
+        slot.lowest.resize(items);
+        slot.highest.resize(items);
+    }
+}
+
+double ShoreSource::inside(std::size_t texel) const {
+    const auto columns = static_cast<std::size_t>(bed_.columns);
+    const int i = static_cast<int>(texel % columns), j = static_cast<int>(texel / columns);
+    const int to_edge = std::min(std::min(i, bed_.columns - 1 - i), std::min(j, bed_.rows - 1 - j));
+    return eased(to_edge * bed_.texel_m / fade_m_);
+}
+
+void ShoreSource::add_bake_stages(JobGraph& graph) {
+    const std::size_t waves = waves_.size();
+    const StageId waves_done = graph.add({.name = "shore refraction",
+                                          .count = waves + bake_->ways.size(),
+                                          .body = for_each_item([this, waves](std::size_t item) {
+                                              item < waves ? bake_wave(item) : bake_shelter(item - waves);
+                                          }),
+                                          .stack_bytes = stack_margin});
+    const auto rows = static_cast<std::size_t>(bed_.rows);
+    const StageId parts_done = graph.add({.name = "shore parts",
+                                          .count = rows,
+                                          .batch = 16,
+                                          .waits_for = {waves_done},
+                                          .body = for_each_item([this](std::size_t row) { bake_parts(row); }),
+                                          .stack_bytes = stack_margin});
+    const StageId breaking_done = graph.add({.name = "shore breaking",
+                                             .count = 1,
+                                             .waits_for = {parts_done},
+                                             .body = for_each_item([this](std::size_t) { bake_breaking(); }),
+                                             .stack_bytes = stack_margin});
+    graph.add({.name = "shore heights",
+               .count = rows,
+               .batch = 16,
+               .waits_for = {breaking_done},
+               .body = for_each_item([this](std::size_t row) { bake_heights(row); }),
+               .stack_bytes = stack_margin});
+}
+
+void ShoreSource::bake_wave(std::size_t number) {
+    const ShoreWave& wave = waves_[number];
+    auto refraction = std::make_unique<Refraction>(
+        bed_,
+        IncomingWave{.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
+    const Refraction& way = *refraction;
+    std::vector<double> phase = way.phase(), height = way.height();
+    const double k =
+        std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
+    run_up(bed_, phase, height, k, swash_m_);
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        // Where cascades give way, energies add up to one.
+        const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
+        const double amplitude_m = wave.amplitude_m * height[texel] * fade;
+        if (!(amplitude_m > min_amplitude_m)) continue;
+        const auto [sine, cosine] =
+            det::sine_cosine_of_turns((phase[texel] + way.corner_phase()) / two_pi + wave.phase_turns);
+        float* const at = amplitudes_.data() + place_of(texel, number);
+        at[0] = static_cast<float>(amplitude_m * cosine);
+        at[group_texels] = static_cast<float>(amplitude_m * sine);
+    }
+    if (number == waves_.size() / 2) {
+        bake_limits(way, wave.omega);
+        bake_->main_way = std::move(refraction);
+    }
+}
+
+/// How high waves stand: those that broke on a bar don't rise again behind it, so the least of 0.78 d / 2 over Ks along the way counts.
+void ShoreSource::bake_limits(const Refraction& wave, double omega) {
+    double open_m = 0;
+    for (const ShoreWave& each : waves_) open_m += each.amplitude_m;
+    std::vector<double> max(bed_.texels(), Refraction::nowhere);
+    for (const std::uint32_t texel : wave.order()) {
+        const double depth_m = bed_.depth_m[texel];
+        max[texel] = 0.5 * breaking_height_over_depth * depth_m / wave.shoaling(texel);
+        if (wave.comes_in_at(texel)) continue;
+        const Refraction::Upstream from = wave.upstream(texel);
+        if (from.share_x + from.share_z > 0)
+            max[texel] = std::min(max[texel], (from.share_x > 0 ? from.share_x * max[from.x] : 0) +
+                                                    (from.share_z > 0 ? from.share_z * max[from.z] : 0));
+    }
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        if (!bed_.is_water(texel)) continue;
+        const double depth_m = bed_.depth_m[texel], shoaling = wave.shoaling(texel);
+        const double stands_m =
+            max[texel] < Refraction::nowhere ? max[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
+        highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
+        // Stokes 1847, to the second order: crests rise by k a^2 (3 - t^2) / (4 t^3), t = tanh k d.
+        const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
+        const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
+        sharpness_.data()[texel] = static_cast<float>(
+            std::min(sharp, max_sharp / std::min(std::max(stands_m, swash_m_), open_m * shoaling)));
+    }
+}
+
+void ShoreSource::bake_shelter(std::size_t number) {
+    const ShoreWave& way = bake_->ways[number];
+    const Refraction straight = Refraction::straight(bed_, way.along_x, way.along_z);
+    std::vector<float>& energy = bake_->shelters[number];
+    energy.resize(bed_.texels());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        energy[texel] = static_cast<float>(straight.height()[texel] * straight.height()[texel]);
+}
+
+std::size_t ShoreSource::place_of(std::size_t texel, std::size_t wave) const {
+    return (texel / group_texels * waves_.size() + wave) * 2 * group_texels + texel % group_texels;
+}
+
+ShoreSource::Variance ShoreSource::variance_of_waves(std::size_t texel) const {
+    double squares = 0, squares_of_sums = 0, sum_re = 0, sum_im = 0;
+    for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+        const float* const at = amplitudes_.data() + place_of(texel, wave);
+        const double re = static_cast<double>(at[0]), im = static_cast<double>(at[group_texels]);
+        squares += re * re + im * im;
+        sum_re += re, sum_im += im;
+        if (wave + 1 < waves_.size() && waves_[wave + 1].harmonic == waves_[wave].harmonic) continue;
+        squares_of_sums += sum_re * sum_re + sum_im * sum_im;
+        sum_re = sum_im = 0;
+    }
+    return {.of_all = 0.5 * squares, .here = 0.5 * squares_of_sums};
+}
+
+double ShoreSource::wave_depth_m(std::size_t texel) const {
+    return std::max(bed_.depth_m[texel], swash_m_ / crest_over_depth);
+}
+
+void ShoreSource::bake_parts(std::size_t row) {
+    double all = 0;
+    for (const ShoreWave& way : bake_->ways) all += way.variance();
+    for (int i = 0; i < bed_.columns; ++i) {
+        const std::size_t texel = bed_.at(i, static_cast<int>(row));
+        const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
+        double comes = 0;
+        for (std::size_t way = 0; way < bake_->ways.size(); ++way)
+            comes += bake_->ways[way].variance() * static_cast<double>(bake_->shelters[way][texel]);
+        const double sheltered = all > 0 ? std::min(1.0, std::sqrt(comes / all)) : 1;
+        const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
+        bake_->parts[0][texel] = static_cast<float>(coarsest);
+        double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
+        const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
+        const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
+        for (std::size_t cascade = 0; cascade < bake_->depth_parts.size(); ++cascade) {
+            const std::vector<double>& table = bake_->depth_parts[cascade];
+            const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
+            const double part = 1 - shore * (1 - sheltered * stands);
+            bake_->parts[cascade + 1][texel] = static_cast<float>(part);
+            variance += part * part * bake_->variances[cascade + 1];
+        }
+        bake_->deviation_m[texel] = std::sqrt(variance);
+    }
+}
+
+/// Amplitudes that have shoaled as if none broke are cut to the deviation that a depth bears. What broke stays lost behind it: the least
+/// factor on the way of the wave in the middle counts. Dry sand has that of the water beside it.
+void ShoreSource::bake_breaking() {
+    std::vector<double>& attenuation = bake_->attenuation;
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        attenuation[texel] = attenuation_to(deviation_over_depth * wave_depth_m(texel), bake_->deviation_m[texel]);
+    if (!bake_->main_way) return;
+    const Refraction& way = *bake_->main_way;
+    for (const std::uint32_t texel : way.order()) {
+        if (way.comes_in_at(texel)) continue;
+        const Refraction::Upstream from = way.upstream(texel);
+        if (from.share_x + from.share_z > 0)
+            attenuation[texel] =
+                std::min(attenuation[texel], (from.share_x > 0 ? from.share_x * attenuation[from.x] : 0) +
+                                                 (from.share_z > 0 ? from.share_z * attenuation[from.z] : 0));
+    }
+    std::vector<double> before(attenuation.size());
+    std::vector<std::uint8_t> is_known(attenuation.size());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) is_known[texel] = bed_.is_water(texel);
+    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
+        before = attenuation;
+        const std::vector<std::uint8_t> was_known = is_known;
+        for (int j = 0; j < bed_.rows; ++j)
+            for (int i = 0; i < bed_.columns; ++i) {
+                const std::size_t here = bed_.at(i, j);
+                if (was_known[here]) continue;
+                double highest = 0;
+                for_neighbours(bed_, i, j, [&](std::size_t texel) {
+                    if (was_known[texel]) highest = std::max(highest, before[texel]);
+                });
+                if (!(highest > 0)) continue;
+                attenuation[here] = std::min(attenuation[here], highest);
+                is_known[here] = 1;
+            }
+    }
+}
+
+void ShoreSource::bake_heights(std::size_t row) {
+    for (int i = 0; i < bed_.columns; ++i) {
+        const std::size_t texel = bed_.at(i, static_cast<int>(row));
+        const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
+        // At the edges what stands is that of the depth alone, as beyond them.
+        double variance = 0;
+        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade) {
+            const double part = static_cast<double>(bake_->parts[cascade][texel]);
+            variance += part * part * bake_->variances[cascade];
+        }
+        const double deviation_m = std::sqrt(variance);
+        const double stands = std::min({1 - shore * (1 - bake_->attenuation[texel]),
+                                        attenuation_to(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
+                                        attenuation_to(crest_over_depth / highest_crest * depth_m, deviation_m)});
+        std::uint32_t parts = 0;
+        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade)
+            parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[cascade][texel])))
+                     << 8 * cascade;
+        parts_.data()[texel] = parts;
+
+        // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the cascades.
+        const double max_m = deviation_over_depth * wave_depth_m(texel), cascades_m = stands * deviation_m;
+        const double here_m = bake_->attenuation[texel] * std::sqrt(variance_of_waves(texel).here);
+        const double attenuation =
+            bake_->attenuation[texel] *
+            attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - cascades_m * cascades_m)), here_m);
+        for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+            float* const at = amplitudes_.data() + place_of(texel, wave);
+            at[0] = static_cast<float>(attenuation * static_cast<double>(at[0]));
+            at[group_texels] = static_cast<float>(attenuation * static_cast<double>(at[group_texels]));
+        }
+
+        const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
+        breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, min_envelope_m));
+        if (!bed_.is_water(texel)) continue;
+        const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * cascades_m;
+        highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + max_sharp)));
+    }
+}
+
+void ShoreSource::end_bake() {
+    bake_.reset();
+    for (std::size_t group = 0; group < has_waves_.size(); ++group) {
+        const float* const first = amplitudes_.data() + group * waves_.size() * 2 * group_texels;
+        has_waves_[group] = std::any_of(first, first + waves_.size() * 2 * group_texels,
+                                        [](float amplitude) { return amplitude != 0; });
+    }
+    int max = 0;
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        for (int byte = 0; byte < 32; byte += 8)
+            max = std::max(max, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
+                                           static_cast<int>(parts_.data()[b] >> byte & 255)));
+    };
+    for (int j = 0; j < bed_.rows; ++j)
+        for (int i = 0; i < bed_.columns; ++i) {
+            if (i + 1 < bed_.columns) compare(bed_.at(i, j), bed_.at(i + 1, j));
+            if (j + 1 < bed_.rows) compare(bed_.at(i, j), bed_.at(i, j + 1));
+        }
+    parts_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
+}
+
+void ShoreSource::add_frame_stage(JobGraph& graph) {
+    graph.add({.name = "shore",
+               .count = slots_[0].lowest.size(),
+               .body = for_each_item([this](std::size_t item) { rows(item); }),
+               .stack_bytes = stack_margin});
+}
+
+void ShoreSource::begin_frame(double time_s) {
+    const LoopFraction fraction = loop_fraction(time_s, sea_.loop_period_s);
+    for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+        const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
+        const auto [sine, cosine] = det::sine_cosine_of_turns(turns * 0x1p-32);
+        moments_[wave] = {static_cast<float>(cosine), static_cast<float>(sine),
+                          static_cast<float>(waves_[wave].omega),
+                          static_cast<float>(gravity_mps2 / waves_[wave].omega)};
+    }
+}
+
+void ShoreSource::rows(std::size_t item) {
+    Slot& slot = slots_[back_];
+    const std::size_t first = item * groups_an_item;
+    kernels_.shore_rows({.waves = amplitudes_.data(),
+                         .moments = moments_.data(),
+                         .wave_count = waves_.size(),
+                         .has_waves = has_waves_.data(),
+                         .highest_envelope = highest_envelope_.data(),
+                         .breaking_envelope = breaking_envelope_.data(),
+                         .sharpness = sharpness_.data(),
+                         .first_group = first,
+                         .groups = std::min(groups_an_item, has_waves_.size() - first),
+                         .height = slot.height.data(),
+                         .vertical_velocity = slot.vertical_velocity.data(),
+                         .potential = slot.potential.data(),
+                         .reach = slot.reach.data(),
+                         .foam = slot.foam.data(),
+                         .lowest = &slot.lowest[item],
+                         .highest = &slot.highest[item]});
+}
+
+ShoreSurface ShoreSource::end_frame() {
+    const Slot& slot = slots_[back_];
+    const std::size_t texels = bed_.texels();
+    const float lowest = *std::min_element(slot.lowest.begin(), slot.lowest.end());
+    const float highest = *std::max_element(slot.highest.begin(), slot.highest.end());
+    const float beyond = static_cast<float>(max_overshoot) * (highest - lowest);
+    return {.columns = bed_.columns,
+            .rows = bed_.rows,
+            .texel_m = bed_.texel_m,
+            .x_m = bed_.x_m,
+            .z_m = bed_.z_m,
+            .depth_m = {depth_.data(), texels},
+            .parts_rgba8 = {parts_.data(), texels},
+            .height_m = {slot.height.data(), texels},
+            .vertical_velocity_mps = {slot.vertical_velocity.data(), texels},
+            .potential_m2ps = {slot.potential.data(), texels},
+            .reach_m = {slot.reach.data(), texels},
+            .foam = {slot.foam.data(), texels},
+            .height_min_m = lowest - beyond,
+            .height_max_m = highest + beyond,
+            .parts_change_per_m = parts_change_per_m_};
+}
+
+std::size_t ShoreSource::bytes() const {
+    std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
+                        has_waves_.size() + highest_envelope_.bytes() + breaking_envelope_.bytes() +
+                        sharpness_.bytes() + depth_.bytes() + parts_.bytes() +
+                        waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
+    for (const Slot& slot : slots_)
+        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.potential.bytes() + slot.reach.bytes() +
+                 slot.foam.bytes() + (slot.lowest.size() + slot.highest.size()) * sizeof(float);
+    return bytes;
+}
+
+}  // namespace pelagic
