@@ -130,8 +130,7 @@ std::vector<BadInput> bad_inputs() {
          {"--preset is hurricane, needs pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
           "analytic-intense, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
-        {{"info", "--waves", "exp-sin"},
-         {"--waves is exp-sin, needs spectrum, analytic or pond (the nearest is pond)\n"}},
+        {{"info", "--waves", "pon"}, {"--waves is pon, needs spectrum, analytic or pond (the nearest is pond)\n"}},
         {{"export", "--out", "OUT", "--waves", "analytic", "--wave-height", "9"},
          {"steepness is 1.0", "at most 0.4"}},
         {{"export", "--out", "OUT", "--preset", "pond", "--cascades", "4"},

@@ -1,5 +1,5 @@
 // From options to a record, and back by its values and by a command line: nothing of an export is lost on the way.
-#include "pelagic/tools/export/export_from_record.hpp"
+#include "pelagic/tools/record/export_from_record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/export/record_file.hpp"
+#include "pelagic/tools/record/record_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {

@@ -16,10 +16,10 @@
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sweep.hpp"
 #include "pelagic/tools/export/export_options.hpp"
-#include "pelagic/tools/export/record_file.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 #include "pelagic/tools/files/descriptor.hpp"
 #include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/record/record_file.hpp"
 
 namespace pelagic {
 namespace {

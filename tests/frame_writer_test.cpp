@@ -1,5 +1,5 @@
 // The exporter's writer: several frames at once, but never more than fit in the memory that it may take.
-#include "pelagic/tools/export/frame_writer.hpp"
+#include "pelagic/tools/record/frame_writer.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -13,8 +13,8 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/digest.hpp"
-#include "pelagic/tools/images/image_codec.hpp"
 
 namespace pelagic {
 namespace {

@@ -166,10 +166,10 @@ std::array<RgbaImage, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, cons
 TEST(OpenXrApplication, ShowsThreeHundredFramesOfTheRightSeaUnderValidation) {
     const TemporaryFolder folder;
     const ApplicationRun run({"--quality", "low", "--frames", "300", "--hashes", folder / "seas.txt"},
-                      {{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
-                       {"XR_CORE_VALIDATION_EXPORT_TYPE", "text"},
-                       {"XR_CORE_VALIDATION_FILE_NAME", folder / "validation.txt"},
-                       {"LD_PRELOAD", PELAGIC_PAST_VALIDATION}});
+                             {{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
+                              {"XR_CORE_VALIDATION_EXPORT_TYPE", "text"},
+                              {"XR_CORE_VALIDATION_FILE_NAME", folder / "validation.txt"},
+                              {"LD_PRELOAD", PELAGIC_PAST_VALIDATION}});
     ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
     EXPECT_EQ(run.outcome.out, "300 frames shown, 96 x 96 an eye, a pass for each\n");
     EXPECT_NE(run.outcome.err.find("Core Validation output type: text"), std::string::npos)
@@ -202,9 +202,9 @@ TEST(OpenXrApplication, ValidationWouldHaveSpoken) {
     // Without what hides OpenGL ES from the layer (past_validation.hpp) the very same program makes a call that it refuses.
     const TemporaryFolder folder;
     const ApplicationRun run({"--quality", "low", "--frames", "1"},
-                      {{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
-                       {"XR_CORE_VALIDATION_EXPORT_TYPE", "text"},
-                       {"XR_CORE_VALIDATION_FILE_NAME", folder / "validation.txt"}});
+                             {{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
+                              {"XR_CORE_VALIDATION_EXPORT_TYPE", "text"},
+                              {"XR_CORE_VALIDATION_FILE_NAME", folder / "validation.txt"}});
     EXPECT_EQ(run.outcome.exit_code, 1);
     EXPECT_NE(read_file(folder / "validation.txt").find("VUID-XrSessionCreateInfo-next-next"), std::string::npos);
 }
@@ -273,9 +273,10 @@ TEST_F(OpenXrImages, AreTheSeaThroughTheEyesProjections) {
 
 TEST_F(OpenXrImages, AreTheSameInOnePassForBothEyes) {
     // With the driver's calls made twice each (multiview_stand_in.cpp), where the program believes in OVR_multiview2.
-    const ApplicationRun one_pass({"--quality", "low", "--frames", "2"}, {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
-                                                                   {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
-                                                                   {"LD_PRELOAD", PELAGIC_MULTIVIEW_STAND_IN}});
+    const ApplicationRun one_pass({"--quality", "low", "--frames", "2"},
+                                  {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
+                                   {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
+                                   {"LD_PRELOAD", PELAGIC_MULTIVIEW_STAND_IN}});
     EXPECT_EQ(one_pass.record["refusals"], Json::array());
     EXPECT_EQ(one_pass.outcome.out, "2 frames shown, 900 x 900 an eye, both in one pass\n") << one_pass.outcome.err;
     for (const char* name : {"left.ppm", "right.ppm"})
@@ -337,8 +338,8 @@ TEST_F(OpenXrImages, DifferByTheWayBetweenTheEyes) {
 }
 
 TEST(OpenXrSession, RestsWhileTheHeadsetIsOffAndEndsWithIt) {
-    const ApplicationRun run({"--quality", "low"},
-                      {{"PELAGIC_STAND_IN_EVENTS", "4:hide 6:show 8:stop 12:exit"}, {"PELAGIC_STAND_IN_EYE", "32"}});
+    const ApplicationRun run({"--quality", "low"}, {{"PELAGIC_STAND_IN_EVENTS", "4:hide 6:show 8:stop 12:exit"},
+                                                    {"PELAGIC_STAND_IN_EYE", "32"}});
     EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
     EXPECT_EQ(run.record["refusals"], Json::array());
     const std::vector<std::string> states = {
@@ -352,7 +353,7 @@ TEST(OpenXrSession, RestsWhileTheHeadsetIsOffAndEndsWithIt) {
 
 TEST(OpenXrSession, ShowsNothingWhileTheHeadIsNowhere) {
     const ApplicationRun run({"--quality", "low", "--frames", "3"},
-                      {{"PELAGIC_STAND_IN_EVENTS", "2:blind 4:see"}, {"PELAGIC_STAND_IN_EYE", "32"}});
+                             {{"PELAGIC_STAND_IN_EVENTS", "2:blind 4:see"}, {"PELAGIC_STAND_IN_EYE", "32"}});
     EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
     EXPECT_EQ(run.record["refusals"], Json::array());
     EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 0, 0, 1, 1}));
@@ -360,7 +361,8 @@ TEST(OpenXrSession, ShowsNothingWhileTheHeadIsNowhere) {
 
 TEST(OpenXrSession, EndsWhenTheHeadsetIsLost) {
     for (const char* event : {"3:lose", "3:lose-instance"}) {
-        const ApplicationRun run({"--quality", "low"}, {{"PELAGIC_STAND_IN_EVENTS", event}, {"PELAGIC_STAND_IN_EYE", "32"}});
+        const ApplicationRun run({"--quality", "low"},
+                                 {{"PELAGIC_STAND_IN_EVENTS", event}, {"PELAGIC_STAND_IN_EYE", "32"}});
         EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
         EXPECT_EQ(run.record["refusals"], Json::array());
         EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 1})) << event;
@@ -377,16 +379,17 @@ std::string failure(const std::vector<std::string>& arguments, const Environment
 }
 
 TEST(OpenXrErrors, AreOneLineThatSaysWhatToDo) {
-    EXPECT_EQ(
-        failure({}, {{"XR_RUNTIME_JSON", "/nowhere.json"}}),
-        "openxr_application: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE (is an OpenXR runtime installed and running? "
-        "XR_RUNTIME_JSON names one)\n");
+    EXPECT_EQ(failure({}, {{"XR_RUNTIME_JSON", "/nowhere.json"}}),
+              "openxr_application: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE (is an OpenXR runtime installed "
+              "and running? "
+              "XR_RUNTIME_JSON names one)\n");
     EXPECT_EQ(failure({}, {{"PELAGIC_STAND_IN_REFUSES", "xrGetSystem:-35"}}),
               "openxr_application: xrGetSystem: XR_ERROR_FORM_FACTOR_UNAVAILABLE (is the headset connected?)\n");
     EXPECT_EQ(failure({}, {{"PELAGIC_STAND_IN_REFUSES", "xrCreateSession:-38"}}),
               "openxr_application: xrCreateSession: XR_ERROR_GRAPHICS_DEVICE_INVALID\n");
     EXPECT_EQ(failure({}, {{"PELAGIC_STAND_IN_REFUSES", "xrCreateSwapchain:-2"}}),
-              "openxr_application: xrCreateSwapchain: XR_ERROR_RUNTIME_FAILURE (is an OpenXR runtime installed and running? "
+              "openxr_application: xrCreateSwapchain: XR_ERROR_RUNTIME_FAILURE (is an OpenXR runtime installed and "
+              "running? "
               "XR_RUNTIME_JSON names one)\n");
     EXPECT_EQ(failure({}, {{"PELAGIC_STAND_IN_REFUSES", "xrWaitFrame:-17"}}),
               "openxr_application: xrWaitFrame: XR_ERROR_SESSION_LOST\n");
@@ -396,18 +399,18 @@ TEST(OpenXrErrors, NameAWrongOption) {
     const TemporaryFolder folder;
     const auto said = [](const std::vector<std::string>& arguments) { return failure(arguments, {}); };
     EXPECT_EQ(said({"--frames", "soon"}), "openxr_application: --frames is soon, needs a whole number from 1\n");
-    EXPECT_EQ(
-        said({"--frames"}),
-        "openxr_application: --frames has no value; needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] "
-        "[--images FOLDER] [--hashes FILE]\n");
-    EXPECT_EQ(
-        said({"--eyes", "3"}),
-        "openxr_application: --eyes is no option; needs [--preset NAME] [--resolution N] [--quality NAME] [--frames N] "
-        "[--images FOLDER] [--hashes FILE]\n");
-    EXPECT_EQ(
-        said({"--quality", "best"}),
-        "openxr_application: --quality is best, needs one of low, medium, high, ultra, paper_low, paper_medium, paper_high, "
-        "paper_ultra\n");
+    EXPECT_EQ(said({"--frames"}),
+              "openxr_application: --frames has no value; needs [--preset NAME] [--resolution N] [--quality NAME] "
+              "[--frames N] "
+              "[--images FOLDER] [--hashes FILE]\n");
+    EXPECT_EQ(said({"--eyes", "3"}),
+              "openxr_application: --eyes is no option; needs [--preset NAME] [--resolution N] [--quality NAME] "
+              "[--frames N] "
+              "[--images FOLDER] [--hashes FILE]\n");
+    EXPECT_EQ(said({"--quality", "best"}),
+              "openxr_application: --quality is best, needs one of low, medium, high, ultra, paper_low, "
+              "paper_medium, paper_high, "
+              "paper_ultra\n");
     EXPECT_EQ(said({"--resolution", "100"}),
               "openxr_application: --resolution is 100, needs a power of two from 16 to 2048, or 0: chosen\n");
     EXPECT_EQ(said({"--images", folder / "none"}),
@@ -415,7 +418,7 @@ TEST(OpenXrErrors, NameAWrongOption) {
     EXPECT_EQ(said({"--hashes", folder / "none/seas.txt"}),
               "openxr_application: --hashes is " + (folder / "none/seas.txt").string() +
                   ", needs the name of a file in a folder that is there\n");
-    EXPECT_EQ(said({"--eyes\n", "3"}).substr(0, 38), "openxr_application: --eyes? is no option; nee");
+    EXPECT_EQ(said({"--eyes\n", "3"}).substr(0, 45), "openxr_application: --eyes? is no option; nee");
     EXPECT_TRUE(files_in(folder.path()).empty());
 }
 

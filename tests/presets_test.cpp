@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/tools/export/sea_json.hpp"
 #include "pelagic/tools/options/sea_scales.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
 
 namespace pelagic::tools {
 namespace {

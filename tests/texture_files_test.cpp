@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/encode/dds_file.hpp"
+#include "pelagic/tools/encode/ktx2_file.hpp"
 #include "pelagic/tools/files/byte_order.hpp"
 #include "pelagic/tools/files/zstd.hpp"
-#include "pelagic/tools/images/dds_file.hpp"
-#include "pelagic/tools/images/ktx2_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {

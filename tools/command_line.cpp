@@ -6,31 +6,44 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "pelagic/tools/bench_command.hpp"
-#include "pelagic/tools/info_command.hpp"
-#include "pelagic/tools/quadtree_command.hpp"
-#include "pelagic/tools/query_command.hpp"
+#include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
-#if defined(PELAGIC_HAS_GL)
-#include "pelagic/tools/render_command.hpp"
-#include "pelagic/tools/view_command.hpp"
-#endif
-#if defined(PELAGIC_HAS_IMAGES)
-#include "pelagic/tools/export_command.hpp"
-#include "pelagic/tools/merge_command.hpp"
-#include "pelagic/tools/verify_command.hpp"
-#endif
 #include "pelagic/tools/text/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "bench, export, info, merge, quadtree, query, render, verify or view";
+struct CommandEntry {
+    const char* name;
+    const char* help;
+    MakeCommand make;              ///< null in a build without it
+    const char* option = nullptr;  ///< the CMake option that a build with it needs; null: none
+};
+
+constexpr CommandEntry commands[] = {
+    {"bench", "measure frame times on this machine beside stored results", make_bench_command},
+    {"export", "write the frames of a sea as images, and sea.json", make_export_command, "PELAGIC_IMAGES"},
+    {"info", "print a sea's statistics, stages and memory", make_info_command},
+    {"merge", "join the shards of an export, and check every file", make_merge_command, "PELAGIC_IMAGES"},
+    {"quadtree", "select the patches that a view draws; print statistics, write meshes", make_quadtree_command},
+    {"query", "print height, normal and velocity of the water at given points", make_query_command},
+    {"render", "draw images of a sea, without a window", make_render_command, "PELAGIC_GL"},
+    {"verify", "check every file of an export, and compute some frames again", make_verify_command, "PELAGIC_IMAGES"},
+    {"view", "show a sea in a window, with sliders", make_view_command, "PELAGIC_GL"}};
+
+/// "bench, export ... or view".
+std::string command_names() {
+    std::vector<std::string> names;
+    for (const CommandEntry& command : commands) names.emplace_back(command.name);
+    return list_of(names);
+}
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -58,7 +71,7 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::string name = word.substr(0, word.find('='));
         if (commands.empty())
             return InputError((name.starts_with('-') ? "unknown option " : "unknown command ") + word + ", needs " +
-                              commands_text);
+                              command_names());
         const std::string help = "; pelagic " + used.get_name() + " --help lists all";
         if (!name.starts_with('-'))
             return InputError("unexpected word " + word + ", needs options such as " + options.back() + help);
@@ -83,19 +96,22 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     return InputError(line);
 }
 
-/// A command that this build lacks for want of an option of CMake's: it takes all words, and says so when it runs.
-struct AbsentCommand {
-    CLI::App& app;
-    std::string option;
+/// Takes the place of a command that this build lacks: accepts all arguments, and throws when it runs.
+class AbsentCommand final : public Command {
+   public:
+    explicit AbsentCommand(const CommandEntry& entry) : entry_(entry) {}
 
-    AbsentCommand(CLI::App& parent, const std::string& name, std::string needed)
-        : app(*parent.add_subcommand(name, "not in this build, which was configured with " + needed + "=OFF")),
-          option(std::move(needed)) {
+    void add_options(CLI::App& app) override {
+        app.description(std::string("not in this build, which was configured with ") + entry_.option + "=OFF");
         app.allow_extras();
     }
-    void run() const {
-        throw InputError(app.get_name() + " is not in this build, needs one configured with -D" + option + "=ON");
+    void run() override {
+        throw InputError(std::string(entry_.name) + " is not in this build, needs one configured with -D" +
+                         entry_.option + "=ON");
     }
+
+   private:
+    const CommandEntry& entry_;
 };
 
 /// Output that a full disk swallowed is a failure, not a success without words.
@@ -119,59 +135,13 @@ int run(int argc, const char* const* argv) {
     app.get_formatter()->column_width(34);
 
     app.require_subcommand(0, 1);
-    CLI::App& bench_app = *app.add_subcommand("bench", "how long frames take on this machine, beside others");
-    BenchFlags bench_flags;
-    bench_flags.add_to(bench_app);
-#if defined(PELAGIC_HAS_IMAGES)
-    CLI::App& export_app = *app.add_subcommand("export", "write frames of a sea as images, and sea.json");
-    ExportFlags export_flags;
-    export_flags.add_to(export_app);
-#else
-    const AbsentCommand no_export(app, "export", "PELAGIC_IMAGES");
-    CLI::App& export_app = no_export.app;
-#endif
-    CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
-    InfoFlags info_flags;
-    info_flags.add_to(info_app);
-#if defined(PELAGIC_HAS_IMAGES)
-    CLI::App& merge_app = *app.add_subcommand("merge", "join the shards of an export, and check every file");
-    MergeFlags merge_flags;
-    merge_flags.add_to(merge_app);
-#else
-    const AbsentCommand no_merge(app, "merge", "PELAGIC_IMAGES");
-    CLI::App& merge_app = no_merge.app;
-#endif
-    CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: statistics, mesh, plan");
-    QuadtreeCommandFlags quadtree_flags;
-    quadtree_flags.add_to(quadtree_app);
-    CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
-    QueryFlags query_flags;
-    query_flags.add_to(query_app);
-#if defined(PELAGIC_HAS_IMAGES)
-    CLI::App& verify_app =
-        *app.add_subcommand("verify", "check every file of an export, and compute some frames again");
-    VerifyFlags verify_flags;
-    verify_flags.add_to(verify_app);
-#else
-    const AbsentCommand no_verify(app, "verify", "PELAGIC_IMAGES");
-    CLI::App& verify_app = no_verify.app;
-#endif
-
-#if defined(PELAGIC_HAS_GL)
-    CLI::App& render_app = *app.add_subcommand("render", "draw images of a sea, without a window");
-    RenderFlags render_flags;
-    render_flags.add_to(render_app);
-    CLI::App& view_app = *app.add_subcommand("view", "look at a sea in a window, and change it");
-    ViewFlags view_flags;
-    view_flags.add_to(view_app);
-#else
-    const AbsentCommand no_render(app, "render", "PELAGIC_GL"), no_view(app, "view", "PELAGIC_GL");
-    CLI::App &render_app = no_render.app, &view_app = no_view.app;
-#endif
-
-    for (CLI::App* command : {&bench_app, &export_app, &info_app, &merge_app, &quadtree_app, &query_app, &render_app,
-                              &verify_app, &view_app})
-        command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+    std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> parsers;
+    for (const CommandEntry& entry : commands) {
+        CLI::App* const parser = app.add_subcommand(entry.name, entry.help);
+        parsers.emplace_back(parser, entry.make ? entry.make() : std::make_unique<AbsentCommand>(entry));
+        parsers.back().second->add_options(*parser);
+        parser->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+    }
 
     const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
     try {
@@ -186,42 +156,11 @@ int run(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw from_cli(error, app, words);
     }
-    if (bench_app.parsed())
-        bench_flags.run();
-    else if (info_app.parsed())
-        info_flags.run();
-    else if (quadtree_app.parsed())
-        quadtree_flags.run();
-    else if (query_app.parsed())
-        query_flags.run();
-#if defined(PELAGIC_HAS_IMAGES)
-    else if (export_app.parsed())
-        run_export(export_flags.resolve());
-    else if (merge_app.parsed())
-        merge_flags.run();
-    else if (verify_app.parsed())
-        verify_flags.run();
-#else
-    else if (export_app.parsed())
-        no_export.run();
-    else if (merge_app.parsed())
-        no_merge.run();
-    else if (verify_app.parsed())
-        no_verify.run();
-#endif
-#if defined(PELAGIC_HAS_GL)
-    else if (render_app.parsed())
-        run_render(render_flags.resolve());
-    else if (view_app.parsed())
-        view_flags.run();
-#else
-    else if (render_app.parsed())
-        no_render.run();
-    else if (view_app.parsed())
-        no_view.run();
-#endif
-    else
-        throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");
+    const auto used =
+        std::find_if(parsers.begin(), parsers.end(), [](const auto& each) { return each.first->parsed(); });
+    if (used == parsers.end())
+        throw InputError("no command, needs " + command_names() + "; pelagic --help says more");
+    used->second->run();
     check_standard_output();
     return 0;
 }

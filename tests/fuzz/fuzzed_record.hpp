@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "pelagic/tools/export/export_names.hpp"
-#include "pelagic/tools/export/export_record.hpp"
 #include "pelagic/tools/export/image_files.hpp"
+#include "pelagic/tools/record/export_record.hpp"
 
 namespace pelagic {
 

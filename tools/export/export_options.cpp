@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/flipbook.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/zstd.hpp"
-#include "pelagic/tools/images/image_codec.hpp"
 #include "pelagic/tools/maps/pixel_meaning.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
@@ -210,7 +210,8 @@ void ExportFlags::add_to(CLI::App& app) {
         "none. All but dwaa keep every bit; "
         "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
     add("pack", "NAME",
-        "what is in a file: files (one map of one cascade each), layers or parts (one EXR file a frame, sea_0000.exr, "
+        "what is in a file: files (one map of one cascade each), layers or parts (one EXR file a frame, "
+        "sea_0000.exr, "
         "with "
         "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
     app.add_flag(
@@ -224,10 +225,9 @@ void ExportFlags::add_to(CLI::App& app) {
     app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
     add("flipbook", "COLUMNSxROWS",
         "all frames side by side too: flipbook_MAP, one image a map and cascade, and flipbook.json, which says how");
-    app.add_flag(
-        "--preview", preview_,
-        "no frames: only preview.png, the maps and the sea in an image, preview.mp4 if ffmpeg is there, and "
-        "how many files and bytes the export will have");
+    app.add_flag("--preview", preview_,
+                 "no frames: only preview.png, the maps and the sea in an image, preview.mp4 if ffmpeg is there, and "
+                 "how many files and bytes the export will have");
     add("shard", "I/N",
         "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
         "1000000. pelagic merge joins the parts");

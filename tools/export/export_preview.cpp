@@ -8,6 +8,7 @@
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/encode/encode_image.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
@@ -15,7 +16,6 @@
 #include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/preview/map_preview.hpp"
 #include "pelagic/tools/preview/rgba_image.hpp"
-#include "pelagic/tools/images/encode_image.hpp"
 #include "pelagic/tools/preview/shaded_sea.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
@@ -243,9 +243,8 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
                             rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";
     ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
     const RgbaImage image = preview_of(still, still.draw(frame));
-    write_image(
-        folder, preview_sheet_name,
-        sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
+    write_image(folder, preview_sheet_name,
+                sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
     const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
     std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
                 (folder.path() / preview_sheet_name).c_str(), sea.c_str(), film.c_str(),

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/tools/encode/exr_file.hpp"
 #include "pelagic/tools/export/image_files.hpp"
-#include "pelagic/tools/images/exr_file.hpp"
 
 namespace pelagic::tools {
 

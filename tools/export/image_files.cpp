@@ -1,8 +1,8 @@
 #include "pelagic/tools/export/image_files.hpp"
 
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/exr_image.hpp"
-#include "pelagic/tools/images/image_codec.hpp"
 #include "pelagic/tools/maps/map_image.hpp"
 
 namespace pelagic::tools {
@@ -63,9 +63,9 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     std::vector<ImageFile> files = cascade_files(options, frame);
     // A file of its own, however others are packed: it has another size than cascades.
     if (options.events)
-        files.push_back(
-            {.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .cascade = 0, .level = 0}, frame, false),
-             .parts = {{.map = MapKind::dynamic_waves}}});
+        files.push_back({.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .cascade = 0, .level = 0},
+                                            frame, false),
+                         .parts = {{.map = MapKind::dynamic_waves}}});
     return files;
 }
 
@@ -74,7 +74,8 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
     const ImagePart& part = file.parts.front();
     if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
     if (part.map == MapKind::dynamic_waves)
-        return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))}, options.maps);
+        return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))},
+                             options.maps);
     const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))

@@ -3,8 +3,8 @@
 #include <cassert>
 #include <cstring>
 
-#include "pelagic/tools/images/dds_file.hpp"
-#include "pelagic/tools/images/ktx2_file.hpp"
+#include "pelagic/tools/encode/dds_file.hpp"
+#include "pelagic/tools/encode/ktx2_file.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -11,12 +11,12 @@
 #include <system_error>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/encode/exr_header.hpp"
+#include "pelagic/tools/encode/image_codec.hpp"
+#include "pelagic/tools/encode/ktx2_file.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/record_names.hpp"
-#include "pelagic/tools/images/exr_header.hpp"
-#include "pelagic/tools/images/image_codec.hpp"
-#include "pelagic/tools/images/ktx2_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
@@ -177,7 +177,8 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
 std::string ExportReader::channel_of(std::size_t cascade) const {
     const std::string letter(1, "RGB"[stored_.channel]);
     if (!is_packed_) return letter;
-    return std::string(name_of(MapKind::displacement)) + (cascade > 0 ? "_c" + number_text(cascade) : "") + "." + letter;
+    return std::string(name_of(MapKind::displacement)) + (cascade > 0 ? "_c" + number_text(cascade) : "") + "." +
+           letter;
 }
 
 std::vector<float> ExportReader::heights(std::size_t frame, std::size_t cascade) const {

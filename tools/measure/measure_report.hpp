@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
 
 namespace pelagic::tools {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/tools/encode/exr_header.hpp"
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/input_file.hpp"
-#include "pelagic/tools/images/exr_header.hpp"
-#include "pelagic/tools/images/image_codec.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
@@ -21,8 +21,7 @@ constexpr const char* an_image = "a PNG or EXR image, each side from 2 to 4096 p
 constexpr std::size_t max_bytes = std::size_t{256} << 20;
 constexpr double usual_size_m = 1000, usual_low_m = -20, usual_high_m = 10;
 
-std::pair<double, double> two_numbers(const char* option, const std::string& text, double max,
-                                      const char* accepted) {
+std::pair<double, double> two_numbers(const char* option, const std::string& text, double max, const char* accepted) {
     const std::vector<std::string> parts = split_at_commas(text);
     const auto first = parse_number(parts[0]), second = parse_number(parts.size() == 2 ? parts[1] : "");
     if (!first || !second || std::abs(*first) > max || std::abs(*second) > max)

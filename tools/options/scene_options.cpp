@@ -6,7 +6,7 @@
 
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/tools/images/flow_file.hpp"
+#include "pelagic/tools/encode/flow_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 

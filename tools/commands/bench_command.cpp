@@ -1,0 +1,160 @@
+// `pelagic bench`: how long frames take on this machine, beside others.
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/tools/benchmark/bench_table.hpp"
+#include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/benchmark/headset_table.hpp"
+#include "pelagic/tools/benchmark/machine.hpp"
+#include "pelagic/tools/benchmark/stored_results.hpp"
+#include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr const char* seconds_range = "[0.1, 3600]";
+
+std::vector<int> sizes_from(const std::string& text) {
+    std::vector<int> sizes;
+    for (const std::string& part : split_at_commas(text)) {
+        const auto n = parse_integer(part);
+        if (!n || *n < 16 || *n > 2048 || !std::has_single_bit(static_cast<unsigned>(*n)))
+            throw bad_value("--sizes", text, "powers of two from 16 to 2048 with commas, such as 64,256");
+        sizes.push_back(static_cast<int>(*n));
+    }
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
+}
+
+void add_instructions(Json& json, const FrameTiming& frame, const std::string& job,
+                      const std::optional<double>& counted) {
+    const std::optional<double> stored = stored_instructions(frame.sea(), job, frame.isa);
+    if (!counted && !stored) return;
+    json["instructions_per_texel"] = counted ? *counted : *stored;
+    json["instructions_counted"] = counted ? "here" : "by the project";
+}
+
+/// The keys of bench/results, and more.
+Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
+    Json json = {{"cascades", frame.cascades},
+                 {"n", frame.resolution},
+                 {"isa", name_of(frame.isa)},
+                 {"threads", frame.threads},
+                 {"ours_ms", frame.ms.median},
+                 {"ours_ms_quartiles", {frame.ms.low, frame.ms.high}},
+                 {"speedup", on_one_thread.ms.median / frame.ms.median},
+                 {"gb_per_s", frame.gb_per_s},
+                 {"memory_bytes", frame.memory_bytes},
+                 {"upload_bytes", frame.upload_bytes}};
+    if (frame.threads > 1) return json;
+    add_instructions(json, frame, "frame", frame.instructions);
+    json["jobs"] = Json::array();
+    for (const JobTiming& job : frame.jobs) {
+        Json row = {{"job", job.job},
+                    {"ms", job.ms.median},
+                    {"ms_quartiles", {job.ms.low, job.ms.high}},
+                    {"gb_per_s", job.gb_per_s}};
+        add_instructions(row, frame, job.job, job.instructions);
+        json["jobs"].push_back(row);
+    }
+    return json;
+}
+
+Json as_json(const Timings& timings) {
+    Json rows = Json::array();
+    const FrameTiming* on_one_thread = nullptr;
+    for (const FrameTiming& frame : timings.frames) {
+        if (frame.threads == 1) on_one_thread = &frame;
+        rows.push_back(as_json(frame, *on_one_thread));
+    }
+    Json json = {{"version", PELAGIC_VERSION}, {"cpu", cpu_name()}, {"compiler", compiler_name()}};
+    if (!timings.no_counter.empty()) json["no_instruction_counter"] = timings.no_counter;
+    json["rows"] = rows;
+    return json;
+}
+
+class BenchCommand final : public Command {
+   public:
+    void add_options(CLI::App& app) override;
+    /// Times what was asked for, and prints tables or writes JSON. Throws InputError and FileError.
+    void run() override;
+
+   private:
+    TimingPlan resolve() const;
+
+    std::optional<std::string> sizes_, seconds_, json_;
+    bool headset_ = false;
+    ComputeFlags compute_;
+};
+
+void BenchCommand::add_options(CLI::App& app) {
+    app.add_option("--sizes", sizes_,
+                   "N of seas of one cascade, with commas; default 64,128,256,512,1024, and the default sea")
+        ->type_name("N,N");
+    app.add_option("--seconds", seconds_, std::string("about how long to measure; ") + seconds_range + ", default 30")
+        ->type_name("SECONDS");
+    app.add_flag("--headset", headset_,
+                 "seas for a headset on 1, 2 and 3 threads, beside its frame times; without --sizes");
+    app.add_option("--json", json_, "writes the statistics; - prints them instead of tables")->type_name("FILE");
+    compute_.add_to(app);
+}
+
+TimingPlan BenchCommand::resolve() const {
+    const ComputeOptions compute = compute_.resolve();
+    const int max_threads = make_default_executor(compute.threads)->thread_limit();
+    TimingPlan plan;
+    if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
+    plan.isas = compute_.names_isa() ? std::vector{*compute.isa} : isas_here();
+    if (headset_) {
+        if (sizes_) throw InputError("--sizes is given, but --headset has seas of its own: leave out one of them");
+        plan.seas = headset_seas();
+        plan.isas = {plan.isas.back()};
+        plan.threads.resize(static_cast<std::size_t>(std::min(max_threads, max_headset_threads)));
+        std::iota(plan.threads.begin(), plan.threads.end(), 1);
+        return plan;
+    }
+    if (!sizes_) plan.seas.emplace_back();
+    for (const int n : sizes_ ? sizes_from(*sizes_) : std::vector{64, 128, 256, 512, 1024})
+        plan.seas.push_back({.resolution = n, .patch_size_m = 250});
+    plan.threads = thread_counts(max_threads);
+    return plan;
+}
+
+void BenchCommand::run() {
+    const TimingPlan plan = resolve();
+    const bool prints_json = json_ == "-";
+    const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
+    Timings timings;
+    {
+        Progress progress;
+        timings = time_frames(plan, [&](const std::string& sea, double part) { progress.show("sea " + sea, part); });
+    }
+    if (prints_json) {
+        std::printf("%s\n", as_json(timings).dump(2).c_str());
+        return;
+    }
+    if (file) file->write(as_json(timings).dump(2) + "\n");
+    headset_ ? print_headset_timings(timings) : print_timings(timings);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_bench_command() { return std::make_unique<BenchCommand>(); }
+
+}  // namespace pelagic::tools

@@ -1,0 +1,283 @@
+// `pelagic info`: what a sea is, before anything is written, or what an export holds.
+
+#include <CLI/App.hpp>
+#include <cmath>
+#include <cstdio>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
+#include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/sea_options.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#if defined(PELAGIC_HAS_IMAGES)
+#include "pelagic/tools/measure/measure_report.hpp"
+#endif
+
+namespace pelagic::tools {
+namespace {
+
+/// Made beside the ocean's own spectrum, which takes as long, if there is a thread for it.
+std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& compute) {
+    const auto report = [sea] { return report_on(sea); };
+    try {
+        if (compute.threads != 1) return std::async(std::launch::async, report);
+    } catch (const std::system_error&) {  // no thread left
+    }
+    return std::async(std::launch::deferred, report);
+}
+
+Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
+    std::future<SeaReport> begun = begin_report(resolved.sea, compute);
+    Ocean ocean(forecast_of(resolved), {.executor = make_default_executor(compute.threads), .isa = compute.isa});
+    const Frame& frame = ocean.frame_at(0);
+
+    Json stages = Json::array();
+    for (const Stage& stage : ocean.graph().stages())
+        stages.push_back({{"name", stage.name}, {"count", stage.count}, {"batch", stage.batch}});
+    Json isas = Json::array();
+    for (const Isa isa : isas_here()) isas.push_back(name_of(isa));
+
+    Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};
+    if (!resolved.preset.empty()) json["preset"] = resolved.preset;
+    if (!resolved.changes.empty()) json["weather"] = weather_as_json(resolved);
+    const SeaReport report = begun.get();
+    json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
+    json["repeats_after_m"] = repeats_after_m(resolved);
+    json["foam"] = foam_as_json(frame);
+    json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
+                           {"height_min_m", frame.bounds.height_min_m},
+                           {"height_max_m", frame.bounds.height_max_m},
+                           {"horizontal_x_max_m", frame.bounds.horizontal_x_max_m},
+                           {"horizontal_z_max_m", frame.bounds.horizontal_z_max_m}};
+    json["warnings"] = report.warnings;
+    json["computing"] = {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
+                         {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},
+                         {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
+    return json;
+}
+
+/// What rounding leaves of 0.
+constexpr double min_shown = 1e-9;
+
+/// Four digits of what is computed, and six of what was asked for: more mean nothing to a reader, and --json has all.
+std::string value_text(const Json& value, int digits) {
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_number_float()) return value.dump();
+    const double number = value.get<double>();
+    if (!std::isfinite(number)) return "none";  // such as a period of a sea without waves
+    return std::fabs(number) < min_shown ? "0" : rounded_text(number, digits);
+}
+
+/// Directions to a hundredth of a degree.
+Json shown(const std::string& key, const Json& value) {
+    if (!key.ends_with("_deg") || !value.is_number_float()) return value;
+    return std::floor(value.get<double>() * 100 + 0.5) / 100;
+}
+
+void print_section(const char* title, const Json& values, int digits = 4) {
+    std::printf("%s\n", title);
+    for (const auto& [key, value] : values.items()) {
+        if (value.is_object() && !value.empty()) {
+            std::string parts;
+            for (const auto& [name, part] : value.items())
+                parts += (parts.empty() ? "" : ", ") + name + " " + value_text(shown(key, part), digits);
+            std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
+        } else {
+            std::printf("  %-28s%s\n", key.c_str(), value_text(shown(key, value), digits).c_str());
+        }
+    }
+}
+
+/// The options that decide something in this sea, and no 0 that stands for a value chosen by the sea.
+Json sea_for_people(const Json& sea) {
+    const std::string waves = sea.at("waves");
+    const bool is_spectrum = waves == "spectrum", has_swell = is_spectrum && sea.at("swell_height_m") > 0;
+    const auto counts = [&](const std::string& key) {
+        if (key == "fetch_m") return is_spectrum && sea.at("spectrum") == "jonswap";
+        if (key == "wind_alignment") return is_spectrum && sea.at("spreading") == "paper";
+        if (key.starts_with("swell_")) return has_swell;
+        if (key == "wave_strength") return waves == "analytic";
+        if (key == "wave_drag") return waves == "pond";
+        if (key == "patch_size_m") return sea.at(key) > 0;
+        if (key == "wave_count" || key == "longest_wave_m" || key == "shortest_wave_m" || key == "wave_height_m")
+            return !is_spectrum && sea.at(key) > 0;
+        if (key == "spectrum" || key == "spreading" || key == "depth_m" || key == "short_wave_cutoff" ||
+            key == "seed")
+            return is_spectrum;
+        return true;
+    };
+    Json rows = Json::object();
+    for (const auto& [key, value] : sea.items())
+        if (counts(key)) rows[key] = key == "roughness" && value < 0 ? Json("from the wind") : value;
+    return rows;
+}
+
+/// Steps of scales as "6, strong breeze", and a row for each cascade's slopes.
+Json waves_for_people(const Json& waves, bool has_spectrum) {
+    Json rows = Json::object();
+    for (const auto& [key, value] : waves.items()) {
+        if (key == "loop_frequencies" && !has_spectrum) continue;
+        if (key == "wind_sea" || key == "swell") {
+            for (const auto& [figure, both] : value.items()) rows[key + ", " + figure] = both;
+        } else if (value.is_object() && value.contains("number")) {
+            rows[key] = value.at("number").dump() + ", " + value.at("name").get<std::string>();
+        } else if (key == "slope_variance") {
+            for (Json cascade : value.at("cascades")) {
+                const std::string side = rounded_text(cascade.at("side_m").get<double>(), 4);
+                cascade.erase("side_m");
+                cascade.erase("resolution");
+                rows[key + ", " + side + " m"] = cascade;
+            }
+            if (value.at("cascades").size() > 1) rows[key + ", all"] = value.at("all");
+            rows["  of Cox and Munk"] = value.at("cox_and_munk");
+        } else {
+            rows[key] = value;
+        }
+    }
+    return rows;
+}
+
+/// A row for each cascade's drift.
+Json foam_for_people(Json foam) {
+    const Json cascades = foam.at("cascades");
+    foam.erase("cascades");
+    for (const Json& cascade : cascades) {
+        const std::string row = "drift of " + rounded_text(cascade.at("side_m").get<double>(), 4) + " m";
+        if (cascade.at("makes_whitecaps").get<bool>())
+            foam[row] = {{"columns_a_loop", cascade.at("columns_a_loop")},
+                         {"rows_a_loop", cascade.at("rows_a_loop")},
+                         {"drift_mps", cascade.at("drift_mps")}};
+        else
+            foam[row] = "makes no whitecaps";
+    }
+    return foam;
+}
+
+/// What most readers want to know, a line each.
+void print_summary(const Json& json) {
+    const Json &sea = json.at("sea"), &waves = json.at("waves"), &computing = json.at("computing");
+    const auto number = [](const Json& value) { return value_text(value, 3); };
+    const auto row = [](const char* name, const std::string& text) { std::printf("%-10s%s\n", name, text.c_str()); };
+    const auto step = [](const Json& of) { return of.at("number").dump() + ", " + of.at("name").get<std::string>(); };
+    const std::string preset = json.value("preset", ""), model = sea.at("waves");
+    const Json& height = waves.at("significant_wave_height_m");
+    const std::size_t cascades = waves.at("slope_variance").at("cascades").size();
+    row("Sea", (preset.empty() ? "" : "preset " + preset + ", ") +
+                   (model == "spectrum" ? sea.at("spectrum").get<std::string>() : model) + ", wind " +
+                   number(sea.at("wind_speed_mps")) + " m/s towards " + number(sea.at("wind_direction_deg")) +
+                   " degrees (Beaufort " + step(waves.at("beaufort")) + ")");
+    row("Waves", "Hs " + number(height.at("expected")) + " m expected, " + number(height.at("measured")) +
+                     " m in this seed's first frame (sea state " + step(waves.at("sea_state")) + ")");
+    row("Periods", "peak " + number(waves.at("peak_period_s").at("expected")) + " s (" +
+                       number(waves.at("peak_wavelength_m")) + " m), Tm01 " +
+                       number(waves.at("tm01_s").at("expected")) + " s, Tm02 and zero crossings " +
+                       number(waves.at("tm02_s").at("expected")) + " s");
+    const std::string loop = "after " + number_text(sea.at("loop_period_s").get<double>()) + " s and after " +
+                             number_text(json.at("repeats_after_m").get<double>()) + " m";
+    row("Repeats", cascades == 1 ? loop
+                                 : loop + ", the side of the coarsest of " + number_text(cascades) +
+                                       " cascades: its long waves, not the finer ones");
+    row("Computes", computing.at("isa").get<std::string>() + ", executor " +
+                        computing.at("executor").get<std::string>() + " with " + computing.at("threads").dump() +
+                        " threads, " + number(computing.at("memory_bytes").get<double>() / 1e6) + " MB");
+}
+
+void print_table(const Json& json) {
+    print_summary(json);
+    const bool has_spectrum = json.at("sea").at("waves") == "spectrum";
+    print_section("\nSea", sea_for_people(json.at("sea")), 6);
+    print_section("Waves", waves_for_people(json.at("waves"), has_spectrum));
+    if (json.at("foam").at("whitecap_cover") > 0) print_section("Foam that lasts", foam_for_people(json.at("foam")));
+    print_section("Frame at 0 s", json.at("first_frame"));
+    Json computing = json.at("computing");
+    std::string stages;
+    for (const Json& stage : computing.at("stages")) {
+        const auto name = stage.at("name").get<std::string>();
+        if (job_of(name) != name) continue;  // of a finer cascade, as those of the coarsest
+        stages += (stages.empty() ? "" : " -> ") + name;
+    }
+    computing["stages"] = stages;
+    print_section("Computing", computing);
+    const double fetch_m = json.at("sea").at("fetch_m"),
+                 counts_m = json.at("waves").value("effective_fetch_m", fetch_m);
+    if (counts_m < fetch_m)
+        std::printf(
+            "note: this wind's sea is fully developed after %s m of fetch (g F / U^2 = 17000): more adds nothing\n",
+            rounded_text(counts_m, 3).c_str());
+    for (const Json& warning : json.at("warnings")) std::printf("note: %s\n", warning.get<std::string>().c_str());
+}
+
+class InfoCommand final : public Command {
+   public:
+    void add_options(CLI::App& app) override;
+    /// Prints the resolved options, heights and periods, the stages, memory and what runs here: a table, or --json. With --measure
+    /// what the frames of an export hold instead. Throws InputError and FileError.
+    void run() override;
+
+   private:
+    void measure() const;
+
+    std::optional<std::string> measure_, svg_;
+    SeaOptions sea_;
+    ComputeFlags compute_;
+    bool json_ = false;
+};
+
+void InfoCommand::add_options(CLI::App& app) {
+    app.add_flag("--json", json_, "for programs");
+    app.add_option("--measure", measure_,
+                   "reads an export back instead: heights, periods, directions and spectra of its frames, beside "
+                   "those of the "
+                   "sea that was asked for")
+        ->type_name("DIR");
+    app.add_option("--svg", svg_, "with --measure: draws both spectra, those found and those asked for")
+        ->type_name("FILE");
+    sea_.add_to(app);
+    sea_.add_weather_to(app);
+    compute_.add_to(app);
+}
+
+void InfoCommand::run() {
+    if (measure_) return measure();
+    if (svg_) throw InputError("--svg is " + *svg_ + ", needs --measure DIR: it draws what is found there");
+    const Json json = info_json(sea_.resolve(), compute_.resolve());
+    if (json_)
+        std::printf("%s\n", json.dump(2).c_str());
+    else
+        print_table(json);
+}
+
+void InfoCommand::measure() const {
+    if (sea_.is_given())
+        throw InputError("--measure is " + *measure_ + ", needs no other sea: the export's own sea.json has it");
+    if (svg_ && svg_->empty()) throw InputError("--svg is empty, needs a file to write to");
+    std::optional<OutputFile> svg;
+    if (svg_) svg.emplace(*svg_);  // before the work begins
+#if defined(PELAGIC_HAS_IMAGES)
+    const Json json = measure_export(*measure_);
+    if (svg) svg->write(measurement_as_svg(json));
+    if (json_)
+        std::printf("%s\n", json.dump(2).c_str());
+    else
+        print_measurement(json);
+#else
+    throw InputError("--measure is not in this build, needs one configured with -DPELAGIC_IMAGES=ON");
+#endif
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_info_command() { return std::make_unique<InfoCommand>(); }
+
+}  // namespace pelagic::tools

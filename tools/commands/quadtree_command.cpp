@@ -1,0 +1,200 @@
+// `pelagic quadtree`: which patches of sea a view draws, as figures, a mesh and a plan.
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/meshes/gltf_file.hpp"
+#include "pelagic/tools/meshes/obj_file.hpp"
+#include "pelagic/tools/meshes/ply_file.hpp"
+#include "pelagic/tools/meshes/quadtree_files.hpp"
+#include "pelagic/tools/options/camera_options.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/sea_options.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double aspect = 16.0 / 9;
+constexpr double latest_s = 1e9;
+
+std::span<const std::byte> as_bytes(const Bytes& bytes) { return std::as_bytes(std::span(bytes)); }
+
+/// One view, or two eyes side by side.
+std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
+    if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
+    return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(aspect),
+            camera.moved_right(eyes_apart_m / 2).clip_from_world(aspect)};
+}
+
+/// The median of calls that have warmed up.
+double microseconds_of(Selection& selection, const SelectionInput& input) {
+    std::vector<double> all;
+    for (int i = 0; i < 101; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        selection.select(input);
+        all.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::nth_element(all.begin(), all.begin() + 50, all.end());
+    return all[50];
+}
+
+Json statistics_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views, double microseconds) {
+    Json levels = Json::array();
+    for (int level = 0; level <= list.grid.deepest_level; ++level)
+        levels.push_back({{"level", level},
+                          {"patch_size_m", list.grid.patch_size_m(level)},
+                          {"patches", list.statistics.patches_by_level[static_cast<std::size_t>(level)]}});
+    Json batches = Json::array();
+    for (const DrawBatch& batch : list.batches)
+        batches.push_back({{"stitches", batch.stitches}, {"instances", batch.count}});
+    return {{"size_m", options.size_m},
+            {"vertices", options.vertices},
+            {"lod_scale", options.lod_scale},
+            {"cull_scale", options.cull_scale},
+            {"views", views},
+            {"instances", list.instances.size()},
+            {"triangles", list.statistics.triangles},
+            {"nodes_visited", list.statistics.nodes_visited},
+            {"microseconds", std::round(microseconds * 100) / 100},
+            {"skirt_pieces", list.skirt.size()},
+            {"patches_by_level", levels},
+            {"batches", batches}};
+}
+
+void print_table(const Json& json) {
+    std::printf("%-18s%g m, %d steps a patch side, lod scale %g\n", "grid", json.at("size_m").get<double>(),
+                json.at("vertices").get<int>(), json.at("lod_scale").get<double>());
+    for (const char* name : {"views", "instances", "triangles", "nodes_visited", "microseconds"})
+        std::printf("%-18s%s\n", name, json.at(name).dump().c_str());
+    std::printf("%-18s%zu, and the skirt\n", "batches", json.at("batches").size());
+    for (const Json& level : json.at("patches_by_level"))
+        std::printf("  level %d, %6g m  %s\n", level.at("level").get<int>(), level.at("patch_size_m").get<double>(),
+                    level.at("patches").dump().c_str());
+}
+
+/// --size and --quality of the grid.
+class QuadtreeFlags {
+   public:
+    /// \param size_option  the name of the option that takes the grid's side
+    void add_to(CLI::App& app, const std::string& size_option);
+    QuadtreeOptions resolve() const;  ///< throws InputError
+
+   private:
+    std::string size_option_;
+    std::optional<std::string> size_, quality_;
+};
+
+class QuadtreeCommand final : public Command {
+   public:
+    void add_options(CLI::App& app) override;
+    /// Prints the figures and writes the files that options name. Throws InputError and FileError.
+    void run() override;
+
+   private:
+    SeaOptions sea_;
+    ComputeFlags compute_;
+    CameraFlags camera_;
+    QuadtreeFlags quadtree_;
+    std::optional<std::string> time_, stereo_, obj_, ply_, gltf_, json_, svg_;
+    bool all_ = false, foam_ = false;
+};
+
+void QuadtreeFlags::add_to(CLI::App& app, const std::string& size_option) {
+    size_option_ = size_option;
+    app.add_option(size_option, size_, "side of the square of sea, metres, [256, 8192] [2048]")->type_name("M");
+    app.add_option("--quality", quality_,
+                   "level of detail: low, medium, high or ultra; paper_low ... paper_ultra are the paper's [high]")
+        ->type_name("NAME");
+}
+
+QuadtreeOptions QuadtreeFlags::resolve() const {
+    const std::string name = quality_.value_or("high");
+    const QuadtreePreset* preset = quadtree_preset_named(name);
+    if (preset == nullptr) {
+        std::vector<std::string> names;
+        for (const QuadtreePreset& known : quadtree_presets()) names.emplace_back(known.name);
+        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
+    }
+    const double size_m = size_ ? number_in(size_option_, *size_, 256, 8192, "[256, 8192]") : 2048;
+    return preset->options(size_m);
+}
+
+void QuadtreeCommand::add_options(CLI::App& app) {
+    quadtree_.add_to(app, "--size");
+    camera_.add_to(app);
+    app.add_option("--stereo", stereo_, "two eyes that far apart, metres, (0, 1]")->type_name("M");
+    app.add_option("--time", time_, "of the frame, seconds, [-1e9, 1e9] [0]")->type_name("S");
+    app.add_flag("--all", all_, "every patch, whatever the camera sees");
+    app.add_option("--obj", obj_,
+                   "write the displaced mesh, with texture coordinates for an export's maps and normals")
+        ->type_name("FILE");
+    app.add_option("--ply", ply_, "the same as PLY, binary")->type_name("FILE");
+    app.add_option("--gltf", gltf_, "the same as binary glTF, FILE.glb")->type_name("FILE");
+    app.add_flag("--foam", foam_, "the mesh's vertices have foam too, as colour");
+    app.add_option("--json", json_, "write the statistics")->type_name("FILE");
+    app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
+    sea_.add_to(app);
+    compute_.add_to(app);
+}
+
+void QuadtreeCommand::run() {
+    const QuadtreeOptions options = quadtree_.resolve();
+    const Camera camera = camera_.resolve();
+    const double apart_m = stereo_ ? number_in("--stereo", *stereo_, 0, 1, "(0, 1]") : 0;
+    if (stereo_ && apart_m == 0) throw bad_value("--stereo", *stereo_, "(0, 1]");
+    const double time_s = time_ ? number_in("--time", *time_, -latest_s, latest_s, "[-1e9, 1e9]") : 0;
+    const ResolvedSea sea = sea_.resolve();
+    const ComputeOptions compute = compute_.resolve();
+    const std::optional<OutputFile> obj = file_for("--obj", obj_), ply = file_for("--ply", ply_),
+                                    gltf = file_for("--gltf", gltf_), json = file_for("--json", json_),
+                                    svg = file_for("--svg", svg_);
+
+    Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa, .foam = foam_});
+    const Frame& frame = ocean.frame_at(time_s);
+    const std::vector<glm::dmat4> views = all_ ? std::vector<glm::dmat4>() : views_of(camera, apart_m);
+    const SelectionInput input{
+        .viewer_m = camera.position_m, .views = views, .bounds = frame.bounds, .depth = ClipDepth::minus_one_to_one};
+    Selection selection(options);
+    const double microseconds = microseconds_of(selection, input);
+    const DrawList& list = selection.list();
+
+    const Json statistics = statistics_json(list, options, views.size(), microseconds);
+    if (obj || ply || gltf) {
+        const Mesh mesh = mesh_of(list, frame);
+        if (obj) obj->write(mesh_as_obj(mesh, ObjDigits::all));
+        if (ply) ply->write(as_bytes(mesh_as_ply(mesh)));
+        if (gltf) gltf->write(as_bytes(GlbFile(mesh).finish(1, false)));
+    }
+    if (json) json->write(statistics.dump(2) + "\n");
+    if (svg) {
+        Selection everything(options);
+        const DrawList& all = everything.select({.viewer_m = camera.position_m});
+        std::vector<Frustum> frusta;
+        for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
+        svg->write(plan_as_svg(list, all, frusta, camera.position_m));
+    }
+    print_table(statistics);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_quadtree_command() { return std::make_unique<QuadtreeCommand>(); }
+
+}  // namespace pelagic::tools

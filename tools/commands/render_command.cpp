@@ -1,0 +1,382 @@
+// `pelagic render`: images of a sea, without a window.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/gl/camera_water_plane.hpp"
+#include "pelagic/gl/display.hpp"
+#include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/light_meter.hpp"
+#include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/rock.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/sky_panorama.hpp"
+#include "pelagic/gl/software_renderer.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/encode/encode_image.hpp"
+#include "pelagic/tools/events/event_player.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/options/render_options.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
+#include "pelagic/tools/text/progress.hpp"
+#include "pelagic/tools/text/stop_signal.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr int samples_a_pixel = 4;
+/// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual image.
+constexpr int sky_face_size = 512;
+/// Where the exposure is metered: a small image of the same view.
+constexpr int metered_width = 320;
+/// Of the sky as an image of all directions: a texel is as wide as the cube's.
+constexpr int panorama_width = 2048, panorama_height = 1024;
+constexpr const char* fastest_quality = "low";
+/// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
+constexpr double eye_distance_m = 0.063;
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Times of each frame, and what the last one drew.
+struct Measured {
+    std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, image_ms;
+    gl::DrawStatistics last;
+};
+
+gl::Sky baked_sky(const SceneOptions& scene) {
+    gl::SkyBaker baker(make_default_executor(scene.compute.threads), sky_face_size);
+    baker.schedule(scene.sky);
+    return baker.complete();
+}
+
+/// Everything that an image needs, built once.
+class OfflineRenderer {
+   public:
+    OfflineRenderer(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
+        : options_(options),
+          ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
+                                                  .isa = options.scene.compute.isa,
+                                                  .queries = true,
+                                                  .slopes = true,
+                                                  .foam = true,
+                                                  .shore = options.scene.shore}),
+          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
+                  options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
+          renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
+                                           .resolution = ocean_.resolution(),
+                                           .cascades = ocean_.cascade_count(),
+                                           .shading = options.scene.shading.value_or(gl::Shading::high),
+                                           .writes = gl::PixelKind::radiance,
+                                           .surface = options.scene.surface,
+                                           .executor = make_default_executor(options.scene.compute.threads),
+                                           .dynamic_waves = options.events.has_value()}),
+          selection_(options.scene.quadtree),
+          luminance_of_unit_(sky.luminance_of_unit()),
+          unit_(sky.unit),
+          caustics_(make_default_executor(options.scene.compute.threads)) {
+        if (const std::string name = context_.renderer_name();
+            gl::is_software_renderer(name) && options.scene.quality != fastest_quality)
+            progress.note("note: " + name + " draws without a graphics processor; --quality " + fastest_quality +
+                          " is faster");
+        renderer_.set_water(options.scene.water);
+        renderer_.set_floor(options.scene.floor);
+        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
+        renderer_.set_sky(sky);
+        if (options.events)
+            player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
+                            options.scene.compute.isa);
+        if (options.rock_m) {
+            rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
+            rock_->set_light(sky);
+        }
+        eyes_ = eyes_in(options.scene.width, options.scene.height);
+        for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
+        if (options.wireframe || options.file.empty()) return;
+        display_.emplace(context_.functions());
+        screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
+        const gl::CameraSettings& settings = options.scene.settings;
+        ev_ = settings.fixed_ev ? *settings.fixed_ev : metered_ev() - settings.bias_stops;
+    }
+
+    /// One frame, for pixels() and radiance().
+    void draw(double time_s) {
+        const gl::Stopwatch all;
+        Frame frame = ocean_.frame_at(time_s);
+        if (player_) frame = with_water(frame, player_->at(time_s));
+        measured_.sea_ms.push_back(all.milliseconds());
+
+        const gl::Stopwatch select;
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        measured_.select_ms.push_back(select.milliseconds());
+
+        if (!options_.hdr_file.empty()) {
+            note(draw(frame, list, eyes_, target_, false));
+            radiance_ = target_.read_radiance();
+        }
+        if (!options_.file.empty()) {
+            note(draw(frame, list, eyes_, target_, true));
+            pixels_ = options_.wireframe ? target_.read() : shown();
+        }
+        measured_.image_ms.push_back(all.milliseconds());
+    }
+
+    /// RGBA8, the upper row first.
+    const std::vector<std::uint8_t>& pixels() const { return pixels_; }
+    /// RGB, the upper row first.
+    std::vector<float> radiance() const {
+        std::vector<float> rgb;
+        for (std::size_t i = 0; i < radiance_.size(); i += 4)
+            for (std::size_t c = 0; c < 3; ++c) rgb.push_back(unit_ * radiance_[i + c]);
+        return rgb;
+    }
+
+    Json statistics() const {
+        const gl::DrawStatistics& last = measured_.last;
+        const auto views = static_cast<int>(eyes_.size());
+        return {{"renderer", context_.renderer_name()},
+                {"frames", measured_.sea_ms.size()},
+                {"views", views},
+                {"sea_draw_calls", last.sea_calls},
+                {"sea_draw_calls_a_view", last.sea_calls / views},
+                {"sky_draw_calls", last.sky_calls},
+                {"triangles", last.triangles},
+                {"patches", selection_.list().instances.size()},
+                {"uploaded_bytes", last.upload_bytes},
+                {"instance_bytes", last.instance_bytes},
+                {"median_ms",
+                 {{"sea", median(measured_.sea_ms)},
+                  {"select", median(measured_.select_ms)},
+                  {"upload", median(measured_.upload_ms)},
+                  {"upload_in_driver", median(measured_.upload_driver_ms)},
+                  {"draw", median(measured_.draw_ms)},
+                  {"draw_in_driver", median(measured_.draw_driver_ms)},
+                  {"image", median(measured_.image_ms)}}},
+                {"exposure_ev", ev_}};
+    }
+
+   private:
+    std::vector<gl::Eye> eyes_in(int width, int height) const {
+        const gl::Viewport whole{0, 0, width, height};
+        if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
+        const gl::EyePair pair = gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
+        return {pair.left, pair.right};
+    }
+
+    /// \param weighs_samples  the mean of a pixel's samples is the screen's; else it is that of light
+    const gl::DrawStatistics& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
+                                   gl::RenderTarget& target, bool weighs_samples) {
+        const gl::Functions& functions = context_.functions();
+        target.bind();
+        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
+        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        renderer_.upload(frame);
+        // A driver in software moves vertices at once, by mips of the displacement that its other threads still make.
+        functions.Finish();
+        const glm::dvec3 viewer = options_.scene.camera.position_m;
+        // Small water lies level, or nearly.
+        const gl::CameraWaterPlane water = options_.scene.surface == gl::Surface::open
+                                               ? gl::camera_water_plane(SurfaceQuery(frame), viewer)
+                                               : gl::CameraWaterPlane{};
+        if (gl::shows_caustics(options_.scene.floor, frame.sea.depth_m, viewer.y - water.height_m)) {
+            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
+                                       .sun = gl::sun_direction(options_.scene.sky)});
+            renderer_.set_caustics(caustics_.complete());
+        }
+        std::optional<gl::ApplicationScene> application_scene;
+        if (rock_) {
+            application_scene = rock_->image(eyes[0]);
+            rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
+        }
+        return renderer_.draw({.eyes = eyes,
+                               .viewer_m = options_.scene.camera.position_m,
+                               .list = &list,
+                               .lod_scale = options_.scene.quadtree.lod_scale,
+                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                               .exposure = exposure(),
+                               .weighs_samples = weighs_samples,
+                               .camera_water_plane = water,
+                               .application_scene = application_scene});
+    }
+
+    void note(const gl::DrawStatistics& statistics) {
+        measured_.upload_ms.push_back(statistics.upload_ms);
+        measured_.upload_driver_ms.push_back(statistics.upload_driver_ms);
+        measured_.draw_ms.push_back(statistics.draw_ms);
+        measured_.draw_driver_ms.push_back(statistics.draw_driver_ms);
+        measured_.last = statistics;
+    }
+
+    float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
+
+    /// Of the view at time 0, whatever times are asked for: camera and light rest, so films don't flicker, and each of their
+    /// images is the same in whichever run it is made.
+    float metered_ev() {
+        const int width = std::min(options_.scene.width, metered_width);
+        const int height = std::max(1, options_.scene.height * width / options_.scene.width);
+        gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
+        const Frame& frame = ocean_.frame_at(0);
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        draw(frame, list, eyes_in(width, height), small, true);
+        gl::LightMeter meter(context_.functions());
+        return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
+    }
+
+    /// What was drawn, as the camera shows it.
+    std::vector<std::uint8_t> shown() {
+        const gl::TexturePart radiance = target_.resolved();
+        screen_->bind();
+        display_->show(
+            radiance,
+            {.exposure = exposure(), .luminance_of_unit = luminance_of_unit_, .bloom = options_.scene.settings.bloom},
+            {0, 0, options_.scene.width, options_.scene.height});
+        return screen_->read();
+    }
+
+    const RenderOptions& options_;
+    gl::HeadlessContext context_;
+    Ocean ocean_;
+    std::optional<EventPlayer> player_;  ///< of what pushes at the water
+    gl::RenderTarget target_;
+    gl::SeaRenderer renderer_;
+    std::optional<gl::Rock> rock_;
+    Selection selection_;
+    std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
+    std::optional<gl::RenderTarget> screen_;
+    float luminance_of_unit_, unit_, ev_ = 15;
+    gl::CausticsBaker caustics_;
+    std::vector<std::uint8_t> pixels_;
+    std::vector<float> radiance_;
+    std::vector<gl::Eye> eyes_;
+    std::vector<glm::dmat4> views_;
+    Measured measured_;
+};
+
+/// The files of one option, --out, --hdr or --sky; none where it was not given.
+class Files {
+   public:
+    Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
+        if (named.empty()) return;
+        folder_.emplace(OutputFolder::of(named));
+        folder_->check_writable(options.file_of(named, 0).filename());
+    }
+    void write(int frame, const std::vector<unsigned char>& bytes) const {
+        folder_->write(options_.file_of(named_, frame).filename(), std::as_bytes(std::span(bytes)));
+    }
+    void sync() const {
+        if (folder_) folder_->sync();
+    }
+    explicit operator bool() const { return folder_.has_value(); }
+
+   private:
+    const RenderOptions& options_;
+    std::filesystem::path named_;
+    std::optional<OutputFolder> folder_;
+};
+
+Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+/// What lights a scene besides the sky's own image.
+Json as_json(const gl::Sky& sky) {
+    return {{"sun_direction", values(sky.sun_direction)},
+            {"sun_irradiance", values(sky.unit * sky.sun_irradiance)},
+            {"sky_irradiance", values(sky.unit * sky.sky_irradiance)},
+            {"air_extinction_per_m", values(sky.haze_per_m)},
+            {"exposure", sky.exposure / sky.unit}};
+}
+
+Json as_json(const gl::WaterOptics& water) {
+    return {{"absorption_per_m", values(water.absorption_per_m)},
+            {"scattering_per_m", values(water.scattering_per_m)},
+            {"backscattering_per_m", values(water.backscattering_per_m)}};
+}
+
+/// Draws and writes all images; what they took.
+Json write_images(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
+                  Progress& progress) {
+    const int width = options.scene.width, height = options.scene.height;
+    OfflineRenderer maker(options, sky, progress);
+    for (int frame = 0; frame < options.frames; ++frame) {
+        progress.show(static_cast<std::size_t>(frame));
+        maker.draw(options.time_s + frame / options.fps);
+        const HeldStop whole_files;
+        if (out) out.write(frame, encode_png(maker.pixels(), width, height));
+        if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
+    }
+    return maker.statistics();
+}
+
+void run_render(const RenderOptions& options) {
+    const Files out(options, options.file), hdr(options, options.hdr_file);
+    const bool draws = out || hdr;
+    std::optional<OutputFile> panorama;
+    if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
+
+    end_on_stop_signals("pelagic: stopped; images that are there are whole\n");
+    std::optional<Progress> progress(std::in_place, "image", static_cast<std::size_t>(options.frames));
+    progress->show("sky", 0);
+    const gl::Stopwatch watch;
+    const gl::Sky sky = baked_sky(options.scene);
+    const double sky_ms = watch.milliseconds();
+    if (panorama) {
+        const auto exr =
+            encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
+        const HeldStop whole_file;
+        panorama->write(std::as_bytes(std::span(exr)));
+    }
+    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
+    if (draws) {
+        const std::filesystem::path& first = out ? options.file : options.hdr_file;
+        json.update({{"file", options.file_of(first, 0).string()},
+                     {"width", options.scene.width},
+                     {"height", options.scene.height},
+                     {"quality", options.scene.quality},
+                     {"sea", sea_as_json(options.scene.sea)},
+                     {"weather", weather_as_json(options.scene.sea)},
+                     {"statistics", write_images(options, sky, out, hdr, *progress)}});
+        json["statistics"]["sky_ms"] = sky_ms;
+    }
+    progress.reset();
+    out.sync();
+    hdr.sync();
+    if (options.json) {
+        std::printf("%s\n", json.dump(2).c_str());
+        return;
+    }
+    if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
+    if (!draws) return;
+    const Json& statistics = json["statistics"];
+    std::printf("%s: %d image%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
+                json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
+                options.scene.width, options.scene.height, statistics["sea_draw_calls_a_view"].get<int>(),
+                static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),
+                statistics["renderer"].get<std::string>().c_str());
+}
+
+class RenderCommand final : public Command {
+   public:
+    void add_options(CLI::App& app) override { flags_.add_to(app); }
+    void run() override { run_render(flags_.resolve()); }
+
+   private:
+    RenderFlags flags_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render_command() { return std::make_unique<RenderCommand>(); }
+
+}  // namespace pelagic::tools

@@ -1,0 +1,162 @@
+// A part of the library pelagic_images: EXR files by OpenEXR itself, because OpenImageIO writes neither several parts nor levels
+// into memory.
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfFramesPerSecond.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfIntAttribute.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfTiledOutputPart.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+#include "pelagic/tools/encode/exr_file_openexr.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr unsigned tile_side = 64;  // what renderers' texture caches ask for, maketx and txmake too
+constexpr int own_thread = 0;       // whoever calls has threads already
+
+class BytesInMemory final : public Imf::OStream {
+   public:
+    explicit BytesInMemory(std::size_t room) : OStream("memory") { bytes_.reserve(room); }
+
+    void write(const char bytes[], int count) override {
+        const std::size_t end = place_ + static_cast<std::size_t>(count);
+        const std::size_t over = std::min(static_cast<std::size_t>(count), bytes_.size() - place_);
+        std::memcpy(bytes_.data() + place_, bytes, over);
+        bytes_.insert(bytes_.end(), bytes + over, bytes + count);
+        place_ = end;
+    }
+    std::uint64_t tellp() override { return place_; }
+    void seekp(std::uint64_t place) override {
+        if (place > bytes_.size()) bytes_.resize(place);
+        place_ = place;
+    }
+
+    std::vector<unsigned char> taken() { return std::move(bytes_); }
+
+   private:
+    std::vector<unsigned char> bytes_;
+    std::size_t place_ = 0;
+};
+
+Imf::Compression compression_of(Compression compression) {
+    switch (compression) {
+        case Compression::zip: return Imf::ZIP_COMPRESSION;
+        case Compression::zips: return Imf::ZIPS_COMPRESSION;
+        case Compression::piz: return Imf::PIZ_COMPRESSION;
+        case Compression::dwaa: return Imf::DWAA_COMPRESSION;
+        case Compression::none: return Imf::NO_COMPRESSION;
+        case Compression::lzw:
+        case Compression::zstd: break;
+    }
+    throw std::invalid_argument("EXR has no such compression");
+}
+
+Imf::PixelType type_of(Sample sample) {
+    if (sample == Sample::half) return Imf::HALF;
+    if (sample == Sample::float32) return Imf::FLOAT;
+    throw std::invalid_argument("EXR has halves and floats only");
+}
+
+Imf::Header header_of(const ExrPart& part, const ExrFile& file) {
+    Imf::Header header(part.side, part.side);
+    header.compression() = compression_of(file.compression);
+    header.setType(file.is_tiled ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
+    if (file.is_tiled)
+        header.setTileDescription({tile_side, tile_side, part.levels > 1 ? Imf::MIPMAP_LEVELS : Imf::ONE_LEVEL});
+    if (!part.name.empty()) header.setName(part.name);
+    for (const ExrLayer& layer : part.layers)
+        for (const std::string& channel : layer.channels)
+            header.channels().insert(channel, Imf::Channel(type_of(layer.sample)));
+    if (part.frames_per_second > 0) Imf::addFramesPerSecond(header, Imf::guessExactFps(part.frames_per_second));
+    for (const ExrAttribute& attribute : part.attributes)
+        std::visit(
+            [&](const auto& known) {
+                using Value = std::remove_cvref_t<decltype(known)>;
+                header.insert(attribute.first, Imf::TypedAttribute<Value>(known));
+            },
+            attribute.second);
+    return header;
+}
+
+/// More than the file will have, so that no vector grows while it holds hundreds of megabytes. Pages that nobody writes to take
+/// no memory.
+std::size_t room_for(const ExrFile& file) {
+    std::size_t room = std::size_t{1} << 16;
+    for (const ExrPart& part : file.parts)
+        for (const ExrLayer& layer : part.layers) {
+            const auto side = static_cast<std::size_t>(part.side);
+            const std::size_t pixels = side * side * layer.channels.size() * bytes_of(layer.sample);
+            room += pixels + (part.levels > 1 ? pixels / 2 : 0) + pixels / 16;
+        }
+    return room;
+}
+
+/// Where OpenEXR finds the channels of all layers.
+Imf::FrameBuffer buffer_of(const ExrPart& part, std::vector<MapImage>& images) {
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const ExrLayer& layer = part.layers[i];
+        const std::size_t value = bytes_of(layer.sample), pixel = value * layer.channels.size();
+        auto* at = reinterpret_cast<char*>(images[i].pixels.data());
+        for (const std::string& channel : layer.channels) {
+            buffer.insert(channel, Imf::Slice(type_of(layer.sample), at, pixel,
+                                              pixel * static_cast<std::size_t>(images[i].side)));
+            at += value;
+        }
+    }
+    return buffer;
+}
+
+void write_part(Imf::MultiPartOutputFile& output, const ExrFile& file, int number) {
+    const ExrPart& part = file.parts[static_cast<std::size_t>(number)];
+    for (int level = 0; level < part.levels; ++level) {
+        std::vector<MapImage> images;
+        for (const ExrLayer& layer : part.layers) images.push_back(layer.image_of(level));
+        const Imf::FrameBuffer buffer = buffer_of(part, images);
+        if (!file.is_tiled) {
+            Imf::OutputPart lines(output, number);
+            lines.setFrameBuffer(buffer);
+            lines.writePixels(part.side);
+        } else {
+            Imf::TiledOutputPart tiles(output, number);
+            tiles.setFrameBuffer(buffer);
+            tiles.writeTiles(0, tiles.numXTiles(level) - 1, 0, tiles.numYTiles(level) - 1, level);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<unsigned char> encode_exr(const ExrFile& file) {
+    try {
+        std::vector<Imf::Header> headers;
+        for (const ExrPart& part : file.parts) headers.push_back(header_of(part, file));
+        BytesInMemory memory(room_for(file));
+        {
+            constexpr bool override_shared = false;
+            Imf::MultiPartOutputFile output(memory, headers.data(), static_cast<int>(headers.size()), override_shared,
+                                            own_thread);
+            for (int part = 0; part < output.parts(); ++part) write_part(output, file, part);
+        }  // writes the tables of where things are
+        return memory.taken();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw std::runtime_error(std::string("OpenEXR can't encode it: ") + error.what());
+    }
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,130 @@
+#include "pelagic/tools/record/export_from_record.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/record/option_flags.hpp"
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// Keys that follow from others.
+constexpr std::array<std::string_view, 2> no_flags = {"mesh_cascades", "events_xxh3"};
+
+/// A list of one frame could be taken for a number of frames.
+std::string as_list(const std::string& numbers) {
+    return numbers.find_first_of("-,") == std::string::npos ? numbers + "-" + numbers : numbers;
+}
+
+/// A path that can't be taken for an option.
+std::string path_word(const std::filesystem::path& path) {
+    if (path.empty()) return ".";
+    return path.string().starts_with('-') ? "./" + path.string() : path.string();
+}
+
+/// The words for a key of the object "export" in a record, which may hold anything. Not for those that words_in() knows.
+void add_words(std::vector<std::string>& words, const std::string& key, const Json& value) {
+    if (std::find(no_flags.begin(), no_flags.end(), key) != no_flags.end()) return;
+    if (value.is_object()) {
+        for (const auto& [inner, inner_value] : value.items()) {
+            if (inner_value.is_object()) throw DamagedRecord();
+            add_words(words, key + "_" + inner, inner_value);
+        }
+    } else if (!value.is_boolean()) {
+        words.insert(words.end(), {flag_of(key), typed_value(value)});
+    } else if (value.get<bool>()) {
+        words.push_back(flag_of(key));
+    }
+}
+
+/// The words for all of them but those that have their default, for which there may be nothing to be said, as of the compression
+/// where no file has one. Which frames there are and what they are called are options that take more than one key.
+std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
+    if (!how.is_object()) throw DamagedRecord();
+    std::filesystem::path out = folder;
+    if (how.contains("names")) out /= std::filesystem::path(typed_value(how["names"])).filename();
+    std::vector<std::string> words = {"--out", path_word(out)};
+    const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
+    // The record has the digest of what stands beside it.
+    if (how.contains("events_xxh3")) words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
+    const Json usual = options_as_json({})["export"];
+    for (const auto& [key, value] : how.items()) {
+        if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;
+        if (key == "frame_numbers")
+            words.insert(words.end(), {"--frames", as_list(typed_value(value))});
+        else if (key == "frames")
+            words.insert(words.end(), {is_loop ? "--loop-frames" : "--frames", typed_value(value)});
+        else if (!usual.contains(key) || usual[key] != value)
+            add_words(words, key, value);
+    }
+    return words;
+}
+
+/// Safe in any shell of POSIX.
+std::string quoted(const std::string& word) {
+    const bool is_plain = !word.empty() && word.find_first_not_of(
+                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                               "0123456789-_./,=:+@%") == std::string::npos;
+    if (is_plain) return word;
+    std::string text = "'";
+    for (const char letter : word) letter == '\'' ? text += "'\\''" : text += letter;
+    return text + "'";
+}
+
+void require_this_version(const ReadJson& options, const std::filesystem::path& file) {
+    const ReadJson& version = options["version"];
+    if (!version.is_string()) throw DamagedRecord();
+    if (version == PELAGIC_VERSION) return;
+    throw InputError(file.string() + " was written by pelagic " + version.get<std::string>().substr(0, 20) +
+                     ", needs one that this pelagic, " PELAGIC_VERSION ", has written");
+}
+
+}  // namespace
+
+ExportOptions options_of_record(const ReadJson& head, const std::filesystem::path& file) {
+    const ReadJson recorded = options_in(head);
+    require_this_version(recorded, file);
+
+    CLI::App app;
+    ExportFlags flags;
+    flags.add_to(app);
+    const std::vector<std::string> words = words_in(Json(recorded["export"]), file.parent_path());
+    ExportOptions options;
+    try {
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+        options = flags.resolve_with(SeaOptions::of_record(recorded.dump(), file));
+    } catch (const CLI::Error& error) {
+        throw InputError(file.string() + ": export: " + error.what());
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        throw what.starts_with(file.string()) ? error : InputError(file.string() + ": export: " + what);
+    }
+    if (const Json now = options_as_json(options); recorded != ReadJson(now))
+        throw InputError(file.string() + ": its options are not those of an export: " +
+                         first_option_difference(recorded, now).is_not());
+    return options;
+}
+
+std::vector<std::string> words_of(const ExportOptions& options) {
+    return words_in(options_as_json(options)["export"], options.folder);
+}
+
+std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record) {
+    std::vector<std::string> words = {"pelagic", "export"};
+    words.insert(words.end(), {options.sea.changes.empty() ? "--config" : "--weather", path_word(record)});
+    for (std::string& word : words_of(options)) words.push_back(std::move(word));
+    if (options.shard) words.insert(words.end(), {"--shard", text_of(*options.shard)});
+    if (options.resume) words.push_back("--resume");
+    if (options.overwrite) words.push_back("--overwrite");
+    if (!options.sync) words.push_back("--no-sync");
+    if (!options.lock) words.push_back("--no-lock");
+    std::string line;
+    for (const std::string& word : words) line.append(line.empty() ? "" : " ").append(quoted(word));
+    return line;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,112 @@
+#include "pelagic/tools/record/file_check.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+
+#include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr std::size_t max_waiting = 256;
+
+}  // namespace
+
+void Findings::add(std::size_t place, const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    ++count_;
+    first_.emplace(place, what);
+    if (first_.size() > max_kept) first_.erase(std::prev(first_.end()));
+}
+
+void Findings::print() const {
+    for (const auto& [place, what] : first_) std::fprintf(stderr, "pelagic: %s\n", what.c_str());
+    if (count_ > first_.size())
+        std::fprintf(stderr, "pelagic: and %zu more, %zu in all\n", count_ - first_.size(), count_);
+}
+
+FileCheck::FileCheck(const OutputFolder& folder, int threads,
+                     std::function<void(std::size_t, const std::string&)> is_wrong)
+    : folder_(folder), is_wrong_(std::move(is_wrong)) {
+    const unsigned count =
+        threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency());
+    try {
+        while (threads_.size() < count) threads_.emplace_back([this] { read_files(); });
+    } catch (const std::system_error&) {
+        // The system has no more threads to give; without any, add() reads.
+    }
+}
+
+FileCheck::~FileCheck() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_last_ = true;
+        waiting_.clear();
+    }
+    work_came_.notify_all();
+    for (std::thread& thread : threads_)
+        if (thread.joinable()) thread.join();
+}
+
+void FileCheck::add(std::size_t place, std::vector<FileRecord> files) {
+    if (threads_.empty()) return check({place, std::move(files)});
+    std::unique_lock lock(mutex_);
+    work_went_.wait(lock, [&] { return waiting_.size() < max_waiting || failure_; });
+    if (failure_) std::rethrow_exception(failure_);
+    waiting_.push_back({place, std::move(files)});
+    work_came_.notify_one();
+}
+
+void FileCheck::finish() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_last_ = true;
+    }
+    work_came_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+void FileCheck::read_files() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        work_came_.wait(lock, [&] { return !waiting_.empty() || is_last_; });
+        if (waiting_.empty()) return;
+        const Work work = std::move(waiting_.front());
+        waiting_.pop_front();
+        lock.unlock();
+        work_went_.notify_one();
+        try {
+            check(work);
+            lock.lock();
+        } catch (...) {  // such as no memory
+            lock.lock();
+            if (!failure_) failure_ = std::current_exception();
+            waiting_.clear();
+            work_went_.notify_one();
+        }
+    }
+}
+
+void FileCheck::check(const Work& work) {
+    const auto tell = [&](const std::string& what) { is_wrong_(work.place, what); };
+    for (const FileRecord& file : work.files) try {
+            Digest digest;
+            const bool is_there = folder_.read(file.name, [&](std::string_view piece) {
+                digest.add(piece);
+                return true;
+            });
+            if (!is_there)
+                tell(file.name + " is missing");
+            else if (digest.text() != file.xxh3)
+                tell(file.name + " has other bytes than were written: XXH3 " + digest.text() + ", needs " +
+                     file.xxh3);
+        } catch (const FileError& error) {
+            tell(error.what());
+        }
+}
+
+}  // namespace pelagic::tools

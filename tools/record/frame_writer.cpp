@@ -1,0 +1,266 @@
+#include "pelagic/tools/record/frame_writer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/frame_buffers.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/export/image_files.hpp"
+#include "pelagic/tools/export/mesh_files.hpp"
+#include "pelagic/tools/files/digest.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// The views of a cascade that the files show.
+struct NeededViews {
+    explicit NeededViews(const ExportOptions& options)
+        : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
+                 options.maps.has(MapKind::jacobian) || options.maps.has(MapKind::slope) || options.meshes.any()),
+          velocities(options.maps.has(MapKind::velocity)),
+          gradient(options.maps.has(MapKind::gradient)),
+          foam(options.has_foam()),
+          dynamic_waves(options.events.has_value()) {}
+
+    bool planes, velocities, gradient, foam, dynamic_waves;
+};
+
+/// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
+class FrameCopy {
+   public:
+    FrameCopy(const Frame& frame, const NeededViews& needed)
+        : frame_(frame), cascades_(frame.cascades.begin(), frame.cascades.end()) {
+        for (Cascade& cascade : cascades_) copies_.push_back(copied(cascade, needed));
+        frame_.cascades = cascades_;
+        if (!needed.dynamic_waves) return;
+        copy_if(true, dynamic_height_m_, frame_.dynamic_waves.height_m);
+        copy_if(true, dynamic_vertical_velocity_mps_, frame_.dynamic_waves.vertical_velocity_mps);
+        copy_if(true, dynamic_foam_, frame_.dynamic_waves.foam);
+    }
+    FrameCopy(const FrameCopy&) = delete;
+
+    /// With no views but the needed ones.
+    const Frame& frame() const { return frame_; }
+
+   private:
+    struct Copies {
+        std::vector<float> planes, velocities;
+        std::vector<std::uint32_t> gradient;
+        std::vector<std::uint8_t> foam;
+    };
+
+    static Copies copied(Cascade& cascade, const NeededViews& needed) {
+        Copies copies;
+        if (needed.planes) copy_planes(copies.planes, {&cascade.dx, &cascade.height, &cascade.dz});
+        if (needed.velocities)
+            copy_planes(copies.velocities, {&cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z});
+        copy_if(needed.gradient, copies.gradient, cascade.gradient_rgba8);
+        copy_if(needed.foam, copies.foam, cascade.foam_r8);
+        cascade.displacement_rgba16f = {};
+        cascade.slopes_rgba8 = cascade.moments_rgba8 = {};
+        return copies;
+    }
+
+    /// One behind the other, without gaps; the views show the copies from now on.
+    static void copy_planes(std::vector<float>& copies, std::initializer_list<PlaneView*> planes) {
+        const int side = (*planes.begin())->resolution;
+        const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+        copies.resize(planes.size() * texels);
+        float* to = copies.data();
+        for (PlaneView* plane : planes) {
+            copy_plane(*plane, {to, texels});
+            *plane = {to, side, side, side, 0};
+            to += texels;
+        }
+    }
+
+    template <class Texel>
+    static void copy_if(bool is_needed, std::vector<Texel>& copies, std::span<const Texel>& view) {
+        if (is_needed) copies.assign(view.begin(), view.end());
+        view = copies;
+    }
+
+    Frame frame_;
+    std::vector<Cascade> cascades_;
+    std::vector<Copies> copies_;
+    std::vector<float> dynamic_height_m_, dynamic_vertical_velocity_mps_;
+    std::vector<std::uint8_t> dynamic_foam_;
+};
+
+constexpr const char* file_category = "file";
+
+/// What a trace calls the work on a map.
+std::string_view trace_name(MapKind map) {
+    switch (map) {
+        case MapKind::displacement: return "encode displacement";
+        case MapKind::gradient: return "encode gradient";
+        case MapKind::normal: return "encode normal";
+        case MapKind::foam: return "encode foam";
+        case MapKind::velocity: return "encode velocity";
+        case MapKind::jacobian: return "encode jacobian";
+        case MapKind::slope: return "encode slope";
+        case MapKind::dynamic_waves: return "encode dynamic-waves";
+    }
+    return "";
+}
+
+FileRecord write_file(const OutputFolder& folder, const std::string& name, std::span<const unsigned char> content,
+                      TraceSink* trace) {
+    const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
+    const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+    folder.write(name, bytes);
+    return {name, digest_of(bytes)};
+}
+
+/// Encodes and writes an image.
+FileRecord write_image(const ImageFile& file, const ExportOptions& options, const OutputFolder& folder, int number,
+                       const Frame& frame, TraceSink* trace) {
+    const std::vector<unsigned char> image = [&] {
+        const ImagePart& part = file.parts.front();
+        const TraceScope encoding(trace, file.parts.size() > 1 ? "encode sea" : trace_name(part.map), file_category,
+                                  {{{"level", static_cast<double>(part.first_level)}}});
+        return encode_image_file(file, frame, number, options);
+    }();
+    return write_file(folder, file.name, image, trace);
+}
+
+/// The images of a frame, several at once. After a failure no further ones are begun.
+std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
+                                     const Frame& frame, std::size_t at_once, TraceSink* trace) {
+    const std::vector<ImageFile> files = image_files(options, number);
+    std::vector<FileRecord> records(files.size());
+    std::atomic<std::size_t> next = 0;
+    const auto write_some = [&] {
+        try {
+            for (std::size_t i = next++; i < files.size(); i = next++)
+                records[i] = write_image(files[i], options, folder, number, frame, trace);
+        } catch (...) {
+            next = files.size();
+            throw;
+        }
+    };
+    std::vector<std::future<void>> others;
+    try {
+        while (others.size() + 1 < std::min(at_once, files.size()))
+            others.push_back(std::async(std::launch::async, write_some));
+    } catch (const std::system_error&) {
+        // The system has no more threads to give.
+    }
+    write_some();
+    for (std::future<void>& other : others) other.get();
+    return records;
+}
+
+/// The images and meshes of a frame.
+std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFolder& folder, int number,
+                                    const Frame& frame, std::size_t images_at_once, TraceSink* trace) {
+    const TraceScope scope(trace, "files", file_category,
+                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
+    std::vector<FileRecord> records = write_images(options, folder, number, frame, images_at_once, trace);
+    const std::vector<MeshFile> meshes = mesh_files(options, number);
+    if (meshes.empty()) return records;
+    const Mesh mesh = exported_mesh(frame, options);
+    for (const MeshFile& file : meshes) {
+        const auto content = [&] {
+            const TraceScope encoding(trace, "encode mesh", file_category);
+            return encode_mesh_file(file.format, mesh);
+        }();
+        records.push_back(write_file(folder, file.name, content, trace));
+    }
+    return records;
+}
+
+}  // namespace
+
+FrameRecord statistics_of(int number, const Frame& frame, bool has_foam) {
+    return {.frame = number,
+            .time_s = frame.time_s,
+            .hash = hex_text(hash_of(frame)),
+            .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
+            .dynamic_waves_hash = frame.dynamic_waves ? hex_text(dynamic_waves_hash_of(frame)) : "",
+            .significant_wave_height_m = measured_significant_wave_height_m(frame),
+            .height_min_m = frame.bounds.height_min_m,
+            .height_max_m = frame.bounds.height_max_m,
+            .files = {}};
+}
+
+WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
+    const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
+                                                             : static_cast<std::size_t>(options.compute.threads);
+    const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
+    const auto cascades = static_cast<std::size_t>(cascades_of(options.sea.sea));
+    const std::size_t bytes_per_texel =
+        bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
+    const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
+    const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
+    const std::size_t bytes = side * side * cascades * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
+                              row * row * bytes_per_vertex_in_flight;
+    const std::size_t frames = std::min(threads, max_bytes / bytes);
+    if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, cascades)};
+    const std::size_t files = max_bytes / (side * side * bytes_per_texel_of_a_file);
+    return {1, std::clamp<std::size_t>(files, 1, threads)};
+}
+
+FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
+                         std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t max_bytes)
+    : options_(options),
+      folder_(folder),
+      journal_(journal),
+      records_(records),
+      trace_(trace),
+      plan_(plan_writing(options, max_bytes)) {}
+
+void FrameWriter::write(int number, const Frame& frame) {
+    FrameRecord record = statistics_of(number, frame, options_.has_foam());
+    if (plan_.frames == 1) {
+        record.files = write_files(options_, folder_, number, frame, plan_.files_a_frame, trace_);
+        return add(std::move(record));
+    }
+    while (in_flight_.size() >= plan_.frames) take_oldest();
+    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_));
+    in_flight_.push_back(start([this, copy, record = std::move(record)]() mutable {
+        record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
+        return std::move(record);
+    }));
+}
+
+std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& work) {
+    try {
+        return std::async(std::launch::async, work);
+    } catch (const std::system_error&) {
+        // The system has no thread to give.
+    }
+    return std::async(std::launch::deferred, work);
+}
+
+void FrameWriter::finish() {
+    while (!in_flight_.empty()) take_oldest();
+}
+
+void FrameWriter::take_oldest() {
+    std::future<FrameRecord> oldest = std::move(in_flight_.front());
+    in_flight_.pop_front();
+    add(wait_for(oldest));
+}
+
+void FrameWriter::add(FrameRecord record) {
+    journal_.add(record);
+    const int number = record.frame;
+    records_.emplace(number, std::move(record));
+}
+
+FrameRecord FrameWriter::wait_for(std::future<FrameRecord>& files) {
+    const TraceScope scope(trace_, "wait for files", file_category);
+    return files.get();
+}
+
+}  // namespace pelagic::tools

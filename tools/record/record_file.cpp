@@ -1,0 +1,165 @@
+#include "pelagic/tools/record/record_file.hpp"
+
+#include <istream>
+#include <streambuf>
+#include <utility>
+#include <vector>
+
+#include "pelagic/tools/export/record_names.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr const char* frames_key = "frames";
+
+/// With a million keys the options of an export are smaller, and so is any frame.
+constexpr std::size_t max_bytes_of_a_part = std::size_t{64} << 20;
+
+/// Ours have five levels: this many are open at once at most, frames counted apart.
+constexpr std::size_t deepest_level = 8;
+
+/// The file by pieces. Throws DamagedRecord where a part of it has no end.
+class FilePieces : public std::streambuf {
+   public:
+    FilePieces(const OutputFolder& folder, const std::string& name, const Descriptor& file)
+        : folder_(folder), name_(name), file_(file), piece_(std::size_t{1} << 18, '\0') {}
+
+    void begin_part() { bytes_of_part_ = 0; }
+
+   protected:
+    int_type underflow() override {
+        const std::size_t got = folder_.read_some(name_, file_, piece_);
+        bytes_of_part_ += got;
+        if (bytes_of_part_ > max_bytes_of_a_part) throw DamagedRecord();
+        setg(piece_.data(), piece_.data(), piece_.data() + got);
+        return got == 0 ? traits_type::eof() : traits_type::to_int_type(piece_[0]);
+    }
+
+   private:
+    const OutputFolder& folder_;
+    const std::string& name_;
+    const Descriptor& file_;
+    std::string piece_;
+    std::size_t bytes_of_part_ = 0;
+};
+
+/// Puts the head together, and then each frame, from what the parser meets.
+class RecordParts : public nlohmann::json_sax<ReadJson> {
+   public:
+    RecordParts(const RecordTaker& take, FilePieces& pieces) : take_(take), pieces_(pieces) {}
+
+    bool is_stopped() const { return is_stopped_; }
+    bool is_whole() const { return stage_ == Stage::behind_frames && open_.empty(); }
+
+    bool null() override { return place(nullptr); }
+    bool boolean(bool value) override { return place(value); }
+    bool number_integer(number_integer_t value) override { return place(value); }
+    bool number_unsigned(number_unsigned_t value) override { return place(value); }
+    bool number_float(number_float_t value, const string_t&) override { return place(value); }
+    bool string(string_t& value) override { return place(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool key(string_t& key) override {
+        key_ = std::move(key);
+        return stage_ != Stage::behind_frames;
+    }
+    bool start_object(std::size_t) override { return begin(ReadJson::object()); }
+    bool start_array(std::size_t) override {
+        const bool is_list_of_frames = stage_ == Stage::head && open_.size() == 1 && key_ == frames_key;
+        if (!is_list_of_frames) return begin(ReadJson::array());
+        stage_ = Stage::frames;
+        open_.clear();
+        return goes_on(take_.head(part_));
+    }
+    bool end_object() override { return end(); }
+    bool end_array() override {
+        if (stage_ != Stage::frames || !open_.empty()) return end();
+        stage_ = Stage::behind_frames;
+        open_.push_back(&part_);
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+   private:
+    enum class Stage { head, frames, behind_frames };
+
+    bool goes_on(bool is_wanted) {
+        is_stopped_ = !is_wanted;
+        pieces_.begin_part();
+        return is_wanted;
+    }
+    ReadJson* put(ReadJson&& value) {
+        if (open_.empty()) return &(part_ = std::move(value));
+        ReadJson& around = *open_.back();
+        if (around.is_object()) return &(around[key_] = std::move(value));
+        around.push_back(std::move(value));
+        return &around.back();
+    }
+    bool place(ReadJson value) {
+        put(std::move(value));
+        return ends_part();
+    }
+    bool begin(ReadJson&& value) {
+        if (open_.size() == deepest_level) return false;
+        open_.push_back(put(std::move(value)));
+        return true;
+    }
+    bool end() {
+        open_.pop_back();
+        return ends_part();
+    }
+    /// A part that is whole is handed over. A head is not, without frames: it is no record.
+    bool ends_part() {
+        if (!open_.empty() || stage_ == Stage::behind_frames) return true;
+        return stage_ == Stage::frames && goes_on(take_.frame(part_));
+    }
+
+    const RecordTaker& take_;
+    FilePieces& pieces_;
+    Stage stage_ = Stage::head;
+    bool is_stopped_ = false;
+    ReadJson part_;                ///< the head, or a frame
+    std::vector<ReadJson*> open_;  ///< objects and lists of it that go on, the outermost first
+    std::string key_;
+};
+
+}  // namespace
+
+void write_record(const OutputFolder& folder, const std::string& name, const Json& head,
+                  const MakeFrames& make_frames, Json (*as_json)(const FrameRecord&)) {
+    Json with_frames = head;
+    with_frames[frames_key] = Json::array();
+    const std::string text = with_frames.dump(2), end_of_list = "]\n}";
+    folder.write(name, [&](const OutputFolder::Take& take) {
+        std::string waiting = text.substr(0, text.size() - end_of_list.size());
+        bool is_first = true;
+        make_frames([&](const FrameRecord& frame) {
+            waiting += (is_first ? "\n    " : ",\n    ") + as_json(frame).dump();
+            is_first = false;
+            constexpr std::size_t enough = 1 << 20;
+            if (waiting.size() < enough) return;
+            take(waiting);
+            waiting.clear();
+        });
+        take(waiting + (is_first ? "" : "\n  ") + end_of_list + "\n");
+    });
+}
+
+void write_finished(const OutputFolder& folder, const ExportOptions& options, double mean_significant_wave_height_m,
+                    const std::vector<FileRecord>& sequence_files, const MakeFrames& make_frames) {
+    write_record(folder, record_name({}), record_head(options, sequence_files), make_frames);
+    write_record(folder, sea_json_name, sea_json_head(options, mean_significant_wave_height_m, sequence_files),
+                 make_frames, frame_summary_as_json);
+}
+
+bool read_record(const OutputFolder& folder, const std::string& name, const RecordTaker& take) {
+    const Descriptor file = folder.open_for_reading(name);
+    if (!file.is_open()) return false;
+    FilePieces pieces(folder, name, file);
+    RecordParts parts(take, pieces);
+    std::istream stream(&pieces);
+    const bool is_parsed = ReadJson::sax_parse(stream, &parts);
+    if (!parts.is_stopped() && !(is_parsed && parts.is_whole())) throw DamagedRecord();
+    return true;
+}
+
+}  // namespace pelagic::tools
