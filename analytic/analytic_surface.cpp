@@ -98,7 +98,8 @@ AnalyticSurface::~AnalyticSurface() = default;
 AnalyticSurface::AnalyticSurface(AnalyticSurface&&) noexcept = default;
 AnalyticSurface& AnalyticSurface::operator=(AnalyticSurface&&) noexcept = default;
 
-void AnalyticSurface::sample_undisplaced(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const {
+void AnalyticSurface::sample_undisplaced(double time_s, const AnalyticPoints& rest,
+                                         const AnalyticSamples& samples) const {
     sample_points(false, time_s, rest, samples);
 }
 
@@ -114,7 +115,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);
 
-    const AnswerArrays<10> arrays{samples.height_m,      samples.horizontal_x_m,   samples.horizontal_z_m,
+    const AnswerArrays<10> arrays{samples.height_m,      samples.horizontal_x_m, samples.horizontal_z_m,
                                   samples.normal_x,      samples.normal_y,       samples.normal_z,
                                   samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
                                   samples.velocity_z_mps};

@@ -60,8 +60,10 @@ double significant_height_m(const PlaneWaves& sea) {
 
 std::string check(const PlaneWaves& sea) {
     if (sea.waves.empty() || sea.waves.size() > max_analytic_waves)
-        return invalid_value_message("waves", sea.waves.size(), "1 to " + number_text(max_analytic_waves) + " of them");
-    if (!(sea.choppiness >= 0 && sea.choppiness <= 1)) return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
+        return invalid_value_message("waves", sea.waves.size(),
+                                     "1 to " + number_text(max_analytic_waves) + " of them");
+    if (!(sea.choppiness >= 0 && sea.choppiness <= 1))
+        return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
     for (std::size_t i = 0; i < sea.waves.size(); ++i) {
         const std::string place = "waves[" + number_text(i) + "].";
         if (const std::string reason = check_fields(sea.waves[i], wave_fields); !reason.empty())
@@ -71,8 +73,9 @@ std::string check(const PlaneWaves& sea) {
     }
     // What a sea is scaled to may round past the limit by a last digit.
     if (const double steepness = steepness_of(sea); !(steepness <= max_steepness * (1 + 1e-12)))
-        return invalid_value_message("steepness", rounded_text(steepness, 6),
-                       "at most " + number_text(max_steepness) + ", the sum of 2 pi amplitude_m turns_per_m");
+        return invalid_value_message(
+            "steepness", rounded_text(steepness, 6),
+            "at most " + number_text(max_steepness) + ", the sum of 2 pi amplitude_m turns_per_m");
     return {};
 }
 

@@ -1,8 +1,8 @@
 // An octave as the kernel takes it.
 #pragma once
 
-#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 
 namespace pelagic {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/point_groups.hpp"
+#include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -20,7 +20,7 @@ namespace {
 constexpr double two_pi = 6.283185307179586;
 constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, over its density
 constexpr double golden = 0.6180339887498949;     // of a turn
-constexpr double min_exp = 0.1353352832366127;  // exp(-2)
+constexpr double min_exp = 0.1353352832366127;    // exp(-2)
 constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
 constexpr double shortest_wavelength_m = 1e-3;    // where water is smooth
 
@@ -61,7 +61,8 @@ std::optional<Stretch> between_heights(double y, double way_y, double lowest, do
 std::string check(const PondSea& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     if (const double last_m = last_wavelength_m(sea); last_m < shortest_wavelength_m)
-        return invalid_value_message("the last octave's wavelength_m", last_m, "0.001 at least: fewer octaves, or less growth");
+        return invalid_value_message("the last octave's wavelength_m", last_m,
+                                     "0.001 at least: fewer octaves, or less growth");
     return {};
 }
 
@@ -121,12 +122,9 @@ const PondSea& checked(const PondSea& sea) {
 
 }  // namespace
 
-PondWaves::PondWaves(const PondSea& sea, std::optional<Isa> isa)
-    : PondWaves(isa, octaves_of(checked(sea))) {}
+PondWaves::PondWaves(const PondSea& sea, std::optional<Isa> isa) : PondWaves(isa, octaves_of(checked(sea))) {}
 
-PondWaves PondWaves::of(std::vector<PondOctave> octaves, std::optional<Isa> isa) {
-    return {isa, std::move(octaves)};
-}
+PondWaves PondWaves::of(std::vector<PondOctave> octaves, std::optional<Isa> isa) { return {isa, std::move(octaves)}; }
 
 PondWaves::PondWaves(std::optional<Isa> isa, std::vector<PondOctave> octaves)
     : octaves_(std::move(octaves)), height_m_(0) {
@@ -150,7 +148,7 @@ double PondWaves::lowest_m() const { return height_m_ * (min_exp - mean_exp); }
 double PondWaves::highest_m() const { return height_m_ * (1 - mean_exp); }
 
 void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
-                          std::span<const float> footprint_m) const {
+                       std::span<const float> footprint_m) const {
     assert(std::isfinite(time_s));
     assert(footprint_m.empty() || footprint_m.size() == points.x.size());
     const DefaultFloatEnvironment environment;
@@ -158,8 +156,9 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
 
-    const AnswerArrays<6> arrays{samples.height_m, samples.normal_x, samples.normal_y,
-                                 samples.normal_z, samples.vertical_velocity_mps, samples.slope_variance};
+    const AnswerArrays<6> arrays{
+        samples.height_m,      samples.normal_x, samples.normal_y, samples.normal_z, samples.vertical_velocity_mps,
+        samples.slope_variance};
     const bool slopes = arrays.wants_any(1, 6);
     for_each_group(points.x, points.z, arrays, analytic_group, [&](const PointGroup<6>& group) {
         float* const* out = group.answers.data();
@@ -171,20 +170,20 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
             footprint = tail;
         }
         PondJob job{.octaves = terms_.data(),
-                       .starts = starts.data(),
-                       .octave_count = static_cast<int>(terms_.size()),
-                       .count = group.count,
-                       .x = group.x,
-                       .z = group.z,
-                       .footprint = footprint,
-                       .out = {.height = out[0]}};
+                    .starts = starts.data(),
+                    .octave_count = static_cast<int>(terms_.size()),
+                    .count = group.count,
+                    .x = group.x,
+                    .z = group.z,
+                    .footprint = footprint,
+                    .out = {.height = out[0]}};
         if (slopes) job.out = {out[0], out[1], out[2], out[3], out[4], out[5]};
         kernels_->pond(job);
     });
 }
 
 std::optional<PondHit> PondWaves::first_hit(double time_s, std::array<double, 3> origin_m,
-                                                  std::array<double, 3> direction, double reach_m) const {
+                                            std::array<double, 3> direction, double reach_m) const {
     const DefaultFloatEnvironment environment;
     const auto [dx, dy, dz] = direction;
     const double length = std::sqrt(dx * dx + dy * dy + dz * dz);

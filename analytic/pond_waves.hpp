@@ -101,8 +101,8 @@ class PondWaves {
     /// which it passes for less may be missed.
     /// The place is within 1e-6 m along the ray, or 1e-12 of the distance where that is more.
     /// \param direction  of any length but 0 \pre finite numbers (asserted)
-    std::optional<PondHit> first_hit(double time_s, std::array<double, 3> origin_m,
-                                        std::array<double, 3> direction, double reach_m) const;
+    std::optional<PondHit> first_hit(double time_s, std::array<double, 3> origin_m, std::array<double, 3> direction,
+                                     double reach_m) const;
 
     double lowest_m() const;
     double highest_m() const;

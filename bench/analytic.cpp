@@ -110,8 +110,7 @@ void register_all() {
             if (wanted != Wanted::everything)
                 RegisterBenchmark(("pond/" + what + on + "24").c_str(), time_pond, isa, wanted);
         }
-        RegisterBenchmark(("pond/ray" + on + "24").c_str(), time_pond_ray, isa)
-            ->Unit(benchmark::kMicrosecond);
+        RegisterBenchmark(("pond/ray" + on + "24").c_str(), time_pond_ray, isa)->Unit(benchmark::kMicrosecond);
     }
 }
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/dynamic_waves/grid.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 
 namespace pelagic {
@@ -71,9 +71,10 @@ class RowsStage {
    public:
     template <class OfRows>
     RowsStage(std::size_t n, Executor& executor, OfRows of_rows) {
-        graph_.add({.name = "rows",
-                    .count = n / DynamicWaveGrid::rows_an_item,
-                    .body = for_each_item([of_rows](std::size_t item) { of_rows(item * DynamicWaveGrid::rows_an_item); })});
+        graph_.add(
+            {.name = "rows",
+             .count = n / DynamicWaveGrid::rows_an_item,
+             .body = for_each_item([of_rows](std::size_t item) { of_rows(item * DynamicWaveGrid::rows_an_item); })});
         run_ = executor.prepare(graph_);
     }
     void operator()() {
@@ -95,15 +96,21 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
     const double side_m = 0.25 * static_cast<double>(n);
     const int resolution = static_cast<int>(n);
     Waves spectral({.resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa, *executor);
-    Waves verlet({.step = DynamicWavesStep::verlet, .resolution = resolution, .side_m = side_m, .border_m = side_m / 5},
-                  isa, *executor);
+    Waves verlet(
+        {.step = DynamicWavesStep::verlet, .resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa,
+        *executor);
     Ocean ocean({.resolution = resolution, .patch_size_m = side_m}, {.executor = executor, .isa = isa});
     const Kernels& kernels = kernels_for(isa);
     AlignedBuffer<float> now(dynamic_plane_floats(n)), before(dynamic_plane_floats(n));
     for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] = std::sin(0.01f * static_cast<float>(i));
     const auto rows_from = [&, n](std::size_t row) -> VerletRowsJob {
-        return {
-            now.data() + dynamic_row_margin, before.data() + dynamic_row_margin, n, row, DynamicWaveGrid::rows_an_item, 0.1f, 0.9999f};
+        return {now.data() + dynamic_row_margin,
+                before.data() + dynamic_row_margin,
+                n,
+                row,
+                DynamicWaveGrid::rows_an_item,
+                0.1f,
+                0.9999f};
     };
     RowsStage step(n, *executor, [&](std::size_t row) { kernels.verlet_rows(rows_from(row)); });
     RowsStage scalar(n, *executor, [&](std::size_t row) { scalar_verlet(rows_from(row)); });
@@ -143,12 +150,12 @@ void measure_server(Isa isa, int threads) {
             for (auto& each : waves) {
                 for (int boat = 0; boat < 250; ++boat)
                     each->grid.sources().disturb({.shape = Disturbance::Shape::hull,
-                                                    .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
-                                                    .z_m = 25 * std::cos(0.73 * boat),
-                                                    .radius_m = 0.8,
-                                                    .length_m = 2,
-                                                    .heading_rad = 0.01 * boat,
-                                                    .height_m = -0.3});
+                                                  .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
+                                                  .z_m = 25 * std::cos(0.73 * boat),
+                                                  .radius_m = 0.8,
+                                                  .length_m = 2,
+                                                  .heading_rad = 0.01 * boat,
+                                                  .height_m = -0.3});
                 each->begin();
             }
             for (auto& each : waves) each->end();

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
 namespace {

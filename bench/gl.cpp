@@ -25,8 +25,8 @@ void time_frame(benchmark::State& state, const char* preset, bool stereo, bool m
         const double map_ms = mapped ? mapping.milliseconds() : 0;
         scene.ocean.schedule(frame++ / 90.0, targets);
         const gl::DrawStatistics& statistics = scene.draw(camera, scene.ocean.complete(), true, stereo);
-        const double own =
-            map_ms + statistics.upload_ms - statistics.upload_driver_ms + statistics.draw_ms - statistics.draw_driver_ms;
+        const double own = map_ms + statistics.upload_ms - statistics.upload_driver_ms + statistics.draw_ms -
+                           statistics.draw_driver_ms;
         scene.gl().Finish();
         state.SetIterationTime(own / 1000);
         own_ms += own;

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "pelagic/bench/peers/scalar_query.hpp"
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/buffers/surface_texels.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
@@ -130,8 +130,8 @@ void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool quer
     Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).cascades[0].height.data);
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.cascade_count()) * ocean.resolution() *
-                            ocean.resolution());
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.cascade_count()) *
+                            ocean.resolution() * ocean.resolution());
 }
 
 void register_queries(const SeaState& sea, const std::string& size) {
@@ -175,7 +175,8 @@ void register_all() {
             RegisterBenchmark(("lookup/scalar" + end).c_str(), time_scalar_lookup, n, coherent);
         }
     }
-    for (const int cascades : {2, 3, 4}) register_queries(several_cascades(cascades), std::to_string(cascades) + "x128");
+    for (const int cascades : {2, 3, 4})
+        register_queries(several_cascades(cascades), std::to_string(cascades) + "x128");
 }
 
 }  // namespace

@@ -679,7 +679,7 @@ PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocea
 /* The 64-bit hash of all that pelagic_ocean_dynamic_waves tells of the frame completed last, which pelagic_ocean_hash leaves out. */
 PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* All that the water of frames to come depends on, sources included, but for what was said since the last schedule; as
+/* All that the water of frames to come depends on, sources included, but for commands since the last schedule; as
  * pelagic_ocean_save_history. For an application that goes back to a moment: 17 N^2 bytes and some. */
 PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
 

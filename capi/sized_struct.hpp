@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "pelagic/capi/status.hpp"
+#include "pelagic/capi/c_status.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
@@ -53,8 +53,8 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
     static_assert(min_struct_bytes<T> > 0, "say which field was its last at first");
     const std::uint32_t bytes = needed(pointer, name).struct_size;
     if (bytes < min_struct_bytes<T> || bytes > max_struct_bytes)
-        reject(
-            invalid_value_message(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
+        reject(invalid_value_message(std::string(name) + ".struct_size", bytes,
+                                     number_text(sizeof(T)) + ", the size of the struct"));
     return bytes;
 }
 

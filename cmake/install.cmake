@@ -55,11 +55,14 @@ set(message_headers numeric_field)
 set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plane_waves)
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers allocator isa)
-set(sim_headers analytic_cascades disturbance foam_report forecast frame frame_buffers gerstner_input dynamic_waves_view dynamic_waves ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance statistics surface_query
-                surface_query_jobs surface_ray texture_targets tick_clock cascade cascade_plan wave_input)
+set(sim_headers analytic_cascades cascade cascade_plan disturbance dynamic_waves dynamic_waves_view foam_report forecast frame frame_buffers
+                gerstner_input ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance statistics surface_query
+                surface_query_jobs surface_ray texture_targets wave_input)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
-set(gl_headers caustics display errors exposure frame_textures functions headless_context application_scene light_meter light_presets objects pixel_ring render_target sea_floor
-               sea_renderer shading sky sky_baker small_water views camera_water_plane water_optics)
+set(gl_headers application_scene display errors exposure functions headless_context light_meter objects pixel_ring render_target views
+               sky/light_presets sky/sky sky/sky_baker
+               water/camera_water_plane water/caustics water/frame_textures water/sea_floor water/sea_renderer water/shading water/small_water
+               water/water_optics)
 set(folders message analytic jobs simd sim)
 if(PELAGIC_QUADTREE)
   list(APPEND folders quadtree)

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/gl/boat.hpp"
 #include "pelagic/gl/display.hpp"
 #include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/gl/camera_water_plane.hpp"
+#include "pelagic/gl/water/camera_water_plane.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 

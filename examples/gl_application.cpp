@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 

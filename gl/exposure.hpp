@@ -20,8 +20,8 @@ inline constexpr float max_bias_stops = 5;
 /// What a user may say of the camera.
 struct CameraSettings {
     std::optional<float> fixed_ev;  ///< [min_ev, max_ev]; none: metered on what is in view
-    float bias_stops = 0;  ///< brighter than metered, [-max_bias_stops, max_bias_stops]; a fixed EV has none
-    float bloom = 0.04f;   ///< part of each pixel's light that the lens spreads around it; [0, 1]
+    float bias_stops = 0;           ///< brighter than metered, [-max_bias_stops, max_bias_stops]; a fixed EV has none
+    float bloom = 0.04f;            ///< part of each pixel's light that the lens spreads around it; [0, 1]
 };
 
 /// What the tone curve of shaders/film.glsl shows of a grey scene value, linear, [0, 1), and the value that it shows so.

@@ -30,7 +30,10 @@ class ApplicationLoop {
    public:
     /// Closed: until open() every block counts as taken.
     ApplicationLoop(const Stage& stage, RunFailure& failure)
-        : stage_(stage), failure_(failure), taken_(block_count(stage)), done_(static_cast<std::uint32_t>(taken_.size())) {
+        : stage_(stage),
+          failure_(failure),
+          taken_(block_count(stage)),
+          done_(static_cast<std::uint32_t>(taken_.size())) {
         for (std::atomic<bool>& taken : taken_) taken = true;
     }
 
@@ -74,7 +77,8 @@ class ApplicationWork {
    public:
     ApplicationWork(const JobGraph& graph, const ApplicationJobs& jobs) : jobs_(jobs) {
         loops_.reserve(graph.stages().size());
-        for (const Stage& stage : graph.stages()) loops_.push_back(std::make_unique<ApplicationLoop>(stage, failure_));
+        for (const Stage& stage : graph.stages())
+            loops_.push_back(std::make_unique<ApplicationLoop>(stage, failure_));
     }
 
     /// \param number  what run_task() knows it by
@@ -110,7 +114,8 @@ class ApplicationWork {
     void run(ApplicationLoop& loop) {
         loop.open();
         if (loop.blocks() > 1)
-            call("parallel_for", [&] { jobs_.parallel_for(jobs_.user, loop.blocks(), &ApplicationLoop::job, &loop); });
+            call("parallel_for",
+                 [&] { jobs_.parallel_for(jobs_.user, loop.blocks(), &ApplicationLoop::job, &loop); });
         if (!loop.close() && loop.blocks() > 1) fail("parallel_for returned before all of its jobs were done");
     }
 

@@ -87,7 +87,8 @@ void ChromeTrace::write(std::ostream& out) const {
         << "},\"traceEvents\":[\n"
         << metadata("process_name", 0, "pelagic");
     for (std::uint32_t thread = 0; thread < threads_.size(); ++thread)
-        out << ",\n" << metadata("thread_name", thread, thread == 0 ? "application" : "worker " + number_text(thread));
+        out << ",\n"
+            << metadata("thread_name", thread, thread == 0 ? "application" : "worker " + number_text(thread));
     for (std::size_t i = 0; i < spans_.size(); ++i) {
         const Kept& kept = spans_[i];
         if (kept.thread != not_on_a_thread) {

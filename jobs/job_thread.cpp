@@ -81,7 +81,8 @@ void need_threads(int count, std::size_t stack_bytes) {
     for (JobThread& thread : threads) thread.join();
     if (invalid_value_message)
         throw std::system_error(
-            invalid_value_message, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
+            invalid_value_message,
+            number_text(count) + " threads are wanted, and the system gives " + number_text(given));
 }
 
 }  // namespace pelagic

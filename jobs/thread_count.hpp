@@ -14,7 +14,8 @@ inline int cores() { return std::max(1, static_cast<int>(std::thread::hardware_c
 
 /// `threads`, or one per core for 0. Throws std::invalid_argument outside 0 to 1024.
 inline int checked_thread_count(int threads) {
-    if (threads < 0 || threads > 1024) throw std::invalid_argument(invalid_value_message("threads", threads, "0 to 1024"));
+    if (threads < 0 || threads > 1024)
+        throw std::invalid_argument(invalid_value_message("threads", threads, "0 to 1024"));
     return threads == 0 ? cores() : threads;
 }
 

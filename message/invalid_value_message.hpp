@@ -31,7 +31,8 @@ template <class Options, class Fields>
 std::string check_fields(const Options& options, const Fields& fields) {
     for (const NumericField<Options>& field : fields) {
         if (field.accepts(field.value_in(options))) continue;
-        return std::visit([&](auto at) { return invalid_value_message(field.name, options.*at, field.accepted); }, field.member);
+        return std::visit([&](auto at) { return invalid_value_message(field.name, options.*at, field.accepted); },
+                          field.member);
     }
     return {};
 }

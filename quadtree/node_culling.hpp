@@ -16,7 +16,7 @@ namespace pelagic {
 struct BoxesOfNodes {
     double low_m, high_m;
     glm::dvec2 horizontal_m;  ///< along x and z
-    double cull_scale;      ///< times their nodes' size; 1 or more, so that a child's box is inside its parent's
+    double cull_scale;        ///< times their nodes' size; 1 or more, so that a child's box is inside its parent's
 };
 
 class NodeCulling {

@@ -12,8 +12,9 @@ struct QuadtreeOptions {
     double size_m = 2048;    ///< S, the side of the square; [256, 8192]
     int vertices = 64;       ///< V, steps along a patch's side, V + 1 vertices; even, [2, 128]
     double lod_scale = 2.2;  ///< tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8]
-    double cull_scale = 1;   ///< beta: widens the boxes that are culled, for applications that displace further; [1, 4]
-    int batch_limit = 0;     ///< most instances in one draw call; 0 for no limit
+    double cull_scale =
+        1;                ///< beta: widens the boxes that are culled, for applications that displace further; [1, 4]
+    int batch_limit = 0;  ///< most instances in one draw call; 0 for no limit
 };
 
 /// Empty if usable, else the first bad field: "vertices is 7, needs an even number from 2 to 128".

@@ -46,9 +46,8 @@ constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)), levels_(options_) {
     list_.instances.reserve(levels_.max_patches());
     found_.reserve(levels_.max_patches());
-    list_.batches.reserve(16 + (options_.batch_limit > 0
-                                    ? levels_.max_patches() / static_cast<std::size_t>(options_.batch_limit)
-                                    : 0));
+    list_.batches.reserve(
+        16 + (options_.batch_limit > 0 ? levels_.max_patches() / static_cast<std::size_t>(options_.batch_limit) : 0));
     list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
     stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
     culling_.reserve(max_views);

@@ -37,7 +37,9 @@ struct SurfaceBounds {
           horizontal_z_max_m(horizontal_z_max) {}
     /// A frame's bounds, or whatever else has members of these names: the quadtree does not know the sea.
     template <class Extremes>
-    requires requires(const Extremes& e) { e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m; }
+    requires requires(const Extremes& e) {
+        e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m;
+    }
     constexpr SurfaceBounds(const Extremes& e)
         : SurfaceBounds(e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m) {}
 };

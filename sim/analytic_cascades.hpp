@@ -10,8 +10,8 @@
 
 #include <vector>
 
-#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/analytic/plane_waves.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {

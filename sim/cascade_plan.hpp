@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 

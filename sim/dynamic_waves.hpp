@@ -22,11 +22,11 @@ enum class DynamicWavesStep {
 
 struct DynamicWavesOptions {
     DynamicWavesStep step = DynamicWavesStep::spectral;
-    int resolution = 256;          ///< N, texels along a side; 64, 128, 256, 512 or 1024
-    double side_m = 64;            ///< [1, 10000]
-    int ticks_per_s = 60;          ///< [10, 240]
-    double border_m = 12;          ///< of each side, where waves end; 0: none, waves come round, else [0.001, side_m / 4]
-    double depth_m = 1e4;          ///< spectral; [0.01, 11000]
+    int resolution = 256;  ///< N, texels along a side; 64, 128, 256, 512 or 1024
+    double side_m = 64;    ///< [1, 10000]
+    int ticks_per_s = 60;  ///< [10, 240]
+    double border_m = 12;  ///< of each side, where waves end; 0: none, waves come round, else [0.001, side_m / 4]
+    double depth_m = 1e4;  ///< spectral; [0.01, 11000]
     double viscosity_m2ps = 2e-3;  ///< spectral: nu, of eddies rather than molecules; [0, 1]
     double wave_speed_mps = 3;     ///< Verlet; (0, 1000], and c <= 0.4
     double decay_per_s = 0.01;     ///< of amplitudes; [0, 10]

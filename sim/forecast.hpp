@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
-#include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -34,7 +34,7 @@ struct Frame {
     double time_s = 0;
     SeaState sea;
     SeaStatistics statistics;
-    Isa isa = {};                 ///< that computed it
+    Isa isa = {};                       ///< that computed it
     std::span<const Cascade> cascades;  ///< at least one; the coarsest first
     /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose extremes need not meet.
     FrameBounds bounds;

@@ -37,6 +37,8 @@ void copy_plane(const PlaneView& plane, std::span<float> out);
 
 /// One for each cascade of the frame. Throws std::invalid_argument(check(...)) before it writes.
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades);
-inline void copy_frame(const Frame& frame, const FrameBuffers& only_cascade) { copy_frame(frame, {&only_cascade, 1}); }
+inline void copy_frame(const Frame& frame, const FrameBuffers& only_cascade) {
+    copy_frame(frame, {&only_cascade, 1});
+}
 
 }  // namespace pelagic

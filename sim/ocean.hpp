@@ -19,10 +19,10 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
 #include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
-#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/rain.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
@@ -38,11 +38,12 @@ namespace pelagic {
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
-    std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the application's own profiler
+    std::shared_ptr<TraceSink> trace = {};  ///< none: no clock is read. ChromeTrace or the application's own profiler
     bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
-    bool gradients = false;   ///< frames of several cascades have each cascade's own normals too; those of one always do
-    bool slopes = false;      ///< a frame of one cascade has slopes too (slope_sum.hpp); those of several always do
+    bool gradients =
+        false;            ///< frames of several cascades have each cascade's own normals too; those of one always do
+    bool slopes = false;  ///< a frame of one cascade has slopes too (slope_sum.hpp); those of several always do
     /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (foam/history.hpp). A frame then takes a
     /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
     /// ticks, as long as ten to twenty frames; 5 N^2 bytes a cascade. Without it half floats hold only what breaks at that very moment.
@@ -103,7 +104,9 @@ class Ocean {
     /// std::invalid_argument(check(buffers, ...)) before it computes.
     /// \pre no frame is in flight
     FrameBounds frame_at(double time_s, std::span<const FrameBuffers> cascades);
-    FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) { return frame_at(time_s, {&only_cascade, 1}); }
+    FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) {
+        return frame_at(time_s, {&only_cascade, 1});
+    }
 
     /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
     /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
@@ -135,7 +138,7 @@ class Ocean {
     // ---- Dynamic waves: only with OceanOptions::dynamic_waves, else std::invalid_argument, and so of values out of range.
     //
     // What is said counts from the next schedule() on, in its order, whether or not a frame is in flight. Each tick is made of the ticks
-    // before and what was said before it, so frames of the same times with the same words between them have the same bits, on every
+    // before and of the commands before it, so frames at equal times with equal commands between them are bit-identical, on every
     // machine. A frame shows the water between the last tick and the one before: a tick late. A time before the last frame's leaves
     // the water as it is, and a jump ahead moves it by half a second at most.
 
@@ -152,7 +155,7 @@ class Ocean {
     void follow(double x_m, double z_m);
     /// It rains so from the next tick on, until another rain is set: none, of 0 drops.
     void set_rain(const Rain& rain);
-    /// All that frames to come depend on, but for what was said since the last schedule(): for an application that goes back to a moment, or
+    /// All that frames to come depend on, but for commands since the last schedule(): for an application that goes back to a moment, or
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;
     /// Takes that up, in an ocean of any sea with the same OceanOptions::dynamic_waves, on any machine of the same byte order: as if one had never
@@ -160,10 +163,10 @@ class Ocean {
     /// ocean can have saved it. \pre no frame is in flight
     void restore_water(std::span<const std::uint8_t> saved);
 
-    std::size_t cascade_count() const;    ///< of every frame
-    int resolution() const;            ///< texels along a side of each cascade
-    const SeaState& sea() const;       ///< the last one of the forecast; Frame::sea is that of the frame
-    const Forecast& forecast() const;  ///< with the largest_peak_m that the cascades have
+    std::size_t cascade_count() const;  ///< of every frame
+    int resolution() const;             ///< texels along a side of each cascade
+    const SeaState& sea() const;        ///< the last one of the forecast; Frame::sea is that of the frame
+    const Forecast& forecast() const;   ///< with the largest_peak_m that the cascades have
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;     ///< the stages of a frame

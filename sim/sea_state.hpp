@@ -55,17 +55,17 @@ struct SeaState {
     double patch_size_m = 0;
     double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
     double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
-    double fetch_m = 100e3;         ///< of the wind over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing
-    double depth_m = 4000;          ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
-    double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
+    double fetch_m = 100e3;   ///< of the wind over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing
+    double depth_m = 4000;    ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
+    double choppiness = 0.8;  ///< lambda, 0 gives a height field; [0, 1]
     double roughness =
         -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the cascades
              ///< do not resolve of the slopes of a sea in this wind (SeaStatistics)
-    double short_wave_cutoff = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
-    double wind_alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
-                                 ///< against the wind and little across, with 1 a hundredth; [0, 1]
-    double swell_height_m = 0;   ///< Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]
-    double swell_period_s = 12;  ///< at which the swell's spectrum peaks; [1, 40]
+    double short_wave_cutoff = 0;  ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
+    double wind_alignment = 0.5;  ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
+                                  ///< against the wind and little across, with 1 a hundredth; [0, 1]
+    double swell_height_m = 0;    ///< Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]
+    double swell_period_s = 12;   ///< at which the swell's spectrum peaks; [1, 40]
     double swell_direction_rad = 0;  ///< where the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi]
     /// Standard deviation of the swell's directions; 1 to 80 degrees, 15 by default.
     double swell_spread_rad = 0.26179938779914943;

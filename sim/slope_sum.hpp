@@ -17,9 +17,10 @@ struct SlopeRanges {
 
 /// How a surface changes along the world's x and z, at rest: of one cascade, or of several once added.
 struct SurfaceSlopes {
-    double h_x = 0, h_z = 0;                    ///< of the height
-    double d_xx = 0, d_zz = 0, d_xz = 0;        ///< of the horizontal displacement; Dx,z = Dz,x in a sea of waves
-    double var_xx = 0, var_zz = 0, cov_xz = 0;  ///< of h_x and h_z within the texel; waves of cascades are independent
+    double h_x = 0, h_z = 0;              ///< of the height
+    double d_xx = 0, d_zz = 0, d_xz = 0;  ///< of the horizontal displacement; Dx,z = Dz,x in a sea of waves
+    double var_xx = 0, var_zz = 0,
+           cov_xz = 0;  ///< of h_x and h_z within the texel; waves of cascades are independent
 
     SurfaceSlopes& operator+=(const SurfaceSlopes& other) {
         h_x += other.h_x;

@@ -31,8 +31,8 @@ struct InputMoment {
     /// a moment is kept in one of two places.
     std::size_t place = 0;
     std::span<const CascadeGrid> grids = {};  ///< of the cascades, the coarsest first
-    int resolution = 0;                          ///< of each
-    Isa isa = {};                                ///< that computes
+    int resolution = 0;                       ///< of each
+    Isa isa = {};                             ///< that computes
 };
 
 /// Some rows of a cascade, tight: column i of row first_row + j is at j N + i. They are 0, and what an input leaves there is added to the

@@ -34,7 +34,8 @@ bool has_f16c() {
 #endif
 
 [[noreturn]] void reject(std::string_view option, std::string_view value) {
-    throw std::invalid_argument(invalid_value_message(option, value, "an instruction set that this CPU runs: " + names_here()));
+    throw std::invalid_argument(
+        invalid_value_message(option, value, "an instruction set that this CPU runs: " + names_here()));
 }
 
 }  // namespace

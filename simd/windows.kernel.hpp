@@ -30,7 +30,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
 }
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
-                                                      xsimd::batch<std::int32_t, Arch> lanes) {
+                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     return _mm512_permutevar_ps(of, lanes);
 }
 template <HasLanes<16> Arch>
@@ -55,7 +55,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
 }
 template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
-                                                      xsimd::batch<std::int32_t, Arch> lanes) {
+                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     return _mm256_permutevar_ps(of, lanes);
 }
 template <HasLanes<8> Arch>
@@ -79,7 +79,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
 }
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
-                                                      xsimd::batch<std::int32_t, Arch> lanes) {
+                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     // Bytes 4 l, 4 l + 1, 4 l + 2, 4 l + 3 of each lane l.
     const __m128i first = _mm_and_si128(_mm_slli_epi32(lanes, 2), _mm_set1_epi32(12));
     const __m128i bytes =
@@ -103,7 +103,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
 }
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
-                                                      xsimd::batch<std::int32_t, Arch> lanes) {
+                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     // Bytes 4 l, 4 l + 1, 4 l + 2, 4 l + 3 of each lane l.
     const int32x4_t first = vandq_s32(vshlq_n_s32(lanes, 2), vdupq_n_s32(12));
     const int32x4_t bytes = vmlaq_n_s32(vdupq_n_s32(0x03020100), first, 0x01010101);

@@ -67,8 +67,8 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
     for (const auto& [executor, sea] : {std::pair{make_serial_executor(), folded},
                                         {make_thread_executor(3), folded},
                                         {make_serial_executor(), steep_cascades},
-                                         {make_thread_executor(3), steep_cascades},
-                                         {make_thread_executor(3), pond}}) {
+                                        {make_thread_executor(3), steep_cascades},
+                                        {make_thread_executor(3), pond}}) {
         Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = true, .slopes = true, .foam = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
@@ -93,10 +93,8 @@ TEST(Allocation, WavesOfApplicationsAllocateNothingInFrames) {
         const auto waves = std::make_shared<GerstnerInput>(), none = std::make_shared<GerstnerInput>();
         const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});
         const auto zeros = std::make_shared<CallbackInput>([](const InputRows&) {});
-        Ocean ocean({.resolution = 128}, {.executor = executor,
-                                          .velocities = true,
-                                          .foam = true,
-                                          .inputs = {waves, none, rings, zeros}});
+        Ocean ocean({.resolution = 128},
+                    {.executor = executor, .velocities = true, .foam = true, .inputs = {waves, none, rings, zeros}});
         ocean.frame_at(0);
         waves->set(analytic_sea({.waves = 64}));
         rings->set({.x_m = 30, .wavelength_m = 40, .amplitude_m = 1});

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 namespace {
@@ -28,12 +28,12 @@ constexpr Long two_pi = 2 * std::numbers::pi_v<Long>;
 
 const SeaState moderate{.waves = WaveModel::analytic, .choppiness = 1};
 const SeaState on_one_cascade{.waves = WaveModel::analytic,
-                           .resolution = 256,
-                           .patch_size_m = 300,
-                           .wind_direction_rad = 0.4,
-                           .choppiness = 0.9,
-                           .longest_wave_m = 90,
-                           .shortest_wave_m = 5};
+                              .resolution = 256,
+                              .patch_size_m = 300,
+                              .wind_direction_rad = 0.4,
+                              .choppiness = 0.9,
+                              .longest_wave_m = 90,
+                              .shortest_wave_m = 5};
 /// So many waves on so small a grid that some meet.
 const SeaState crowded{.waves = WaveModel::analytic,
                        .resolution = 64,
@@ -93,7 +93,8 @@ TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
                 for (int j = 0; j < plans[cascade].resolution; j += 7) {
                     for (int i = 0; i < plans[cascade].resolution; i += 5) {
                         const Oracle expected = sum_of(waves, sea, plans[cascade], time_s, i, j);
-                        ASSERT_NEAR(frame.cascades[cascade].height.at(i, j), static_cast<double>(expected.height), bound);
+                        ASSERT_NEAR(frame.cascades[cascade].height.at(i, j), static_cast<double>(expected.height),
+                                    bound);
                         ASSERT_NEAR(frame.cascades[cascade].dx.at(i, j), static_cast<double>(expected.dx), bound);
                         ASSERT_NEAR(frame.cascades[cascade].dz.at(i, j), static_cast<double>(expected.dz), bound);
                     }
@@ -129,12 +130,12 @@ TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
                 std::vector<float> said[6];
                 for (auto& each : said) each.resize(x.size());
                 water.sample_undisplaced(time_s, {x, z},
-                                  {.height_m = said[0],
-                                   .horizontal_x_m = said[1],
-                                   .horizontal_z_m = said[2],
-                                   .velocity_x_mps = said[3],
-                                   .velocity_y_mps = said[4],
-                                   .velocity_z_mps = said[5]});
+                                         {.height_m = said[0],
+                                          .horizontal_x_m = said[1],
+                                          .horizontal_z_m = said[2],
+                                          .velocity_x_mps = said[3],
+                                          .velocity_y_mps = said[4],
+                                          .velocity_z_mps = said[5]});
                 const PlaneView* planes[] = {&cascade.height,     &cascade.dx,         &cascade.dz,
                                              &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z};
                 for (int i = 0; i < cascade.resolution(); ++i)
@@ -228,10 +229,12 @@ TEST(AnalyticCascades, OneWaveIsGerstnersTrochoid) {
             for (int i = 0; i < 128; i += 3) {
                 const double moved = cascade.dx.at(i, j) * way_x + cascade.dz.at(i, j) * way_z,
                              height = cascade.height.at(i, j);
-                EXPECT_NEAR(cascade.dx.at(i, j) * way_z - cascade.dz.at(i, j) * way_x, 0, 1e-6 * a) << "along the wave";
+                EXPECT_NEAR(cascade.dx.at(i, j) * way_z - cascade.dz.at(i, j) * way_x, 0, 1e-6 * a)
+                    << "along the wave";
                 ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
-                const double delay = k * (i * cascade.texel_m() * way_x + j * cascade.texel_m() * way_z - speed * time_s) +
-                                     static_cast<double>(two_pi) * wave.phase_turns;
+                const double delay =
+                    k * (i * cascade.texel_m() * way_x + j * cascade.texel_m() * way_z - speed * time_s) +
+                    static_cast<double>(two_pi) * wave.phase_turns;
                 ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(two_pi)), 0, 4e-6);
             }
         }
@@ -322,7 +325,8 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
     for (int i = 0; i < 256; ++i) {
         ASSERT_NEAR(cascade.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
                     1e-5 * amplitudes_of(waves));
-        ASSERT_NEAR(cascade.dx.at(i, i * 37 % 256), horizontal[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
+        ASSERT_NEAR(cascade.dx.at(i, i * 37 % 256), horizontal[static_cast<std::size_t>(i)],
+                    1e-5 * amplitudes_of(waves));
     }
     EXPECT_EQ(hash_of(ocean.frame_at(60)), hash_of(Ocean(after, everything()).frame_at(60)));
 }
@@ -478,8 +482,10 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
                 ASSERT_EQ(cascade.displacement_rgba16f[texel], 0) << "foam";
             for (int j = 0; j < 256; ++j)
                 for (int i = 0; i < 256; ++i) {
-                    const double x = (cascade.height.at((i + 1) % 256, j) - cascade.height.at((i + 255) % 256, j)) / 2,
-                                 z = (cascade.height.at(i, (j + 1) % 256) - cascade.height.at(i, (j + 255) % 256)) / 2;
+                    const double x = (cascade.height.at((i + 1) % 256, j) - cascade.height.at((i + 255) % 256, j)) /
+                                     2,
+                                 z = (cascade.height.at(i, (j + 1) % 256) - cascade.height.at(i, (j + 255) % 256)) /
+                                     2;
                     slopes += (x * x + z * z) / (cascade.texel_m() * cascade.texel_m()) / (8 * 65536);
                 }
         }
@@ -521,7 +527,8 @@ TEST(AnalyticCascades, EdgesOfRangesGiveFiniteFrames) {
                     for (const Cascade& cascade : frame.cascades)
                         for (int j = 0; j < 32; ++j)
                             for (int i = 0; i < 32; ++i)
-                                for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_y})
+                                for (const PlaneView* plane :
+                                     {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_y})
                                     ASSERT_TRUE(std::isfinite(plane->at(i, j))) << field.name << " " << edge;
                     ASSERT_TRUE(frame.statistics.roughness >= 0 && frame.statistics.roughness <= 1) << field.name;
                 }

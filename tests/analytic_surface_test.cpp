@@ -406,7 +406,8 @@ TEST(AnalyticExample, ABuoyOnARisingSea) {
         const AnalyticSurface water(morphed(calm, rough, time_s / 60));  // rises within a minute
         const double x = 12, z = -3;
         float height_m, vertical_velocity_mps;
-        water.sample(time_s, {{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}, .velocity_y_mps = {&vertical_velocity_mps, 1}});
+        water.sample(time_s, {{&x, 1}, {&z, 1}},
+                     {.height_m = {&height_m, 1}, .velocity_y_mps = {&vertical_velocity_mps, 1}});
         seen.push_back(height_m);
         EXPECT_LE(std::fabs(vertical_velocity_mps), 5);
     }

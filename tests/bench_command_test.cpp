@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 const std::vector<std::string> jobs_of_one_cascade = {"evolve+rows", "columns+finalize", "gradients+mipmaps",
-                                                   "mipmaps tail"};
+                                                      "mipmaps tail"};
 
 Outcome bench(std::vector<std::string> more) {
     more.insert(more.begin(), {"bench", "--seconds", "0.2"});

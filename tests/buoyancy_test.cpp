@@ -14,8 +14,8 @@
 
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 #include "pelagic/examples/buoyancy/trace.hpp"
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/buffers/fold_map.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/one_cascade_frame.hpp"
@@ -331,8 +331,9 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
         const Cascade& cascade = frame.cascades[0];
         for (int j = 0; j < cascade.resolution(); ++j)
             for (int k = 0; k < cascade.resolution(); ++k)
-                water_mps = std::max<double>(water_mps, std::hypot(cascade.velocity_x.at(k, j), cascade.velocity_y.at(k, j),
-                                                                   cascade.velocity_z.at(k, j)));
+                water_mps =
+                    std::max<double>(water_mps, std::hypot(cascade.velocity_x.at(k, j), cascade.velocity_y.at(k, j),
+                                                           cascade.velocity_z.at(k, j)));
         const double fall_m = 5 + frame.bounds.height_max_m - frame.bounds.height_min_m;
         const double fastest_mps = std::sqrt(2 * gravity_mps2 * fall_m) + water_mps;
         for (const FloatingBox& box : boxes) {

@@ -292,8 +292,8 @@ TEST(CInterfaceApplicationJobs, ALoopThatThrowsIsACodeAndALostFrame) {
             application, with_submit, [&] { application.loop = OddCaller::Loop::throws; }, PELAGIC_HOST_ERROR,
             "parallel_for threw an exception: no workers");
         expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::throws_half_way; }, PELAGIC_HOST_ERROR,
-            "parallel_for threw an exception");
+            application, with_submit, [&] { application.loop = OddCaller::Loop::throws_half_way; },
+            PELAGIC_HOST_ERROR, "parallel_for threw an exception");
     }
 }
 
@@ -302,7 +302,8 @@ TEST(CInterfaceApplicationJobs, ALoopThatReturnsTooEarlyIsACodeAndALostFrame) {
         OddCaller application;
         const char* const message = "parallel_for returned before all of its jobs were done";
         expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::skips_jobs; }, PELAGIC_HOST_ERROR, message);
+            application, with_submit, [&] { application.loop = OddCaller::Loop::skips_jobs; }, PELAGIC_HOST_ERROR,
+            message);
     }
 }
 

@@ -10,8 +10,8 @@
 #include <random>
 #include <string>
 
-#include "pelagic/tests/capi_sea.hpp"
 #include "pelagic/tests/capi_cascade_sum.h"
+#include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic {
 namespace {
@@ -40,7 +40,8 @@ class CInterfaceCascades : public testing::Test {
         return frame;
     }
     static std::vector<pelagic_cascade> cascades_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
-        std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count), sized<pelagic_cascade>());
+        std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count),
+                                              sized<pelagic_cascade>());
         for (std::int32_t i = 0; i < frame.cascade_count; ++i)
             EXPECT_EQ(pelagic_ocean_cascade(ocean, i, &cascades[static_cast<std::size_t>(i)]), PELAGIC_OK)
                 << pelagic_last_error();
@@ -117,7 +118,8 @@ TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
     EXPECT_EQ(frame.displacement_rgba16f, cascades[0].displacement_rgba16f);
     EXPECT_TRUE(is_same(frame.dx, cascades[0].dx) && is_same(frame.height, cascades[0].height) &&
                 is_same(frame.dz, cascades[0].dz) && is_same(frame.velocity_x, cascades[0].velocity_x) &&
-                is_same(frame.velocity_y, cascades[0].velocity_y) && is_same(frame.velocity_z, cascades[0].velocity_z));
+                is_same(frame.velocity_y, cascades[0].velocity_y) &&
+                is_same(frame.velocity_z, cascades[0].velocity_z));
     EXPECT_NE(frame.velocity_x.data, nullptr);
     EXPECT_EQ(frame.gradient_rgba8, nullptr);
     EXPECT_EQ(frame.gradient_levels, 0);
@@ -166,7 +168,8 @@ TEST_F(CInterfaceCascades, WhatIsInACascadeIsAQuestionOfOptions) {
         options.slopes = options.gradients = is_asked;
         const COcean one = ocean_of(small_sea(32), options), two = ocean_of(stack_sea(2), options);
         const pelagic_frame frame = complete(one.get(), 1), stack = complete(two.get(), 1);
-        const std::vector<pelagic_cascade> alone = cascades_of(one.get(), frame), cascades = cascades_of(two.get(), stack);
+        const std::vector<pelagic_cascade> alone = cascades_of(one.get(), frame),
+                                           cascades = cascades_of(two.get(), stack);
         ASSERT_EQ(alone.size(), 1u);
         EXPECT_EQ(alone[0].side_m, 250);
         EXPECT_EQ(alone[0].cosine, 1);
@@ -275,7 +278,8 @@ class Series {
 /// The surface of a cascade's waves.
 class ExactCascade {
    public:
-    explicit ExactCascade(const pelagic_cascade& cascade) : cascade_(cascade), dx_(cascade.dx), height_(cascade.height), dz_(cascade.dz) {}
+    explicit ExactCascade(const pelagic_cascade& cascade)
+        : cascade_(cascade), dx_(cascade.dx), height_(cascade.height), dz_(cascade.dz) {}
 
     struct Derivatives {
         double by_x, by_z;
@@ -368,7 +372,8 @@ TEST_F(CInterfaceCascades, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
         const pelagic_cascade last = level_of(cascade, cascade.levels - 1), first = level_of(cascade, 1);
         ASSERT_EQ(last.resolution, 1);
         add_slopes(&last, 0, 0, whole);
-        for (int i = 0; i < 5; ++i) EXPECT_LT(std::fabs(whole[i]), 0.501 * cascade.slope_range / 127) << "half a step";
+        for (int i = 0; i < 5; ++i)
+            EXPECT_LT(std::fabs(whole[i]), 0.501 * cascade.slope_range / 127) << "half a step";
         double squares[3] = {};
         for (int texel = 0; texel < 256; ++texel) {
             pelagic_cascade one = first;
@@ -531,9 +536,9 @@ TEST_F(CInterfaceCascades, BuffersThatDoNotFitAreNamed) {
     for (const std::uint32_t count : {0u, 1u, 3u}) {
         pelagic_frame_buffers alone = arrays[0].view();  // what is behind it is nobody's
         alone.cascade_count = count;
-        expect_invalid(
-            pelagic_ocean_copy(ocean.get(), &alone),
-            "buffers.cascade_count is " + std::to_string(count) + ", needs 2, with as many structs one after the other");
+        expect_invalid(pelagic_ocean_copy(ocean.get(), &alone),
+                       "buffers.cascade_count is " + std::to_string(count) +
+                           ", needs 2, with as many structs one after the other");
     }
     expect_line("height has 1023 elements, needs 1024",
                 [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });

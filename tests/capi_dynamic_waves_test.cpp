@@ -125,13 +125,13 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
     const COcean ocean = answering();
     rain.radius_m = 3;
     expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
-                   "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
+                    "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
     rain.radius_m = 0.6, rain.height_m = 11;
     expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
-                   "height_m is 11, needs [-10, 10]");
+                    "height_m is 11, needs [-10, 10]");
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
     expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
-                   "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
+                    "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
     EXPECT_EQ(pelagic_ocean_set_rain(answering(false).get(), &rain), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
@@ -149,7 +149,7 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     ASSERT_EQ(pelagic_ocean_save_water(goes.get(), nullptr, 0, &count), PELAGIC_OK);
     std::vector<std::uint8_t> saved(count);
     expect_rejected(pelagic_ocean_save_water(goes.get(), saved.data(), count - 1, &count), PELAGIC_INVALID_ARGUMENT,
-                   "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
+                    "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
     ASSERT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_OK);
     const pelagic_disturbance stone = drop(3);
     ASSERT_EQ(pelagic_ocean_disturb(goes.get(), &stone), PELAGIC_OK);
@@ -162,8 +162,8 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     EXPECT_EQ(dynamic_waves_hash(goes), dynamic_waves_hash(stays));
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
     expect_rejected(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
-                   PELAGIC_INVALID_ARGUMENT,
-                   "the saved water is of other options, needs those of this ocean's water");
+                    PELAGIC_INVALID_ARGUMENT,
+                    "the saved water is of other options, needs those of this ocean's water");
     ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
     EXPECT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_WRONG_ORDER);
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_WRONG_ORDER);
@@ -177,18 +177,18 @@ TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     complete(with, 0);
     std::uint64_t hash = 0;
     expect_rejected(pelagic_ocean_dynamic_waves_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                   "the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
+                    "the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
     EXPECT_EQ(pelagic_ocean_dynamic_waves(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_ocean_follow(without.get(), 0, 0), PELAGIC_INVALID_ARGUMENT);
     pelagic_disturbance wrong = drop();
     EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;
     expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
-                   "radius_m is 0, needs [0.001, 1000]");
+                    "radius_m is 0, needs [0.001, 1000]");
     wrong = drop();
     wrong.mode = 3;
     expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
-                   "mode is 3, needs one of PELAGIC_DISTURB_...");
+                    "mode is 3, needs one of PELAGIC_DISTURB_...");
     wrong = drop();
     wrong.shape = -1;
     EXPECT_EQ(pelagic_ocean_set_source(with.get(), 1, &wrong), PELAGIC_INVALID_ARGUMENT);
@@ -205,7 +205,7 @@ TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     const pelagic_sea sea = small_sea();
     pelagic_ocean* ocean = nullptr;
     expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
-                   "dynamic_waves.border_m is 20, needs at most a quarter of side_m, 16");
+                    "dynamic_waves.border_m is 20, needs at most a quarter of side_m, 16");
     dynamic_waves.border_m = 0;
     dynamic_waves.step = 2;
     EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);

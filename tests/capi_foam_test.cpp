@@ -63,7 +63,8 @@ TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
     for (std::int32_t i = 0; i < 2; ++i) {
         auto cascade = sized<pelagic_cascade>();
         ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), i, &cascade), PELAGIC_OK);
-        EXPECT_EQ(std::vector<std::uint8_t>(cascade.foam_r8, cascade.foam_r8 + chain), copies[static_cast<std::size_t>(i)]);
+        EXPECT_EQ(std::vector<std::uint8_t>(cascade.foam_r8, cascade.foam_r8 + chain),
+                  copies[static_cast<std::size_t>(i)]);
         EXPECT_GT(cascade.whitecap_ramp, 0);
         for (std::size_t texel = 0; texel < 32 * 32; ++texel) max = std::max<int>(max, cascade.foam_r8[texel]);
     }
@@ -86,12 +87,12 @@ TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
     ASSERT_EQ(pelagic_ocean_cascade(forgetful.get(), 0, &cascade), PELAGIC_OK);
     EXPECT_EQ(cascade.foam_r8, nullptr);
     expect_rejected(pelagic_ocean_query(forgetful.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
-                   "the frame has no foam, needs an ocean with OceanOptions::foam");
+                    "the frame has no foam, needs an ocean with OceanOptions::foam");
     expect_rejected(pelagic_ocean_copy(forgetful.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,
-                   "foam_r8 is wanted, needs an ocean with foam");
+                    "foam_r8 is wanted, needs an ocean with foam");
     std::uint64_t hash = 7;
     expect_rejected(pelagic_ocean_foam_hash(forgetful.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                   "the ocean remembers no foam, needs pelagic_ocean_options.foam");
+                    "the ocean remembers no foam, needs pelagic_ocean_options.foam");
     EXPECT_EQ(hash, 7u);
     EXPECT_TRUE(saved(forgetful).empty());
 }
@@ -123,22 +124,22 @@ TEST_F(CInterfaceFoam, HistoryThatIsNoneIsRefused) {
     EXPECT_EQ(history.size(), 2 * 32 * 32 + 8u);
     std::size_t count = 77;
     expect_rejected(pelagic_ocean_save_history(ocean.get(), history.data(), 100, &count), PELAGIC_INVALID_ARGUMENT,
-                   "room is 100, needs 2056 or more");
+                    "room is 100, needs 2056 or more");
     EXPECT_EQ(count, 77u);
     expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, nullptr), PELAGIC_INVALID_ARGUMENT,
-                   "count is NULL, needs a pointer");
+                    "count is NULL, needs a pointer");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 9), PELAGIC_INVALID_ARGUMENT,
-                   "bytes is NULL, needs a pointer");
+                    "bytes is NULL, needs a pointer");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), history.data(), 2055), PELAGIC_INVALID_ARGUMENT,
-                   "history is 2055 bytes, needs none or 2056");
+                    "history is 2055 bytes, needs none or 2056");
     std::fill_n(history.begin(), 8, std::uint8_t{0x7F});
     EXPECT_EQ(pelagic_ocean_restore_history(ocean.get(), history.data(), history.size()), PELAGIC_INVALID_ARGUMENT);
 
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_WRONG_ORDER,
-                   "a frame is in flight, needs pelagic_ocean_complete first");
+                    "a frame is in flight, needs pelagic_ocean_complete first");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 0), PELAGIC_WRONG_ORDER,
-                   "a frame is in flight, needs pelagic_ocean_complete first");
+                    "a frame is in flight, needs pelagic_ocean_complete first");
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/capi/sea.hpp"
+#include "pelagic/capi/c_sea.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic::capi {
@@ -126,7 +126,8 @@ TEST(CInterfaceInside, StatisticsAreThoseOfTheCppInterface) {
     EXPECT_EQ(of.expected_spread_rad, report.expected_directions.spread_rad);
     EXPECT_EQ(of.drawn_spread_rad, report.drawn_directions.spread_rad);
     double along = 0, across = 0;
-    for (const CascadeSlopes& cascade : report.cascades) along += cascade.slopes.upwind, across += cascade.slopes.crosswind;
+    for (const CascadeSlopes& cascade : report.cascades)
+        along += cascade.slopes.upwind, across += cascade.slopes.crosswind;
     EXPECT_EQ(of.slope_variance_along_wind, along);
     EXPECT_EQ(of.slope_variance_across_wind, across);
     EXPECT_EQ(of.expected_convergence_variance, report.expected_convergence_variance);

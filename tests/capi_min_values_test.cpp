@@ -57,12 +57,14 @@ void look_at(const pelagic_cascade& cascade, Findings& found) {
     found.halves("half", cascade.displacement_rgba16f, 4 * texels);
     found.bounds(cascade.bounds);
     found.number("side_m", cascade.side_m);
-    for (const float number : {cascade.slope_range, cascade.variance_range, cascade.whitecap_jacobian, cascade.whitecap_ramp})
+    for (const float number :
+         {cascade.slope_range, cascade.variance_range, cascade.whitecap_jacobian, cascade.whitecap_ramp})
         found.number("figure of a cascade", static_cast<double>(number));
 }
 
 void look_at(const pelagic_dynamic_waves_view& dynamic_waves, Findings& found) {
-    const auto texels = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution);
+    const auto texels =
+        static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution);
     found.floats("dynamic waves height", dynamic_waves.height_m, texels);
     found.floats("dynamic waves vertical velocity", dynamic_waves.vertical_velocity_mps, texels);
     found.number("dynamic waves texel", dynamic_waves.texel_m);
@@ -141,7 +143,7 @@ using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;
 
 /// \pre `options` are what make() takes
 void expect_rejected_or_finite(const std::string& what, const char* name, const pelagic_ocean_options& options,
-                              const Make& make) {
+                               const Make& make) {
     pelagic_ocean* made = nullptr;
     const pelagic_status status = make(&made);
     const COcean ocean(made);
@@ -293,13 +295,14 @@ pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
 constexpr std::int32_t steps[] = {PELAGIC_DYNAMIC_WAVES_SPECTRAL, PELAGIC_DYNAMIC_WAVES_VERLET};
 
 TEST(CInterfaceLeastValues, OfDynamicWaves) {
-    constexpr Named<pelagic_dynamic_waves_options> fields[] = {{"side_m", &pelagic_dynamic_waves_options::side_m},
-                                                       {"border_m", &pelagic_dynamic_waves_options::border_m},
-                                                       {"depth_m", &pelagic_dynamic_waves_options::depth_m},
-                                                       {"viscosity_m2ps", &pelagic_dynamic_waves_options::viscosity_m2ps},
-                                                       {"wave_speed_mps", &pelagic_dynamic_waves_options::wave_speed_mps},
-                                                       {"decay_per_s", &pelagic_dynamic_waves_options::decay_per_s},
-                                                       {"foam_height_m", &pelagic_dynamic_waves_options::foam_height_m}};
+    constexpr Named<pelagic_dynamic_waves_options> fields[] = {
+        {"side_m", &pelagic_dynamic_waves_options::side_m},
+        {"border_m", &pelagic_dynamic_waves_options::border_m},
+        {"depth_m", &pelagic_dynamic_waves_options::depth_m},
+        {"viscosity_m2ps", &pelagic_dynamic_waves_options::viscosity_m2ps},
+        {"wave_speed_mps", &pelagic_dynamic_waves_options::wave_speed_mps},
+        {"decay_per_s", &pelagic_dynamic_waves_options::decay_per_s},
+        {"foam_height_m", &pelagic_dynamic_waves_options::foam_height_m}};
     const pelagic_sea sea = two_cascades();
     const pelagic_disturbance push = splash(PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_SHAPE_GAUSS);
     for (const std::int32_t step : steps)
@@ -330,7 +333,8 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
         pelagic_ocean_options options = all_options();
         options.dynamic_waves = &dynamic_waves;
         const COcean ocean = ocean_of(sea, options);
-        for (const std::int32_t mode : {PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_DISTURBANCE_RELAXATION, PELAGIC_DISTURBANCE_IMPULSE})
+        for (const std::int32_t mode :
+             {PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_DISTURBANCE_RELAXATION, PELAGIC_DISTURBANCE_IMPULSE})
             for (const std::int32_t shape : {PELAGIC_SHAPE_GAUSS, PELAGIC_SHAPE_HULL})
                 walk(splash(mode, shape), fields,
                      "step " + std::to_string(step) + ", mode " + std::to_string(mode) + ", shape " +

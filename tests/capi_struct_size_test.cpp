@@ -108,15 +108,16 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     });
     auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
     ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
-    expect_read_in_every_size(dynamic_waves, &pelagic_dynamic_waves_options::foam_height_m, [](pelagic_dynamic_waves_options* wanted) {
-        const pelagic_sea sea = small_sea();
-        auto options = sized<pelagic_ocean_options>();
-        options.dynamic_waves = wanted;
-        pelagic_ocean* made = nullptr;
-        const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
-        pelagic_ocean_destroy(made);
-        return status;
-    });
+    expect_read_in_every_size(dynamic_waves, &pelagic_dynamic_waves_options::foam_height_m,
+                              [](pelagic_dynamic_waves_options* wanted) {
+                                  const pelagic_sea sea = small_sea();
+                                  auto options = sized<pelagic_ocean_options>();
+                                  options.dynamic_waves = wanted;
+                                  pelagic_ocean* made = nullptr;
+                                  const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
+                                  pelagic_ocean_destroy(made);
+                                  return status;
+                              });
     auto shore = sized<pelagic_shore_options>();
     ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
     const float floor[] = {-9, 1, -8, 2};
@@ -250,8 +251,9 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
         return pelagic_ocean_shore(coast.get(), surface);
     });
     complete_one();
-    expect_written_in_every_size(&pelagic_cascade::whitecap_jacobian,
-                                 [&](pelagic_cascade* cascade) { return pelagic_ocean_cascade(ocean.get(), 0, cascade); });
+    expect_written_in_every_size(&pelagic_cascade::whitecap_jacobian, [&](pelagic_cascade* cascade) {
+        return pelagic_ocean_cascade(ocean.get(), 0, cascade);
+    });
     auto ray = sized<pelagic_ray>();
     ray.origin_m[1] = 50, ray.direction[1] = -1, ray.reach_m = 100;
     expect_written_in_every_size(&pelagic_hit::position_m,

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/buffers/contraction_map.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -85,7 +85,8 @@ class CascadeStack {
             }
         };
         turned(from.dx, from.height, from.dz, cascade.dx, cascade.height, cascade.dz);
-        turned(from.velocity_x, from.velocity_y, from.velocity_z, cascade.velocity_x, cascade.velocity_y, cascade.velocity_z);
+        turned(from.velocity_x, from.velocity_y, from.velocity_z, cascade.velocity_x, cascade.velocity_y,
+               cascade.velocity_z);
         FrameBounds& bounds = cascade.bounds;
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {

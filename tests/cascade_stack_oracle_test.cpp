@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -52,7 +52,8 @@ std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade
     const int last = cascade.resolution / 2 - 1;
     const auto drawn = [&](int m, int n) {
         const GaussianPair xi = gaussian_pair(sea.seed, cascade.number, m, n);
-        return std::complex<double>(xi.re, xi.im) / 2.0 * std::sqrt(energy_of_cell(sea, cascade, m, n)) * cascade.spacing();
+        return std::complex<double>(xi.re, xi.im) / 2.0 * std::sqrt(energy_of_cell(sea, cascade, m, n)) *
+               cascade.spacing();
     };
     std::vector<OracleWave> waves;
     for (int n = -last; n <= last; ++n) {

@@ -12,11 +12,11 @@
 #include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
 #include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {
@@ -51,7 +51,8 @@ std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_o
         folded += intersections.size() > 1;
         // A point has an odd number of intersections: a map that moves no point further than a bound has the degree 1. Of an even number the
         // oracle's Newton missed one beside a fold's edge; an answer above those that it found is that one, within its own error.
-        if (intersections.size() % 2 == 0 && static_cast<double>(samples.height[i]) > intersections.front().height_m + bound) {
+        if (intersections.size() % 2 == 0 &&
+            static_cast<double>(samples.height[i]) > intersections.front().height_m + bound) {
             EXPECT_LE(samples.error[i], SurfaceQuery::default_tolerance_m);
             continue;
         }
@@ -65,7 +66,8 @@ std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_o
         EXPECT_NEAR(samples.normal_y[i], facts.normal_y, 2e-3);
         EXPECT_NEAR(samples.normal_z[i], facts.normal_z, 2e-3);
         EXPECT_NEAR(samples.jacobian[i], facts.jacobian, 2e-3);
-        const oracle::Stack::Vector velocity = stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
+        const oracle::Stack::Vector velocity =
+            stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.velocity_x[i], velocity.x, 1e-3);
         EXPECT_NEAR(samples.velocity_y[i], velocity.y, 1e-3);
         EXPECT_NEAR(samples.velocity_z[i], velocity.z, 1e-3);
@@ -77,8 +79,8 @@ TEST(CascadeStackQuery, AnswersAsTheOracleForTwoToFourTurnedCascades) {
     for (const std::size_t cascades : {2, 3, 4}) {
         for (const double wind_mps : {5.0, 12.0, 25.0}) {
             for (const double choppiness : {0.0, 0.8, 1.0}) {
-                SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(wind_mps) + " m/s, choppiness " +
-                             std::to_string(choppiness));
+                SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(wind_mps) +
+                             " m/s, choppiness " + std::to_string(choppiness));
                 const CascadeStack stack(CascadeStack::of_scales(cascades, wind_mps, choppiness, 5, 64), 3.7);
                 expect_as_oracle(stack.frame(), random_points(is_sanitized ? 10 : 600, 3000, 4), false);
             }
@@ -194,7 +196,8 @@ TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
         const oracle::Stack oracle(stack.frame());
         const Points points = random_points(is_sanitized ? 200 : 1500, 1000, 2);
         for (std::size_t i = 0; i < points.x.size(); ++i) {
-            const std::vector<oracle::StackIntersection> intersections = oracle.intersections_at(points.x[i], points.z[i]);
+            const std::vector<oracle::StackIntersection> intersections =
+                oracle.intersections_at(points.x[i], points.z[i]);
             folded += intersections.size() > 1;
             for (const oracle::StackIntersection& intersection : intersections) {
                 int sum = 0;
@@ -208,7 +211,7 @@ TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
                     sum += cascade.contraction.around[static_cast<std::size_t>(block(across) * half + block(along))];
                     const bool is_last = &cascade == &stack.frame().cascades.back();
                     is_within &= sum <= ContractionBound::one * (1 - (is_last ? ContractionMap::min_slack_of_all
-                                                                         : ContractionMap::min_slack));
+                                                                              : ContractionMap::min_slack));
                 }
                 proven += is_within;
                 ASSERT_TRUE(!is_within || intersections.size() == 1) << points.x[i] << ", " << points.z[i];
@@ -261,9 +264,10 @@ TEST(CascadeStackRay, FirstHitIsTheOneOfSmallSteps) {
             std::uniform_real_distribution<double> horizontal(-1, 1);
             for (int i = 0; i < (is_sanitized ? 5 : 60); ++i) {
                 const double angle = 3.14159 * horizontal(random), down = i % 5 == 0 ? 0 : 0.2 * horizontal(random);
-                const SurfaceRay ray{{500 * horizontal(random), 1.2 * top_m * horizontal(random), 500 * horizontal(random)},
-                                     {2 * std::cos(angle), 2 * down, 2 * std::sin(angle)},
-                                     300};
+                const SurfaceRay ray{
+                    {500 * horizontal(random), 1.2 * top_m * horizontal(random), 500 * horizontal(random)},
+                    {2 * std::cos(angle), 2 * down, 2 * std::sin(angle)},
+                    300};
                 const std::optional<BruteForceHit> expected = brute_force_hit(query, ray);
                 const std::optional<SurfaceHit> hit = first_hit(query, ray);
                 if (expected && !expected->is_certain) continue;

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "pelagic/gl/caustics.hpp"
+#include "pelagic/gl/water/caustics.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {

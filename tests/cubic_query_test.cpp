@@ -9,17 +9,17 @@
 #include <random>
 #include <vector>
 
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/one_cascade_frame.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
 #include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {
@@ -185,7 +185,8 @@ void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturn
         folded += intersections.size() > 1;
         EXPECT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i] << ": " << samples.error[i];
         const double off = std::fabs(static_cast<double>(samples.height[i]) - intersections.front().height_m);
-        EXPECT_LE(off, 2e-3) << points.x[i] << ", " << points.z[i] << " of " << intersections.size() << " intersections";
+        EXPECT_LE(off, 2e-3) << points.x[i] << ", " << points.z[i] << " of " << intersections.size()
+                             << " intersections";
         if (is_overturned) continue;
         EXPECT_LE(static_cast<double>(samples.error[i]), 2e-5 + 5e-6 * coarsest_m)
             << "a 64th of the tolerance is the aim";
@@ -194,7 +195,8 @@ void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturn
         EXPECT_NEAR(samples.normal_y[i], facts.normal_y, 2e-3);
         EXPECT_NEAR(samples.normal_z[i], facts.normal_z, 2e-3);
         EXPECT_NEAR(samples.jacobian[i], facts.jacobian, 2e-3);
-        const oracle::Stack::Vector velocity = stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
+        const oracle::Stack::Vector velocity =
+            stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.velocity_x[i], velocity.x, 1e-3);
         EXPECT_NEAR(samples.velocity_y[i], velocity.y, 1e-3);
         EXPECT_NEAR(samples.velocity_z[i], velocity.z, 1e-3);

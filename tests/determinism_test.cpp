@@ -14,9 +14,9 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
-#include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 #if defined(__x86_64__)
@@ -33,7 +33,8 @@ struct Application {
 
 std::vector<Application> applications() {
     static TestApplication own;
-    std::vector<Application> all = {{"serial", make_serial_executor()}, {"application", make_callback_executor(own.jobs())}};
+    std::vector<Application> all = {{"serial", make_serial_executor()},
+                                    {"application", make_callback_executor(own.jobs())}};
     if (is_emulated) return all;
     for (const int threads : {1, 2, 3, 8}) {
         all.push_back({"thread_" + std::to_string(threads), make_thread_executor(threads)});
@@ -88,10 +89,10 @@ struct QueryPoints {
 
 /// A sea that folds, and one that does not.
 const SeaState overturning_sea{.spectrum = SpectrumModel::phillips_paper,
-                          .resolution = 64,
-                          .patch_size_m = 250,
-                          .wind_speed_mps = 20,
-                          .choppiness = 1};
+                               .resolution = 64,
+                               .patch_size_m = 250,
+                               .wind_speed_mps = 20,
+                               .choppiness = 1};
 const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
 const SeaState sea_of_cascades{.cascades = 4, .resolution = 64, .choppiness = 1};
 /// Of few waves.
@@ -99,7 +100,7 @@ const SeaState analytic_sea_state{.waves = WaveModel::analytic, .resolution = 64
 const SeaState pond{.waves = WaveModel::pond, .resolution = 64};
 
 std::unique_ptr<Ocean> queryable_ocean(const SeaState& sea, Isa isa = choose_isa(),
-                                   std::shared_ptr<Executor> executor = make_serial_executor()) {
+                                       std::shared_ptr<Executor> executor = make_serial_executor()) {
     return std::make_unique<Ocean>(
         sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true});
 }
@@ -247,7 +248,8 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
     const auto expected = hashes(isas_here().front(), make_serial_executor());
     EXPECT_NE(expected[0], expected[1]);
     for (const Isa isa : isas_here()) EXPECT_EQ(hashes(isa, make_thread_executor(3)), expected) << name_of(isa);
-    for (const Application& application : applications()) EXPECT_EQ(hashes(choose_isa(), application.executor), expected) << application.name;
+    for (const Application& application : applications())
+        EXPECT_EQ(hashes(choose_isa(), application.executor), expected) << application.name;
 }
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {

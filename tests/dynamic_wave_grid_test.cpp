@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
-#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
 

@@ -15,7 +15,7 @@ namespace pelagic {
 class DynamicWavePool {
    public:
     explicit DynamicWavePool(const DynamicWavesOptions& options, Isa isa = choose_isa(),
-                       std::shared_ptr<Executor> executor = make_serial_executor())
+                             std::shared_ptr<Executor> executor = make_serial_executor())
         : grid(options, isa), executor_(std::move(executor)) {
         grid.add_tick_stages(graph_);
         run_ = executor_->prepare(graph_);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/dynamic_wave_pool.hpp"
+#include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -352,7 +352,8 @@ TEST(DynamicWavesWaves, NeverGrowWithoutASource) {
 // most of a second counts.
 TEST(DynamicWavesWaves, OfVerletNeverGrowWithoutASource) {
     for (const double border_m : {0.0, 4.0}) {
-        DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
+        DynamicWavePool pool(
+            {.step = DynamicWavesStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
         stir(pool);
         double before = verlet_energy(pool.grid);
         ASSERT_GT(before, 0.1);
@@ -431,7 +432,8 @@ TEST(BorderDamping, SendsLessThanAHundredthBack) {
         for (const double wave_m : {12.0, 6.0, 3.0})
             for (const double degrees : {0.0, 20.0, 45.0})
                 EXPECT_LT(energy_that_stays(step, wave_m, degrees), 0.01)
-                    << wave_m << " m at " << degrees << (step == DynamicWavesStep::verlet ? " degrees, Verlet" : " degrees");
+                    << wave_m << " m at " << degrees
+                    << (step == DynamicWavesStep::verlet ? " degrees, Verlet" : " degrees");
 }
 
 double highest_in(const DynamicWaveGrid& grid) {
@@ -570,7 +572,7 @@ double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) 
 // A boat of 10 m at 5 m/s, whom the grid follows; over six of its waves.
 TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     DynamicWavePool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
-                   make_thread_executor(2));
+                         make_thread_executor(2));
     const DynamicWaveGrid& grid = pool.grid;
     const double speed = 5, k = 9.80665 / (speed * speed), length = 2 * pi / k;
     double boat = 0;

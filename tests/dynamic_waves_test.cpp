@@ -129,12 +129,17 @@ TEST(DynamicWaves, AddsToWhatQueriesTell) {
         std::vector<double> x(2000), z(2000);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = 2.7 + place(random), z[i] = place(random);
         const std::size_t n = x.size();
-        std::vector<float> a(n), b(n), vertical_velocity_a(n), vertical_velocity_b(n), nx(n), ny(n), nz(n), mx(n), my(n), mz(n), foam(n);
-        SurfaceQuery(moved).sample(
-            {x, z},
-            {.height_m = a, .normal_x = nx, .normal_y = ny, .normal_z = nz, .velocity_y_mps = vertical_velocity_a, .foam = foam});
+        std::vector<float> a(n), b(n), vertical_velocity_a(n), vertical_velocity_b(n), nx(n), ny(n), nz(n), mx(n),
+            my(n), mz(n), foam(n);
+        SurfaceQuery(moved).sample({x, z}, {.height_m = a,
+                                            .normal_x = nx,
+                                            .normal_y = ny,
+                                            .normal_z = nz,
+                                            .velocity_y_mps = vertical_velocity_a,
+                                            .foam = foam});
         SurfaceQuery(still).sample(
-            {x, z}, {.height_m = b, .normal_x = mx, .normal_y = my, .normal_z = mz, .velocity_y_mps = vertical_velocity_b});
+            {x, z},
+            {.height_m = b, .normal_x = mx, .normal_y = my, .normal_z = mz, .velocity_y_mps = vertical_velocity_b});
         double largest = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const DynamicWavesSample dynamic_waves = sample(moved.dynamic_waves, x[i], z[i]);

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {

@@ -155,11 +155,11 @@ class TicksByHand {
         relaxation_ = sources.new_number();
         // -0.258 s lies 0.48 ticks behind tick -16: tick -15 is 8 ms later, and 8 mm further south.
         set(relaxation_, {.mode = Disturbance::Mode::relaxation,
-                    .x_m = 8,
-                    .z_m = -8 + 0.008,
-                    .radius_m = 1.5,
-                    .height_m = 0.2,
-                    .velocity_z_mps = 1});
+                          .x_m = 8,
+                          .z_m = -8 + 0.008,
+                          .radius_m = 1.5,
+                          .height_m = 0.2,
+                          .velocity_z_mps = 1});
     }
 
     /// The grid that a frame shows, \param part of the way from the tick before the last one to that.
@@ -223,7 +223,8 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
         const double ticks = (-0.5 + frame / 7.0) * 60 + 0x1p-16;
         const std::vector<float> wanted =
             by_hand.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
-        const ReadImage read = map("ticks", (frame < 10 ? "dynamic-waves_000" : "dynamic-waves_00") + std::to_string(frame) + ".exr");
+        const ReadImage read =
+            map("ticks", (frame < 10 ? "dynamic-waves_000" : "dynamic-waves_00") + std::to_string(frame) + ".exr");
         ASSERT_EQ(read.type, "float");
         ASSERT_EQ(read.pixels.size(), wanted.size());
         double worst = 0;
@@ -429,7 +430,8 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
         {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},
         {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},
         {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs impulse, pressure or relaxation"},
-        {start + ",mode,duration\n0,0,0,1,1,impulse,1\n", ":2: mode is impulse, needs pressure or relaxation with a duration"},
+        {start + ",mode,duration\n0,0,0,1,1,impulse,1\n",
+         ":2: mode is impulse, needs pressure or relaxation with a duration"},
         {start + "\n-90000,0,0,1,1\n", "needs 86400 s between them at most"}};
     for (const auto& [text, says] : bad) {
         write_file(events(), text);

@@ -246,17 +246,18 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
 
 INSTANTIATE_TEST_SUITE_P(MapRequest, LevelsOfExportedMaps,
                          testing::Values(MapRequest{"Bytes", {}},
-                                         MapRequest{"Halves", {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
+                                         MapRequest{"Halves",
+                                                    {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
                          [](const auto& asked) { return asked.param.name; });
 INSTANTIATE_TEST_SUITE_P(
     MapRequest, ExportedMaps,
-    testing::Values(MapRequest{"AsTheyAre", {}},
-                    MapRequest{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
-                    MapRequest{"ZUpInCentimetresAsTiff",
-                          {"--format", "tif", "--bit-depth", "16", "--axes", "z-up", "--unit", "cm", "--rows",
-                           "bottom"}},
-                    MapRequest{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
-                    MapRequest{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
+    testing::Values(
+        MapRequest{"AsTheyAre", {}},
+        MapRequest{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
+        MapRequest{"ZUpInCentimetresAsTiff",
+                   {"--format", "tif", "--bit-depth", "16", "--axes", "z-up", "--unit", "cm", "--rows", "bottom"}},
+        MapRequest{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
+        MapRequest{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
     [](const auto& asked) { return asked.param.name; });
 
 // Imath is a reader that nobody here wrote.

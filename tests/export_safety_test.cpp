@@ -64,7 +64,7 @@ mode_t type_of(const std::filesystem::path& path) {
 /// Runs a command that would write `name` in `folder`, once for each obstacle under each name in question. In the gate each
 /// name meets the link, which leads elsewhere, and one other obstacle, by turns.
 void expect_rejected(const std::vector<std::string>& names,
-                    const std::function<Arguments(const std::filesystem::path&)>& command) {
+                     const std::function<Arguments(const std::filesystem::path&)>& command) {
     for (std::size_t turn = 0; turn < names.size(); ++turn) {
         const std::string& name = names[turn];
         const TemporaryFolder elsewhere;
@@ -87,9 +87,9 @@ void expect_rejected(const std::vector<std::string>& names,
 
 TEST(PreparedFolder, HasNothingReplacedThatIsNoRegularFile) {
     expect_rejected({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
-                    "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
-                    ".gradient_0002.png.part", ".sea.lock"},
-                   [](const auto& folder) { return export_to(folder); });
+                     "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
+                     ".gradient_0002.png.part", ".sea.lock"},
+                    [](const auto& folder) { return export_to(folder); });
 }
 
 TEST(PreparedFolder, HasNothingReadThatIsNoRegularFile) {
@@ -167,7 +167,7 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
     both.push_back("--resume");
     expect_rejected_and_kept(both, "--overwrite is given with --resume");
     expect_rejected_and_kept(export_to(folder.path(), {"--overwrite", "--shard", "1/2"}),
-                            "--overwrite is given with --shard 1/2");
+                             "--overwrite is given with --shard 1/2");
     EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == before);
 

@@ -115,7 +115,8 @@ TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
                 double mean = 0;
                 for (int y = 0; y < block; ++y)
                     for (int x = 0; x < block; ++x)
-                        mean += static_cast<double>(cascade.height.at(i * block + x, j * block + y)) / (block * block);
+                        mean +=
+                            static_cast<double>(cascade.height.at(i * block + x, j * block + y)) / (block * block);
                 std::uint16_t half = 0;
                 std::memcpy(&half,
                             &levels[static_cast<std::size_t>(level)][8 * static_cast<std::size_t>(j * side + i) + 2],
@@ -213,10 +214,10 @@ TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
     for (const std::string cascade : {"", "_c1"}) {
         const Texels atlas = read_png(folder_ / ("flipbook_foam" + cascade + ".png"), PNG_FORMAT_GRAY, 96, 64);
         for (std::size_t frame = 0; frame < 6; ++frame) {
-            const Texels single = frame == 5
-                                      ? Texels(32 * 32)  // no frame: black
-                                      : read_png(folder_ / ("foam" + cascade + "_000" + std::to_string(frame) + ".png"),
-                                                 PNG_FORMAT_GRAY, 32, 32);
+            const Texels single =
+                frame == 5 ? Texels(32 * 32)  // no frame: black
+                           : read_png(folder_ / ("foam" + cascade + "_000" + std::to_string(frame) + ".png"),
+                                      PNG_FORMAT_GRAY, 32, 32);
             for (std::size_t j = 0; j < 32; ++j)
                 EXPECT_TRUE(std::equal(&single[32 * j], &single[32 * j] + 32,
                                        &atlas[96 * (frame / 3 * 32 + j) + frame % 3 * 32]))

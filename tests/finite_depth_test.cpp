@@ -50,7 +50,7 @@ struct CascadeSpectrum {
             for (int i = 0; i < n; ++i) {
                 if (i == 0 && j == 0) continue;
                 const auto [kx, kz] = grid.in_world(oracle::wave_number(static_cast<std::size_t>(i), n) * spacing,
-                                                       oracle::wave_number(static_cast<std::size_t>(j), n) * spacing);
+                                                    oracle::wave_number(static_cast<std::size_t>(j), n) * spacing);
                 visit(static_cast<std::size_t>(j * n + i), kx, kz);
             }
         }
@@ -115,7 +115,8 @@ TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
         const SeaState sea{.cascades = 2, .resolution = 64, .depth_m = depth, .choppiness = 0.8};
         Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = true});
         for (const Cascade& cascade : ocean.frame_at(3.7).cascades) {
-            const ComplexField h = transformed(cascade.height), dx = transformed(cascade.dx), dz = transformed(cascade.dz);
+            const ComplexField h = transformed(cascade.height), dx = transformed(cascade.dx),
+                               dz = transformed(cascade.dz);
             const ComplexField up = transformed(cascade.velocity_y), vx = transformed(cascade.velocity_x),
                                vz = transformed(cascade.velocity_z);
             double max = 0, max_up = 0;

@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
-#include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/foam/drift.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -213,7 +213,8 @@ TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
     Ocean ocean(gale, with_foam());
     const Cascade& cascade = ocean.frame_at(3).cascades[0];
     for (int level = 1; level < mip_levels(cascade.resolution()); ++level) {
-        const auto finer = cascade.level_of(cascade.foam_r8, level - 1), coarser = cascade.level_of(cascade.foam_r8, level);
+        const auto finer = cascade.level_of(cascade.foam_r8, level - 1),
+                   coarser = cascade.level_of(cascade.foam_r8, level);
         const std::size_t side = static_cast<std::size_t>(cascade.resolution()) >> level;
         for (std::size_t i = 0; i < coarser.size(); ++i) {
             const std::size_t from = 2 * (i / side) * 2 * side + 2 * (i % side);

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/sanitized.hpp"
 

@@ -100,7 +100,7 @@ TEST(AnalyticGlsl, DrawsTheWaterThatTheSurfaceTells) {
         }
     std::vector<std::vector<float>> said(7, std::vector<float>(x.size()));
     AnalyticSurface(intense()).sample_undisplaced(origin.time_s + time_s, {x, z},
-                                           {said[1], said[0], said[2], said[3], said[4], said[5], said[6]});
+                                                  {said[1], said[0], said[2], said[3], said[4], said[5], said[6]});
     double amplitude_m = 0;
     for (const AnalyticWave& wave : intense().waves) amplitude_m += wave.amplitude_m;
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "pelagic/gl/headless_context.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/gl/water_optics.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
+#include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -80,7 +80,7 @@ class BelowScene {
 
     /// \param water  none: the lens is in the air
     std::vector<float> image(const Camera& camera, const Frame& frame, std::optional<gl::CameraWaterPlane> water,
-                               bool draws_sky = true) {
+                             bool draws_sky = true) {
         const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
         const DrawList& list = selection_.select(
             {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
@@ -324,7 +324,7 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
     scene.renderer.set_floor(floor);
     const double height_m = 300;
     const auto pixels = scene.image({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
-                                      scene.level_frame(30), std::nullopt);
+                                    scene.level_frame(30), std::nullopt);
     // Air dims and adds the same everywhere: half way between the brightest, which is land, and the darkest.
     double max = 0, min = 1e9;
     for (int y = 0; y < scene.height(); ++y)

@@ -7,7 +7,7 @@
 
 #include "pelagic/gl/display.hpp"
 #include "pelagic/gl/light_meter.hpp"
-#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 #include "pelagic/tests/sweep.hpp"
 

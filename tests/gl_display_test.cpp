@@ -150,10 +150,10 @@ TEST_F(DisplayTest, MeterSeesEachPartOfTheImage) {
 }
 
 TEST_F(DisplayTest, MeterThatDoesNotWaitSeesTheSame) {
-    const auto image = image(200, 100, [](int x, int y) { return 0.01f * static_cast<float>(x + y + 1); });
-    const auto waited = meter_.measure(image);
+    const auto picked = image(200, 100, [](int x, int y) { return 0.01f * static_cast<float>(x + y + 1); });
+    const auto waited = meter_.measure(picked);
     EXPECT_FALSE(meter_.finished());
-    meter_.start(image);
+    meter_.start(picked);
     std::optional<std::vector<gl::MeteredCell>> seen;
     for (int i = 0; i < 6000 && !seen; ++i) {
         seen = meter_.finished();

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "pelagic/gl/dynamic_wave_textures.hpp"
+#include "pelagic/gl/water/dynamic_wave_textures.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/gl_probe.hpp"
 #include "pelagic/tests/gl_slice.hpp"
@@ -201,7 +201,8 @@ TEST(GlDynamicWaves, IsRefusedWhereNoTextureTakesIt) {
               "Frame::dynamic_waves.resolution is 64, needs a power of two up to the driver's 32");
     DynamicWavesView wrong = grid.surface();
     wrong.resolution = 48;
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.resolution is 48, needs a power of two up to the driver's 2048");
+    EXPECT_EQ(gl::check(wrong, 2048),
+              "Frame::dynamic_waves.resolution is 48, needs a power of two up to the driver's 2048");
     wrong = grid.surface();
     wrong.foam = wrong.foam.first(9);
     EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.foam.size() is 9, needs resolution^2, 4096");
@@ -223,8 +224,10 @@ TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
                    .size_m = 512,
                    .shading = gl::Shading::headset});
     const glm::dvec2 middle(1'000'017.3, -999'963.9);
-    Ocean ocean(sea_named("calm", 128),
-                {.executor = make_serial_executor(), .queries = true, .slopes = true, .dynamic_waves = DynamicWavesOptions{}});
+    Ocean ocean(sea_named("calm", 128), {.executor = make_serial_executor(),
+                                         .queries = true,
+                                         .slopes = true,
+                                         .dynamic_waves = DynamicWavesOptions{}});
     ocean.follow(middle.x, middle.y);
     for (const glm::dvec2 from : {glm::dvec2(-7, 5), {4, -9}, {11, 8}})
         ocean.disturb({.mode = Disturbance::Mode::impulse,
@@ -400,8 +403,8 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
             changed += max > 2 && std::max(from.x, from.y) < half;
             beyond += max > 0 && std::max(from.x, from.y) > half + 3;
         }
-    std::printf("%d pixels within the grid changed, %d beyond; a flat grid moved a channel by %d\n", changed,
-                beyond, moved);
+    std::printf("%d pixels within the grid changed, %d beyond; a flat grid moved a channel by %d\n", changed, beyond,
+                moved);
     EXPECT_GT(changed, 500);
     EXPECT_EQ(beyond, 0);
     EXPECT_LE(moved, 1);  // compilers may round otherwise

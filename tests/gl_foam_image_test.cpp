@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "pelagic/gl/foam_image.hpp"
+#include "pelagic/gl/water/foam_image.hpp"
 
 namespace pelagic {
 namespace {

@@ -183,8 +183,7 @@ TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
 TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
     constexpr int side = 96, sectors = 8;
     GlScene scene({.preset = "moderate", .quality = "low", .width = side, .height = side});
-    const auto pixels =
-        scene.image({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
+    const auto pixels = scene.image({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
     std::vector<double> sums(sectors), counts(sectors);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {

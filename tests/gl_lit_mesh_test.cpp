@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "pelagic/gl/headless_context.hpp"
-#include "pelagic/gl/lit_mesh.hpp"
+#include "pelagic/gl/meshes/lit_mesh.hpp"
 #include "pelagic/gl/render_target.hpp"
 
 namespace pelagic {

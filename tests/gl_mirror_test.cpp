@@ -95,8 +95,7 @@ TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
         for (int column = 0; column < columns; ++column) {
             const double all = 1 + values[4 * static_cast<std::size_t>(row * columns + column)] / 64;
             max = std::max(max, all);
-            (roughness(row) <= 0.3 ? min : min_rough) =
-                std::min(roughness(row) <= 0.3 ? min : min_rough, all);
+            (roughness(row) <= 0.3 ? min : min_rough) = std::min(roughness(row) <= 0.3 ? min : min_rough, all);
         }
     std::printf("white furnace: %.4f to %.4f, at least %.4f where alpha is over 0.3\n", min, max, min_rough);
     EXPECT_GE(min, 0.97);

@@ -10,7 +10,7 @@
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/scene_block.hpp"
+#include "pelagic/gl/water/scene_block.hpp"
 
 namespace pelagic {
 

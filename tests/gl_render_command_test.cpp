@@ -23,8 +23,7 @@ namespace {
 /// pixel do not count, a colour or a shape that has changed does.
 double difference(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
     const auto blocks_of = [](const OIIO::ImageBuf& image) {
-        return OIIO::ImageBufAlgo::resize(image, "box", 0,
-                                          {0, image.spec().width / 4, 0, image.spec().height / 4});
+        return OIIO::ImageBufAlgo::resize(image, "box", 0, {0, image.spec().width / 4, 0, image.spec().height / 4});
     };
     return 255 * OIIO::ImageBufAlgo::compare(blocks_of(a), blocks_of(b), 0, 0).rms_error;
 }

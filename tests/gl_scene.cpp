@@ -55,7 +55,7 @@ void GlScene::resize(int width, int height, ImageRows only) {
 }
 
 const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
-                                     glm::vec3 clear) {
+                                        glm::vec3 clear) {
     std::vector<gl::Eye> eyes;
     if (stereo) {
         const gl::EyePair pair = gl::eyes_of(camera, whole_, 0.063);

@@ -8,7 +8,7 @@
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 
@@ -46,11 +46,11 @@ class GlScene {
 
     /// Draws into the scene's target; clears with `clear` first.
     const gl::DrawStatistics& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
-                                glm::vec3 clear = {0, 0, 0}) {
+                                   glm::vec3 clear = {0, 0, 0}) {
         return draw(camera, ocean.frame_at(time_s), draws_sky, stereo, clear);
     }
-    const gl::DrawStatistics& draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
-                                glm::vec3 clear = {0, 0, 0});
+    const gl::DrawStatistics& draw(const Camera& camera, const Frame& frame, bool draws_sky = true,
+                                   bool stereo = false, glm::vec3 clear = {0, 0, 0});
     std::vector<std::uint8_t> image(const Camera& camera, double time_s) {
         return image(camera, ocean.frame_at(time_s));
     }

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "pelagic/gl/foam_image.hpp"
-#include "pelagic/gl/scene_block.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/sim/ocean.hpp"
+#include "pelagic/gl/water/foam_image.hpp"
+#include "pelagic/gl/water/scene_block.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/gl/sea_programs.hpp"
+#include "pelagic/gl/water/sea_programs.hpp"
 
 namespace pelagic {
 namespace {
@@ -49,7 +49,8 @@ TEST(Shaders, AreGlslInEveryVariant) {
     for (const std::size_t cascades : {1, 4})
         for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
             for (const auto& [multiview, below] : {std::pair(false, false), {false, true}, {true, true}})
-                variants.push_back({.cascades = cascades, .shading = shading, .multiview = multiview, .below = below});
+                variants.push_back(
+                    {.cascades = cascades, .shading = shading, .multiview = multiview, .below = below});
     for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
         for (const Shading shading : {Shading::headset, Shading::high})
             variants.push_back({.shading = shading, .surface = surface, .below = true});
@@ -145,9 +146,10 @@ TEST(Shaders, CostAPixelWhatTheirTierMay) {
             std::printf("%s, %zu cascades: %d look-ups, %d operations\n", std::string(name_of(row.shading)).c_str(),
                         cascades, cost.looks, cost.operations);
             EXPECT_EQ(cost.loops, 0);
-            EXPECT_EQ(cost.looks, cascades == 1 ? row.looks_at_one_cascade : row.looks_at_four) << cascades << " cascades";
-            const PixelCost with_window =
-                cost_of(gl::sea_program_files({.cascades = cascades, .shading = row.shading, .dynamic_waves = true})[0]);
+            EXPECT_EQ(cost.looks, cascades == 1 ? row.looks_at_one_cascade : row.looks_at_four)
+                << cascades << " cascades";
+            const PixelCost with_window = cost_of(
+                gl::sea_program_files({.cascades = cascades, .shading = row.shading, .dynamic_waves = true})[0]);
             std::printf("    and a dynamic-wave grid: %d look-ups, %d operations\n", with_window.looks,
                         with_window.operations);
             EXPECT_EQ(with_window.loops, 0);
@@ -184,8 +186,9 @@ TEST(Shaders, TakeThreeMoreLooksAtAShore) {
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
     EXPECT_NE(
-        invalid_value_of({"sea.vert.glsl", "sea.frag.glsl",
-                    "#define CASCADES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+        invalid_value_of(
+            {"sea.vert.glsl", "sea.frag.glsl",
+             "#define CASCADES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
         "");
 }
 

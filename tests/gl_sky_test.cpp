@@ -9,9 +9,9 @@
 #include <memory>
 #include <thread>
 
-#include "pelagic/gl/clear_sky.hpp"
-#include "pelagic/gl/light_presets.hpp"
-#include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/sky/clear_sky.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
+#include "pelagic/gl/sky/sky_baker.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
 
 namespace pelagic {

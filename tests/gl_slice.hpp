@@ -23,8 +23,7 @@ inline glm::dmat4 slice(glm::dvec2 middle, double top_m) {
     return m;
 }
 
-inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& frame, glm::dvec2 middle,
-                                                  double top_m) {
+inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& frame, glm::dvec2 middle, double top_m) {
     const glm::dvec3 viewer(middle.x, 1, middle.y);
     const gl::Eye eye{.clip_from_world = slice(middle, top_m),
                       .position_m = {middle.x, 30, middle.y},

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "pelagic/gl/scene_block.hpp"
+#include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/tests/gl_probe.hpp"
 
 namespace pelagic {

@@ -12,8 +12,8 @@
 #include "pelagic/gl/display.hpp"
 #include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/light_meter.hpp"
+#include "pelagic/gl/meshes/rock.hpp"
 #include "pelagic/gl/program.hpp"
-#include "pelagic/gl/rock.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -212,7 +212,7 @@ void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
 /// A renderer's whole life in one context. \param after_each_call  named
 template <class Check>
 std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, const Look& look,
-                                  Check after_each_call) {
+                                Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
                                   .resolution = frame.cascades[0].resolution(),

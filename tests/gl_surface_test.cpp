@@ -31,7 +31,8 @@ TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
-    const Frame& all = ocean.frame_at(6);  // at 3 s the middle of cascade 0 is a trough, and the slice cuts almost all
+    const Frame& all =
+        ocean.frame_at(6);  // at 3 s the middle of cascade 0 is a trough, and the slice cuts almost all
     const std::vector<std::uint16_t> calm(all.cascades[0].displacement_rgba16f.size());
     for (std::size_t alone = 0; alone < all.cascades.size(); ++alone) {
         SCOPED_TRACE("cascade " + std::to_string(alone));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "pelagic/gl/water_optics.hpp"
+#include "pelagic/gl/water/water_optics.hpp"
 
 namespace pelagic {
 namespace {

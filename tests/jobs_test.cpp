@@ -20,8 +20,8 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/platform.hpp"
-#include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/application_jobs.hpp"
+#include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
@@ -238,7 +238,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(kinds_with_a
 TEST_P(ParallelExecutor, SchedulingDoesNotBlock) {
     std::latch scheduled(1);
     JobGraph graph;
-    graph.add({.name = "blocked", .count = 1, .body = [&](std::size_t, std::size_t) { wait_until([&] { return scheduled.try_wait(); }); }});
+    graph.add({.name = "blocked", .count = 1, .body = [&](std::size_t, std::size_t) {
+                   wait_until([&] { return scheduled.try_wait(); });
+               }});
     const auto run = executor_->prepare(graph);
     run->schedule();
     EXPECT_FALSE(run->is_done());
@@ -460,7 +462,8 @@ TEST(ThreadExecutor, ItsThreadsStayOnTheMasksCores) {
 }
 
 TEST(ExecutorOptions, ApplicationsJobsAreChecked) {
-    EXPECT_EQ(reason_of([] { make_callback_executor({}); }), "parallel_for is null, needs the application's function");
+    EXPECT_EQ(reason_of([] { make_callback_executor({}); }),
+              "parallel_for is null, needs the application's function");
     TestApplication application;
     ApplicationJobs jobs = application.jobs();
     jobs.threads = 0;

@@ -1,9 +1,9 @@
 // The slopes of any planes, by the kernels of an instruction set.
 #pragma once
 
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
-#include "pelagic/sim/cascade.hpp"
 #include "pelagic/tests/unfused/unfused_slopes.hpp"
 
 namespace pelagic {
@@ -26,7 +26,7 @@ inline AlignedBuffer<float> surface_of(const unfused::CascadePlanes& planes, std
 }
 
 inline unfused::CascadeSlopes slopes_by(const Kernels& kernels, const unfused::CascadePlanes& planes,
-                                     const SlopeRanges& ranges) {
+                                        const SlopeRanges& ranges) {
     const int n = planes.resolution;
     const AlignedBuffer<float> surface = surface_of(planes, kernels.lanes);
     AlignedBuffer<std::uint16_t> halves(4 * planes.height.size());

@@ -159,7 +159,8 @@ SlopeVariance filtered_slopes(const Frame& frame) {
     SlopeVariance all;
     for (const Cascade& cascade : frame.cascades) {
         const int n = cascade.resolution();
-        const auto slopes = cascade.level_of(cascade.slopes_rgba8, 0), moments = cascade.level_of(cascade.moments_rgba8, 0);
+        const auto slopes = cascade.level_of(cascade.slopes_rgba8, 0),
+                   moments = cascade.level_of(cascade.moments_rgba8, 0);
         const auto at = [&](int i, int j) {
             const auto texel = static_cast<std::size_t>(j % n * n + i % n);
             return slopes_of_texel(slopes[texel], moments[texel], cascade.slope_ranges);

@@ -221,10 +221,10 @@ std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double ampl
     std::vector<float> heights;
     for (int j = 0; j < cascade.resolution; ++j)
         for (int i = 0; i < cascade.resolution; ++i)
-            heights.push_back(static_cast<float>(
-                amplitude_m *
-                std::cos(2 * pi *
-                         (static_cast<double>(m * i + n * j) / cascade.resolution - periods * time_s / loop_period_s))));
+            heights.push_back(
+                static_cast<float>(amplitude_m * std::cos(2 * pi *
+                                                          (static_cast<double>(m * i + n * j) / cascade.resolution -
+                                                           periods * time_s / loop_period_s))));
     return heights;
 }
 
@@ -233,19 +233,19 @@ TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     const double turn = 40 * pi / 180, loop_s = 30;
     const CascadePlan coarse{.grid = {.side_m = 200}, .resolution = 16, .max_k = 0.2};
     const CascadePlan fine{.grid = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
-                        .resolution = 16,
-                        .number = 1,
-                        .min_k = 0.2};
+                           .resolution = 16,
+                           .number = 1,
+                           .min_k = 0.2};
     const int frames = 90;
     std::vector<tools::WaveMeasurement> cascades;
     for (const CascadePlan& cascade : {coarse, fine})
         cascades.emplace_back(tools::HeightSeries{.cascade = cascade,
-                                               .depth_m = 4000,
-                                               .loop_period_s = loop_s,
-                                               .likely_peak_period_s = 6,
-                                               .frames = frames,
-                                               .step_s = loop_s / frames,
-                                               .is_one_loop = true});
+                                                  .depth_m = 4000,
+                                                  .loop_period_s = loop_s,
+                                                  .likely_peak_period_s = 6,
+                                                  .frames = frames,
+                                                  .step_s = loop_s / frames,
+                                                  .is_one_loop = true});
     for (int frame = 0; frame < frames; ++frame) {
         const double time_s = loop_s / frames * frame;
         cascades[0].add_frame(wave_of(coarse, 4, 0, 0.4, time_s, loop_s));  // along +x
@@ -383,12 +383,12 @@ TEST(Measure, HostileFoldersAreOneLine) {
     };
     expect_rejected({"info", "--measure", ""}, 2, "--measure is empty");
     expect_rejected({"info", "--measure", (out / "sea.json").string()}, 2,
-                   "needs a folder that pelagic export has written");
+                    "needs a folder that pelagic export has written");
     expect_rejected({"info", "--measure", folder.path().string()}, 2, "sea.json is missing, needs a finished export");
     expect_rejected({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "needs no other sea");
     expect_rejected({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
     expect_rejected({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
-                   "can't write");
+                    "can't write");
     expect_rejected({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
 
     with_record([](json& record) { record["export"]["pack"] = "parts"; }, "frame 0 names no displacement image");

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"

@@ -18,8 +18,8 @@
 #include "pelagic/bench/peers/paper_frame.hpp"
 #include "pelagic/bench/peers/scalar_half.hpp"
 #include "pelagic/bench/peers/scalar_query.hpp"
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic::peers {
 namespace {

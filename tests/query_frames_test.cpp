@@ -1,5 +1,5 @@
 // Which frame of the C interface may be asked, and that its memory stays as it is while somebody does.
-#include "pelagic/capi/ocean.hpp"
+#include "pelagic/capi/c_ocean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/dynamic_wave_pool.hpp"
 
 namespace pelagic {
 namespace {
@@ -19,11 +19,11 @@ constexpr double pi = 3.14159265358979323846;
 
 /// Water that is too slow to move: what falls stays where it fell.
 const DynamicWavesOptions stiff{.step = DynamicWavesStep::verlet,
-                              .resolution = 64,
-                              .side_m = 16,
-                              .border_m = 0,
-                              .wave_speed_mps = 1e-6,
-                              .decay_per_s = 0};
+                                .resolution = 64,
+                                .side_m = 16,
+                                .border_m = 0,
+                                .wave_speed_mps = 1e-6,
+                                .decay_per_s = 0};
 constexpr double texel = 0.25;
 /// Twice as wide as texels, so that sums over texels are integrals, to 1e-8. A drop reaches six texels and one more to either side.
 const Rain wide{.drops_per_m2_s = 1, .radius_m = 2 * texel, .height_m = 0.03, .seed = 7};
@@ -184,7 +184,9 @@ TEST(RainDrops, AddsNoWater) {
 /// Texels that both grids have, `margin` or more from their edges.
 void expect_same_inside(const DynamicWaveGrid& a, const DynamicWaveGrid& b, std::int64_t margin) {
     std::int64_t compared = 0, wet = 0;
-    const auto end = [](std::int64_t first, const DynamicWaveGrid& grid) { return first + grid.options().resolution; };
+    const auto end = [](std::int64_t first, const DynamicWaveGrid& grid) {
+        return first + grid.options().resolution;
+    };
     const std::int64_t first_x = std::max(a.first_x(), b.first_x()) + margin;
     const std::int64_t first_z = std::max(a.first_z(), b.first_z()) + margin;
     const std::int64_t end_x = std::min(end(a.first_x(), a), end(b.first_x(), b)) - margin;

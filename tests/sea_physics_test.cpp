@@ -251,7 +251,8 @@ TEST(Symmetry, EnergyInSpaceIsEnergyInTheSpectrum) {
 TEST(Direction, WavesRunDownTheWind) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const double direction = eighth * pi / 4;
-        const SeaState sea{.resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .wind_alignment = 1};
+        const SeaState sea{
+            .resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .wind_alignment = 1};
         Ocean ocean = ocean_of(sea);
         const auto spectrum_of = [&](double time_s) {
             const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(time_s));

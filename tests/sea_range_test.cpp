@@ -46,8 +46,8 @@ std::string fault_of(const Cascade& cascade) {
     float min = std::numeric_limits<float>::infinity(), max = -min, max_dx = 0, max_dz = 0;
     for (int j = 0; j < cascade.resolution(); ++j) {
         for (int i = 0; i < cascade.resolution(); ++i) {
-            for (const PlaneView* plane :
-                 {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z})
+            for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_x,
+                                           &cascade.velocity_y, &cascade.velocity_z})
                 if (!std::isfinite(plane->at(i, j))) return "a plane is not finite";
             min = std::min(min, cascade.height.at(i, j));
             max = std::max(max, cascade.height.at(i, j));

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -138,7 +138,8 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
     EXPECT_EQ(repeat_length_m({.patch_size_m = 321}), 321);
     EXPECT_EQ(repeat_length_m({.spectrum = SpectrumModel::phillips_paper}), 250);
     SeaState calm = sea_preset_named("calm")->sea;
-    EXPECT_EQ(repeat_length_m(calm), 140) << "16 waves of the peak, 2 pi 3.2^2 / (0.8556^2 g) = 8.96 m, to two digits";
+    EXPECT_EQ(repeat_length_m(calm), 140)
+        << "16 waves of the peak, 2 pi 3.2^2 / (0.8556^2 g) = 8.96 m, to two digits";
 
     calm.choppiness = 0;  // heights at fixed points
     const double length_m = repeat_length_m(calm);

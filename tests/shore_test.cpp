@@ -15,11 +15,11 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/shores.hpp"
-#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {

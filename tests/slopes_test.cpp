@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
-#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/kernel_slopes.hpp"
 
@@ -45,8 +45,8 @@ struct WaveCascade {
 };
 
 /// Random waves of `min_steps` to N/3 steps of the grid in a side, each octave as steep as every other, from everywhere.
-WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double min_steps, double mean_square_slope,
-                     std::mt19937& random) {
+WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double min_steps,
+                           double mean_square_slope, std::mt19937& random) {
     constexpr int count = 80;
     WaveCascade cascade{resolution, side_m, angle_rad, {}, mean_square_slope};
     std::uniform_real_distribution<double> part;
@@ -86,14 +86,9 @@ SurfaceSlopes exact_slopes(const WaveCascade& cascade, double choppiness, double
 CascadePlanes planes_of(const WaveCascade& cascade, double choppiness) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
     const double texel = cascade.side_m / cascade.resolution;
-    CascadePlanes planes{cascade.resolution,
-                      cascade.side_m,
-                      static_cast<float>(c),
-                      static_cast<float>(s),
-                      {},
-                      {},
-                      {},
-                      {.offset = 200, .scale = 255}};
+    CascadePlanes planes{
+        cascade.resolution,           cascade.side_m, static_cast<float>(c), static_cast<float>(s), {}, {}, {},
+        {.offset = 200, .scale = 255}};
     for (int j = 0; j < cascade.resolution; ++j) {
         for (int i = 0; i < cascade.resolution; ++i) {
             const double x = texel * (i * c - j * s), z = texel * (i * s + j * c);
@@ -117,7 +112,8 @@ SurfaceSlopes texel_of(const CascadeSlopes& maps, const SlopeRanges& ranges, std
 }
 
 /// What a GPU's bilinear filter shows of level 0 at a place of the world.
-SurfaceSlopes filtered(const WaveCascade& cascade, const CascadeSlopes& maps, const SlopeRanges& ranges, double x, double z) {
+SurfaceSlopes filtered(const WaveCascade& cascade, const CascadeSlopes& maps, const SlopeRanges& ranges, double x,
+                       double z) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
     const double texels_per_m = cascade.resolution / cascade.side_m;
     const double u = (x * c + z * s) * texels_per_m, v = (z * c - x * s) * texels_per_m;
@@ -127,7 +123,8 @@ SurfaceSlopes filtered(const WaveCascade& cascade, const CascadeSlopes& maps, co
         for (const int below : {0, 1}) {
             const int mask = cascade.resolution - 1;
             const int column = (static_cast<int>(i) + right) & mask, row = (static_cast<int>(j) + below) & mask;
-            const SurfaceSlopes at = texel_of(maps, ranges, static_cast<std::size_t>(row * cascade.resolution + column));
+            const SurfaceSlopes at =
+                texel_of(maps, ranges, static_cast<std::size_t>(row * cascade.resolution + column));
             const double weight = (right ? u - i : 1 - (u - i)) * (below ? v - j : 1 - (v - j));
             sum += {at.h_x * weight, at.h_z * weight, at.d_xx * weight, at.d_zz * weight, at.d_xz * weight};
         }
@@ -170,8 +167,8 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
         SurfaceSlopes exact, shown;
         for (std::size_t t = 0; t < cascades.size(); ++t) {
             exact += exact_slopes(cascades[t], choppiness, x, z);
-            shown += filtered(cascades[t], maps[t], slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope),
-                              x, z);
+            shown += filtered(cascades[t], maps[t],
+                              slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope), x, z);
         }
         const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
         const double difference = std::fabs(normal_of(exact).y - normal_of(shown).y);
@@ -414,7 +411,8 @@ TEST_P(SlopesOnEachIsa, BytesOfEveryLevelAreWithinOneStepOfDoubles) {
 }
 
 /// The law of total variance: what a texel means and how it varies within, of h_x, h_z and both, over a level.
-std::array<double, 3> total_variance(const CascadeSlopes& maps, const SlopeRanges& ranges, int resolution, int level) {
+std::array<double, 3> total_variance(const CascadeSlopes& maps, const SlopeRanges& ranges, int resolution,
+                                     int level) {
     std::array<double, 3> total{};
     const auto side = static_cast<std::size_t>(resolution) >> level;
     for (std::size_t i = 0; i < side * side; ++i) {
@@ -572,13 +570,13 @@ TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
 
 CascadePlanes planes_of(const Cascade& cascade) {
     CascadePlanes planes{cascade.resolution(),
-                      cascade.grid.side_m,
-                      static_cast<float>(cascade.grid.cosine),
-                      static_cast<float>(cascade.grid.sine),
-                      {},
-                      {},
-                      {},
-                      foam_source(cascade)};
+                         cascade.grid.side_m,
+                         static_cast<float>(cascade.grid.cosine),
+                         static_cast<float>(cascade.grid.sine),
+                         {},
+                         {},
+                         {},
+                         foam_source(cascade)};
     for (int j = 0; j < cascade.resolution(); ++j) {
         for (int i = 0; i < cascade.resolution(); ++i) {
             planes.dx.push_back(cascade.dx.at(i, j));
@@ -628,7 +626,8 @@ TEST(SlopesOfFrames, AreThereForOneCascadeIfAskedAndChangeNoHash) {
     FrameBuffers buffers{.slopes_rgba8 = slopes, .moments_rgba8 = moments};
     asked.frame_at(3, buffers);
     EXPECT_TRUE(std::equal(slopes.begin(), slopes.end(), cascade.slopes_rgba8.begin(), cascade.slopes_rgba8.end()));
-    EXPECT_TRUE(std::equal(moments.begin(), moments.end(), cascade.moments_rgba8.begin(), cascade.moments_rgba8.end()));
+    EXPECT_TRUE(
+        std::equal(moments.begin(), moments.end(), cascade.moments_rgba8.begin(), cascade.moments_rgba8.end()));
     try {
         plain.frame_at(3, buffers);
         FAIL() << "no exception";
@@ -648,7 +647,8 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralCascades) {
     const StageId surface_done = graph.add({.name = "surface", .count = 1, .body = [](std::size_t, std::size_t) {}});
     first.add_to(graph, surface_done);
     second.add_to(graph, surface_done);
-    const WaveCascade waves[] = {random_cascade(32, 100, 0, 2, 0.02, random), random_cascade(32, 13, 0.7, 3, 0.02, random)};
+    const WaveCascade waves[] = {random_cascade(32, 100, 0, 2, 0.02, random),
+                                 random_cascade(32, 13, 0.7, 3, 0.02, random)};
     for (std::size_t t = 0; t < 2; ++t) {
         const CascadePlanes planes = planes_of(waves[t], 0.8);
         slots.buffers(t).surface = surface_of(planes, kernels.lanes);

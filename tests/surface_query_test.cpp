@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 #include "pelagic/tests/oracle/surface_oracle.hpp"
@@ -99,7 +99,8 @@ void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const 
         ASSERT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
         worst.folded += intersections.size() > 1;
         const double off = std::fabs(samples.height[i] - intersections.front().height);
-        ASSERT_LE(off, bound) << points.x[i] << ", " << points.z[i] << " of " << intersections.size() << " intersections";
+        ASSERT_LE(off, bound) << points.x[i] << ", " << points.z[i] << " of " << intersections.size()
+                              << " intersections";
         ASSERT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i];
         const oracle::SurfaceFacts facts = surface.facts_at(intersections.front().rest);
         worst.height_m = std::max(worst.height_m, off);
@@ -145,7 +146,8 @@ class Exaggerated {
     Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
         : Exaggerated(frame, frame.cascades[0], factor, kernels) {}
     Exaggerated(const Frame& frame, const Cascade& cascade, float factor, const Kernels& kernels)
-        : planes_(3 * static_cast<std::size_t>(cascade.resolution()) * cascade.resolution()), folds_(cascade.resolution()) {
+        : planes_(3 * static_cast<std::size_t>(cascade.resolution()) * cascade.resolution()),
+          folds_(cascade.resolution()) {
         const int n = cascade.resolution();
         const PlaneView* const from[3] = {&cascade.dx, &cascade.height, &cascade.dz};
         PlaneView* const to[3] = {&water_.cascade.dx, &water_.cascade.height, &water_.cascade.dz};
@@ -357,7 +359,8 @@ TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
         Samples samples(points.x.size());
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i)
-            ASSERT_NEAR(samples.height[i], surface.intersections_at(points.x[i], points.z[i]).front().height, 1e-3) << n;
+            ASSERT_NEAR(samples.height[i], surface.intersections_at(points.x[i], points.z[i]).front().height, 1e-3)
+                << n;
     }
 }
 

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"

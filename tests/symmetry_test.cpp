@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/tests/each_isa.hpp"
 

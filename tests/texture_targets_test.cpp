@@ -75,7 +75,8 @@ struct CascadeMemory {
 };
 
 SeaState sea_of(int cascades) {
-    return cascades == 1 ? SeaState{.resolution = n, .patch_size_m = 130} : SeaState{.cascades = cascades, .resolution = n};
+    return cascades == 1 ? SeaState{.resolution = n, .patch_size_m = 130}
+                         : SeaState{.cascades = cascades, .resolution = n};
 }
 
 class TextureTargetsOnEachIsa : public OnEachIsa {
@@ -98,9 +99,11 @@ TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
             elsewhere.schedule(time_s, targets);
             const Frame& frame = elsewhere.complete();
             for (std::size_t i = 0; i < memory.size(); ++i) {
-                EXPECT_TRUE(memory[i].holds(expected.cascades[i])) << cascades << " cascades, cascade " << i << ", " << time_s;
-                EXPECT_TRUE(frame.cascades[i].displacement_rgba16f.empty() && frame.cascades[i].gradient_rgba8.empty() &&
-                            frame.cascades[i].slopes_rgba8.empty() && frame.cascades[i].moments_rgba8.empty());
+                EXPECT_TRUE(memory[i].holds(expected.cascades[i]))
+                    << cascades << " cascades, cascade " << i << ", " << time_s;
+                EXPECT_TRUE(frame.cascades[i].displacement_rgba16f.empty() &&
+                            frame.cascades[i].gradient_rgba8.empty() && frame.cascades[i].slopes_rgba8.empty() &&
+                            frame.cascades[i].moments_rgba8.empty());
                 EXPECT_EQ(frame.cascades[i].height.at(3, 5), expected.cascades[i].height.at(3, 5));
             }
         }
@@ -156,7 +159,7 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
                 std::uint32_t*& texels = (off.*chain)[level];
                 texels = reinterpret_cast<std::uint32_t*>(reinterpret_cast<std::uintptr_t>(texels) + bytes);
                 EXPECT_EQ(invalid_value_of(with_slopes, {&off, 1}), "level " + std::to_string(level) + " of " + name +
-                                                                  " is at an address that is no multiple of 4");
+                                                                        " is at an address that is no multiple of 4");
             }
     TextureTargets torn{.gradient_rgba8 = whole.gradient_rgba8};
     torn.gradient_rgba8[3] = nullptr;

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -202,7 +202,8 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
                                 .cosine = 1,
                                 .sine = 0,
                                 .bounds = &bounds});
-    for (const float bound : {bounds.height_min, bounds.height_max, bounds.horizontal_x_max, bounds.horizontal_z_max}) {
+    for (const float bound :
+         {bounds.height_min, bounds.height_max, bounds.horizontal_x_max, bounds.horizontal_z_max}) {
         EXPECT_EQ(bound, 0.f);
         EXPECT_FALSE(std::signbit(bound));
     }

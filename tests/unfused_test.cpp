@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -19,8 +19,9 @@ void expect_same_bits(SeaState sea, double time_s, Isa isa, const char* what) {
     const Frame& fused = ocean.frame_at(time_s);
     const Frame& apart = stages.frame_at(time_s, foam_source(fused.cascades[0]));
     EXPECT_EQ(hash_of(fused), hash_of(apart)) << what << ", N = " << sea.resolution;
-    EXPECT_TRUE(std::equal(fused.cascades[0].displacement_rgba16f.begin(), fused.cascades[0].displacement_rgba16f.end(),
-                           apart.cascades[0].displacement_rgba16f.begin(), apart.cascades[0].displacement_rgba16f.end()))
+    EXPECT_TRUE(
+        std::equal(fused.cascades[0].displacement_rgba16f.begin(), fused.cascades[0].displacement_rgba16f.end(),
+                   apart.cascades[0].displacement_rgba16f.begin(), apart.cascades[0].displacement_rgba16f.end()))
         << what << ", foam, N = " << sea.resolution;
     // Where they differ, for whoever has to find out why.
     for (int j = 0; j < sea.resolution; ++j) {

@@ -64,7 +64,7 @@ std::shared_ptr<CallbackInput> callback(CallbackInput::Add add, double largest_s
 }
 
 constexpr PlaneView Cascade::*planes[] = {&Cascade::dx,         &Cascade::height,     &Cascade::dz,
-                                       &Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
+                                          &Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 struct SixFields {
     double of[6] = {};
 };
@@ -97,7 +97,8 @@ Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
         const double steps = cascades[i].grid.side_m / wave.wavelength_m;
         const bool above_has_none =
             told.cascade < 0 || wave.wavelength_m <= 3 * cascades[static_cast<std::size_t>(told.cascade)].texel_m();
-        if (texels > (cascades.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none)) told.cascade = static_cast<int>(i);
+        if (texels > (cascades.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none))
+            told.cascade = static_cast<int>(i);
     }
     if (told.cascade < 0) return told;
     const CascadeGrid& grid = cascades[static_cast<std::size_t>(told.cascade)].grid;
@@ -110,7 +111,8 @@ Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
 }
 
 /// The sum at a texel, in double.
-SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades, std::size_t cascade, int i, int j, double t) {
+SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades, std::size_t cascade, int i, int j,
+                      double t) {
     SixFields sum;
     const CascadeGrid& grid = cascades[cascade].grid;
     const double n = cascades[cascade].resolution();
@@ -176,7 +178,8 @@ TEST(WaveInput, AWaveGoesToTheCascadeThatShowsItBest) {
         EXPECT_NEAR(input->held().waves[0].turns_per_m_x, x, 1e-12) << wavelength;
         EXPECT_NEAR(input->held().waves[0].turns_per_m_z, z, 1e-12) << wavelength;
         ++held;
-        by_steps += told.cascade > 0 && wavelength > 3 * frame.cascades[static_cast<std::size_t>(told.cascade - 1)].texel_m();
+        by_steps +=
+            told.cascade > 0 && wavelength > 3 * frame.cascades[static_cast<std::size_t>(told.cascade - 1)].texel_m();
     }
     EXPECT_GT(held, 100);
     EXPECT_GT(by_steps, 2);  // the cascade above could have shown it, too
@@ -195,12 +198,12 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
         float told[6];
         const auto one = [&](int field) { return std::span<float>(told + field, 1); };
         water.sample_undisplaced(t, {x, z},
-                          {.height_m = one(1),
-                           .horizontal_x_m = one(0),
-                           .horizontal_z_m = one(2),
-                           .velocity_x_mps = one(3),
-                           .velocity_y_mps = one(4),
-                           .velocity_z_mps = one(5)});
+                                 {.height_m = one(1),
+                                  .horizontal_x_m = one(0),
+                                  .horizontal_z_m = one(2),
+                                  .velocity_x_mps = one(3),
+                                  .velocity_y_mps = one(4),
+                                  .velocity_z_mps = one(5)});
         ASSERT_NEAR(difference, told[plane], float_m);
     });
     // Of a stack, texel (0, 0) of all cascades is one place.
@@ -209,7 +212,8 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
     EXPECT_EQ(input->held().waves.size(), 5U);
     double height = 0;
     for (std::size_t i = 0; i < c.cascades.size(); ++i)
-        height += static_cast<double>(c.cascades[i].height.at(0, 0)) - static_cast<double>(d.cascades[i].height.at(0, 0));
+        height +=
+            static_cast<double>(c.cascades[i].height.at(0, 0)) - static_cast<double>(d.cascades[i].height.at(0, 0));
     const double origin[] = {0};
     float told[1];
     AnalyticSurface(input->held()).sample_undisplaced(t, {origin, origin}, {.height_m = told});
@@ -226,7 +230,8 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
         Ocean pure(stack, with({})), ocean(stack, with({input}));
         for (const double t : {0.0, 4.56}) {
             const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
-            const auto home = static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.cascades).cascade);
+            const auto home =
+                static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.cascades).cascade);
             ASSERT_EQ(input->held().cascade, home);
             const CascadeGrid& grid = a.cascades[home].grid;
             const double half = grid.side_m / 2;
@@ -626,7 +631,8 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
         Ocean ocean(stack, with({std::make_shared<GerstnerInput>(), bad}, choose_isa(), kind.make(kind.threads)));
         const auto complete = [&] { ocean.frame_at(1); };
         value = std::numeric_limits<float>::quiet_NaN();
-        EXPECT_EQ(invalid_value_of(complete), "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
+        EXPECT_EQ(invalid_value_of(complete),
+                  "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
         value = -1001, field = 1;
         EXPECT_EQ(invalid_value_of(complete),
                   "inputs[1]'s height is -1001, needs [-1000, 1000], metres or metres a second");

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/sweep.hpp"
 
 namespace pelagic {

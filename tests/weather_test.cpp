@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"

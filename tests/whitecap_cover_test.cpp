@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
 

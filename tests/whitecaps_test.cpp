@@ -42,14 +42,15 @@ TEST(FrameStatistics, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) 
         EXPECT_EQ(last_calm.sea.patch_size_m, 50);
         EXPECT_EQ(last_calm.time_s, 1);
         EXPECT_EQ(last_calm.isa, isa);
-        EXPECT_NEAR(last_calm.statistics.significant_wave_height_m / expected_waves(calm).significant_wave_height_m, 1,
-                    1e-12);
+        EXPECT_NEAR(last_calm.statistics.significant_wave_height_m / expected_waves(calm).significant_wave_height_m,
+                    1, 1e-12);
         const double height_before_m = last_calm.statistics.significant_wave_height_m;
         const float jacobian_before = last_calm.cascades[0].whitecap_jacobian;
         const Frame& first_storm = ocean.complete();
         EXPECT_EQ(first_storm.sea.patch_size_m, 800);
-        EXPECT_NEAR(first_storm.statistics.significant_wave_height_m / expected_waves(storm).significant_wave_height_m,
-                    1, 1e-12);
+        EXPECT_NEAR(
+            first_storm.statistics.significant_wave_height_m / expected_waves(storm).significant_wave_height_m, 1,
+            1e-12);
         if (isa == isas_here().front()) {
             calm_height_m = height_before_m;
             calm_jacobian = jacobian_before;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/viewer/sliders.hpp"
@@ -18,8 +18,7 @@ constexpr float panel_width = 360;
 constexpr float to_deg = 180 / std::numbers::pi_v<float>;
 
 bool slide(const Slider& slider, double& value) {
-    return ImGui::SliderScalar(slider.label, ImGuiDataType_Double, &value, &slider.min, &slider.max,
-                               slider.format);
+    return ImGui::SliderScalar(slider.label, ImGuiDataType_Double, &value, &slider.min, &slider.max, slider.format);
 }
 
 bool slide(const Slider& slider, float& value) {

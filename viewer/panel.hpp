@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
-#include "pelagic/gl/shading.hpp"
-#include "pelagic/gl/sky_baker.hpp"
-#include "pelagic/gl/small_water.hpp"
-#include "pelagic/gl/water_optics.hpp"
+#include "pelagic/gl/sky/sky_baker.hpp"
+#include "pelagic/gl/water/shading.hpp"
+#include "pelagic/gl/water/small_water.hpp"
+#include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/view_camera.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "pelagic/gl/shading.hpp"
+#include "pelagic/gl/water/shading.hpp"
 
 namespace pelagic::viewer {
 

@@ -11,7 +11,7 @@ namespace pelagic::viewer {
 struct Slider {
     const char* label;
     std::string_view option;  ///< a field of SeaState or gl::SkyOptions, or one of gl::CameraSettings
-    double min, max;       ///< of angles, whose option ends in _rad, in degrees
+    double min, max;          ///< of angles, whose option ends in _rad, in degrees
     const char* format;       ///< as printf's: "%.1f m/s"
 };
 

@@ -47,13 +47,13 @@ class SteeredBoat {
     void float_on(double passed_s, const WaterHeight& water);
     glm::dvec2 ahead() const;
     Disturbance hull() const;
-    /// Of the water that the frame shows, by what was said when it was scheduled.
+    /// Of the water that the frame shows, with the commands applied when it was scheduled.
     double own_hollow_m(double frame_s, glm::dvec2 at) const;
 
     glm::dvec2 place_;
     double heading_, speed_ = 0, turn_rad_ps_ = 0;
     double height_ = 0, pitch_ = 0, roll_ = 0;
-    bool floats_ = false;   ///< it has been on the water once
+    bool floats_ = false;     ///< it has been on the water once
     bool pressures_ = false;  ///< by this, where the frame of that time shows it
     Disturbance pressure_;
     double pressed_shown_s_ = 0;

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include "pelagic/gl/boat.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/viewer/camera_view.hpp"
@@ -126,7 +126,7 @@ class Viewer {
         baker_.schedule(settings_.sky);
         fill_ocean(options_.changes);
         statistics_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
-                                                        : settings_.shading.value_or(gl::Shading::high);
+                                                           : settings_.shading.value_or(gl::Shading::high);
         choose_quality();
         take_sky();
     }

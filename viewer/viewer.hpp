@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water/sea_floor.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/viewer/panel.hpp"
 

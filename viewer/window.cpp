@@ -34,8 +34,9 @@ Window::Window(int width, int height, const std::string& title) {
     glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
         if (action == GLFW_PRESS) window_of(handle).pressed_keys_.push_back(key);
     });
-    glfwSetCursorPosCallback(
-        window_, [](GLFWwindow* handle, double x, double y) { window_of(handle).drag_.move_to({x, y}); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double x, double y) {
+        window_of(handle).drag_.move_to({x, y});
+    });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) window_of(handle).drag_.set_button(action == GLFW_PRESS);
     });

@@ -20,13 +20,14 @@ struct WavePhase {
 /// A wave A cos(phase) of wave vector k. Each member is a factor of its phase's sine or cosine.
 struct GerstnerTerms {
     WavePhase phase;
-    float turns_per_m_x, turns_per_m_z;        ///< as in `phase`
-    float height;                              ///< cosine: A, m
-    float horizontal_x, horizontal_z;              ///< sine: -choppiness A k_x/|k|, m
-    float slope_x, slope_z;                    ///< sine: -A k_x
-    float contraction_xx, contraction_xz, contraction_zz;  ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
-    float vertical_velocity;                                ///< sine: A w, m/s
-    float drift_x, drift_z;                    ///< cosine: choppiness A w k_x/|k|, m/s
+    float turns_per_m_x, turns_per_m_z;  ///< as in `phase`
+    float height;                        ///< cosine: A, m
+    float horizontal_x, horizontal_z;    ///< sine: -choppiness A k_x/|k|, m
+    float slope_x, slope_z;              ///< sine: -A k_x
+    float contraction_xx, contraction_xz,
+        contraction_zz;       ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
+    float vertical_velocity;  ///< sine: A w, m/s
+    float drift_x, drift_z;   ///< cosine: choppiness A w k_x/|k|, m/s
 };
 
 /// Arrays of answers. Normal and Jacobian, or the velocity, are null together where nobody wants them.
@@ -85,8 +86,8 @@ struct PondJob {
 
 struct AnalyticKernels {
     std::size_t lanes;
-    void (*gerstner_undisplaced)(const GerstnerJob&);   ///< points are reference points
-    void (*gerstner_in_world)(const GerstnerJob&);  ///< points are where the water is drawn
+    void (*gerstner_undisplaced)(const GerstnerJob&);  ///< points are reference points
+    void (*gerstner_in_world)(const GerstnerJob&);     ///< points are where the water is drawn
     void (*pond)(const PondJob&);
 };
 

@@ -1,7 +1,7 @@
 // Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Only kernels may be included here, because
 // the linker keeps one copy of an inline function for everyone, and it might be this one.
-#include "pelagic/analytic/kernels/pond.kernel.hpp"
 #include "pelagic/analytic/kernels/gerstner.kernel.hpp"
+#include "pelagic/analytic/kernels/pond.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
 #define PELAGIC_TABLE(name) PELAGIC_JOINED(analytic_kernels_, name)

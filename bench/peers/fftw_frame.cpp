@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 

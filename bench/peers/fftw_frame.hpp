@@ -67,8 +67,8 @@ class FftwFrame {
     AlignedBuffer<std::uint32_t> harmonics_;
     AlignedBuffer<float> height_spectrum_;
     AlignedBuffer<float> horizontal_spectrum_, horizontal_;  ///< of the packed arrangement
-    AlignedBuffer<float> dx_spectrum_, dz_spectrum_;     ///< of the separate one
-    AlignedBuffer<float> planes_;                        ///< dx, height, dz
+    AlignedBuffer<float> dx_spectrum_, dz_spectrum_;         ///< of the separate one
+    AlignedBuffer<float> planes_;                            ///< dx, height, dz
     MipAverages mip_averages_;
     std::unique_ptr<Plans> plans_;
     AlignedBuffer<std::uint16_t> halves_;

@@ -22,9 +22,9 @@ struct FftwEvolveJob {
     std::size_t half_size;  ///< N/2
     std::uint32_t fraction;
     bool is_one_row;
-    float* height[2];    ///< rows kz and -kz of N/2 + 1 numbers
+    float* height[2];      ///< rows kz and -kz of N/2 + 1 numbers
     float* horizontal[2];  ///< packed: rows of N numbers of Dx + i Dz
-    float* dx[2];        ///< separate: rows of N/2 + 1 numbers, as height
+    float* dx[2];          ///< separate: rows of N/2 + 1 numbers, as height
     float* dz[2];
 };
 

@@ -82,7 +82,7 @@ void finalize(const FftwFinalizeJob& job) {
         Pair<Arch> horizontal{V::load_unaligned(job.dx + i), V::load_unaligned(job.dz + i)};
         if (job.horizontal)
             horizontal = deinterleaved<Arch>(V::load_unaligned(job.horizontal + 2 * i),
-                                           V::load_unaligned(job.horizontal + 2 * i + V::size));
+                                             V::load_unaligned(job.horizontal + 2 * i + V::size));
         const V dx = horizontal.first * factor, dz = horizontal.second * factor;
         dx.store_unaligned(job.dx + i);
         dz.store_unaligned(job.dz + i);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "pelagic/bench/peers/scalar_half.hpp"
-#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
@@ -20,8 +20,8 @@ namespace {
 using paper::Complex;
 using paper::Fields;
 using paper::GradientTexel;
-using paper::PackedWave;
 using paper::Horizontal;
+using paper::PackedWave;
 
 constexpr std::uint32_t largest_resolution = 2048;  // of a SeaState
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;

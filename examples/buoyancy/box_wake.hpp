@@ -51,7 +51,7 @@ class BoxWake {
 
     std::uint32_t source_;
     double afloat_s_ = 0;
-    glm::dvec3 box_m_;    ///< at the press before
+    glm::dvec3 box_m_;       ///< at the press before
     glm::dvec3 pressure_m_;  ///< of the press
     /// As they were said: for the frame to come, for that completed last, which shows the tick before it, and for that one.
     std::array<Disturbance, 3> pressures_;

@@ -25,8 +25,10 @@ double plate_added_mass_kg(double side_m, double other_m) {
 }  // namespace
 
 std::string check(const BoxOptions& box) {
-    if (!(box.length_m > 0 && box.length_m <= 1000)) return invalid_value_message("length_m", box.length_m, "(0, 1000]");
-    if (!(box.height_m > 0 && box.height_m <= 1000)) return invalid_value_message("height_m", box.height_m, "(0, 1000]");
+    if (!(box.length_m > 0 && box.length_m <= 1000))
+        return invalid_value_message("length_m", box.length_m, "(0, 1000]");
+    if (!(box.height_m > 0 && box.height_m <= 1000))
+        return invalid_value_message("height_m", box.height_m, "(0, 1000]");
     if (!(box.beam_m > 0 && box.beam_m <= 1000)) return invalid_value_message("beam_m", box.beam_m, "(0, 1000]");
     const double max_kg = water_density_kgpm3 * box.length_m * box.height_m * box.beam_m;
     if (!(box.mass_kg > 0 && box.mass_kg < max_kg))

@@ -83,7 +83,9 @@ class FloatingBox {
     BoxState& state() { return state_; }
     const BoxState& state() const { return state_; }
 
-    double floating_height_m() const { return floating_height_m_; }  ///< of the centre of mass above still water, upright
+    double floating_height_m() const {
+        return floating_height_m_;
+    }  ///< of the centre of mass above still water, upright
     double heave_m() const { return state_.position_m.y - floating_height_m_; }
     double displaced_kg() const { return displaced_kg_; }  ///< water, at the last step
     double heave_added_mass_kg() const;                    ///< at rest, upright

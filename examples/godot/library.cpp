@@ -8,8 +8,8 @@
 
 #include "pelagic/examples/godot/ocean_node.hpp"
 #include "pelagic/examples/godot/properties.hpp"
-#include "pelagic/message/one_line.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/one_line.hpp"
 
 namespace pelagic::godot {
 namespace {

@@ -44,9 +44,8 @@ Property sea_property(std::string_view name, std::string range, PropertyHint hin
         std::string(field->accepted));
 }
 
-Property ranged(std::string name, VariantType type, double min, double max, std::string range,
-                std::string accepted, std::function<double(const OceanSettings&)> get,
-                std::function<void(OceanSettings&, double)> set) {
+Property ranged(std::string name, VariantType type, double min, double max, std::string range, std::string accepted,
+                std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set) {
     return number_property(
         std::move(name), type, std::move(range), hint_range, std::move(get), std::move(set),
         [=](double value) {

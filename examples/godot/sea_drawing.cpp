@@ -243,8 +243,9 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
         set(("cascade_place_" + number).c_str(),
             Value(floats(fraction(at.along / side + 0.5 / resolution), fraction(at.across / side + 0.5 / resolution),
                          cascade.grid.cosine / side, cascade.grid.sine / side)));
-        set(("cascade_scale_" + number).c_str(), Value(floats(1 / cascade.texel_m(), cascade.slope_ranges.slope,
-                                                           cascade.slope_ranges.variance, cascade.slope_variance)));
+        set(("cascade_scale_" + number).c_str(),
+            Value(floats(1 / cascade.texel_m(), cascade.slope_ranges.slope, cascade.slope_ranges.variance,
+                         cascade.slope_variance)));
     }
 }
 

@@ -14,8 +14,8 @@
 #include "egl_context.hpp"
 #include "eye_images.hpp"
 #include "headset.hpp"
-#include "options.hpp"
 #include "image.hpp"
+#include "options.hpp"
 #include "sea_scene.hpp"
 #include "whole_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "eye_images.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 

@@ -1,5 +1,5 @@
 // Sunlight that the waves gather and spread: its part of the mean where it meets a plane below the water. Made of the real
-// surface (gl/caustics.hpp), or of three rows of crests where an application hands in none and on headsets. The mean is 1 either way.
+// surface (gl/water/caustics.hpp), or of three rows of crests where an application hands in none and on headsets. The mean is 1 either way.
 #if SHADING != HEADSET
 uniform sampler2D caustics;
 #endif

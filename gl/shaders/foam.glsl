@@ -1,6 +1,6 @@
 // Foam: how much of a pixel lies under it, how thick it is there, and its light.
 //
-// The cascades' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/foam_image.hpp).
+// The cascades' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/water/foam_image.hpp).
 // Each scale hands its amount on to the next finer one and changes nothing of its mean, so the sea is as white as its maps are, from near
 // and far. A value of a map is an age, too: 1 breaks now, 0.5 did so 1.4 s ago, and opens into threads.
 //

@@ -2,7 +2,7 @@
 //
 // A path adds its source function times what it takes away. That of the air over the sea is the sun's light, scattered once by air
 // and by haze, and the sky's, which comes evenly from above; it depends on the angle to the sun alone. Phase functions, albedo and
-// heights as in gl/atmosphere.hpp.
+// heights as in gl/sky/atmosphere.hpp.
 const vec3 rayleigh_per_m = vec3(5.8e-6, 13.5e-6, 33.1e-6);
 
 float rayleigh_phase(float cosine) { return 3.0 / (16.0 * pi) * (1.0 + cosine * cosine); }

@@ -1,4 +1,4 @@
-// Laid out as MeshLight of gl/lit_mesh.cpp. Directions in the mesh's own axes.
+// Laid out as MeshLight of gl/meshes/lit_mesh.cpp. Directions in the mesh's own axes.
 layout(std140) uniform MeshLight {
     highp mat4 clip_from_mesh;
     highp vec4 sun;             // xyz: towards it

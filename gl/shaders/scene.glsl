@@ -1,6 +1,6 @@
 // What every shader of the sea knows about the frame. Lengths are metres; positions are relative to the viewer, who
 // stands between the eyes: far from the world's origin a float has no millimetres left, near the viewer it has. y is up.
-// Laid out as gl/scene_block.hpp.
+// Laid out as gl/water/scene_block.hpp.
 //
 // The sea is a sum of CASCADES square cascades of waves, the coarsest first; each repeats, each may be rotated, and each is a layer
 // of the textures.

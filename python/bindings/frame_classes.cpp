@@ -45,7 +45,8 @@ py::array halves_of(const CascadeHandle& handle) {
 py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const char* option) {
     const auto reader = handle.of->read();
     const PlaneView& from = handle.cascade().*plane;
-    if (!from.data) throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
+    if (!from.data)
+        throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
     const py::ssize_t side = from.resolution;
     py::array_t<float> array({side, side});
     float* const out = array.mutable_data();
@@ -58,13 +59,15 @@ py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const
 
 /// One level of a chain, (N, N, 4) bytes of words or (N, N) bytes.
 template <class Texel>
-py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::*chain, int level, const char* option) {
+py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::*chain, int level,
+                   const char* option) {
     const auto reader = handle.of->read();
     const Cascade& cascade = handle.cascade();
     if ((cascade.*chain).empty())
         throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
     if (level < 0 || level >= mip_levels(cascade.resolution()))
-        throw std::invalid_argument(invalid_value_message("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
+        throw std::invalid_argument(
+            invalid_value_message("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
     const py::ssize_t side = cascade.resolution() >> level;
     Shape shape{side, side};
     if (sizeof(Texel) == 4) shape.push_back(4);
@@ -96,7 +99,8 @@ std::uint64_t checked_foam_hash(const FrameHandle& handle) {
 }
 
 std::string text_of(const FrameBounds& bounds) {
-    return "Bounds(height_min_m=" + number_text(bounds.height_min_m) + ", height_max_m=" + number_text(bounds.height_max_m) +
+    return "Bounds(height_min_m=" + number_text(bounds.height_min_m) +
+           ", height_max_m=" + number_text(bounds.height_max_m) +
            ", horizontal_x_max_m=" + number_text(bounds.horizontal_x_max_m) +
            ", horizontal_z_max_m=" + number_text(bounds.horizontal_z_max_m) + ")";
 }
@@ -117,13 +121,15 @@ auto plane_getter(PlaneView Cascade::*plane, const char* option) {
 }
 
 template <class Texel>
-void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, std::span<const Texel> Cascade::*chain, const char* option) {
+void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, std::span<const Texel> Cascade::*chain,
+               const char* option) {
     const std::string of_level = name + "_level";
     cascade.def_property_readonly(
         name.c_str(), [=](const CascadeHandle& handle) { return level_of(handle, chain, 0, option); },
         doc_of(("Cascade." + name).c_str()));
     cascade.def(
-        of_level.c_str(), [=](const CascadeHandle& handle, int level) { return level_of(handle, chain, level, option); },
+        of_level.c_str(),
+        [=](const CascadeHandle& handle, int level) { return level_of(handle, chain, level, option); },
         py::arg("level"), doc_of(("Cascade." + of_level).c_str()));
 }
 

@@ -15,9 +15,7 @@ struct FrameHandle {
     std::uint64_t number;
     Frame frame;  ///< its spans and their cascades belong to the ocean: only with a Reader or a View
 
-    std::unique_ptr<SharedOcean::Reader> read() const {
-        return std::make_unique<SharedOcean::Reader>(ocean, number);
-    }
+    std::unique_ptr<SharedOcean::Reader> read() const { return std::make_unique<SharedOcean::Reader>(ocean, number); }
 };
 
 struct CascadeHandle {

@@ -21,14 +21,16 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
     return std::make_shared<FrameHandle>(FrameHandle{ocean, made.number, made.frame});
 }
 
-OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes, int threads,
-                        const std::optional<std::string>& isa, double largest_peak_m) {
+OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes,
+                        int threads, const std::optional<std::string>& isa, double largest_peak_m) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
     if (const std::string reason = check(forecast.first); !reason.empty()) throw std::invalid_argument(reason);
-    OceanOptions options{.queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
+    OceanOptions options{
+        .queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
     if (isa) {
         options.isa = isa_named(*isa);
-        if (!options.isa) throw std::invalid_argument(invalid_value_message("isa", *isa, "sse4.2, avx2, avx512 or neon"));
+        if (!options.isa)
+            throw std::invalid_argument(invalid_value_message("isa", *isa, "sse4.2, avx2, avx512 or neon"));
     }
     const py::gil_scoped_release others_run;
     options.executor = make_default_executor(threads);
@@ -75,7 +77,8 @@ OceanPointer entered(const OceanPointer& ocean) {
 }
 
 void schedule_sea(SharedOcean& ocean, py::handle sea, double from_s, double over_s, double swell_from_m) {
-    const SeaChange change{.sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m};
+    const SeaChange change{
+        .sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m};
     const py::gil_scoped_release others_run;
     ocean.schedule_sea(change);
 }
@@ -87,10 +90,11 @@ void add_ocean_class(py::module_& module) {
     };
     OceanClass ocean(module, "Ocean", doc_of("Ocean"));
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
-              py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
-              py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0, doc_of("Ocean.__init__"));
+              py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false,
+              py::arg("threads") = 0, py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0,
+              doc_of("Ocean.__init__"));
     ocean.def("__enter__", &entered);
-    ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely(&SharedOcean::close)(of); });
+    ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely (&SharedOcean::close)(of); });
     ocean.def("close", freely(&SharedOcean::close), doc_of("Ocean.close"));
     ocean.def_property_readonly("is_closed", &SharedOcean::is_closed, doc_of("Ocean.is_closed"));
     ocean.def("schedule", freely(&SharedOcean::schedule), py::arg("time_s"), doc_of("Ocean.schedule"));
@@ -100,12 +104,18 @@ void add_ocean_class(py::module_& module) {
     ocean.def("schedule_sea", &schedule_sea, py::arg("sea"), py::arg("from_s"), py::arg("over_s"),
               py::arg("swell_from_m") = 0.0, doc_of("Ocean.schedule_sea"));
     add_series(ocean);
-    facts_and_docs(ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });
-    facts_and_docs(ocean, "resolution", +[](const Facts& of) { return of.resolution; });
-    facts_and_docs(ocean, "cascade_count", +[](const Facts& of) { return of.cascade_count; });
-    facts_and_docs(ocean, "threads", +[](const Facts& of) { return of.threads; });
-    facts_and_docs(ocean, "memory_bytes", +[](const Facts& of) { return of.memory_bytes; });
-    facts_and_docs(ocean, "isa", +[](const Facts& of) { return std::string(name_of(of.isa)); });
+    facts_and_docs(
+        ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });
+    facts_and_docs(
+        ocean, "resolution", +[](const Facts& of) { return of.resolution; });
+    facts_and_docs(
+        ocean, "cascade_count", +[](const Facts& of) { return of.cascade_count; });
+    facts_and_docs(
+        ocean, "threads", +[](const Facts& of) { return of.threads; });
+    facts_and_docs(
+        ocean, "memory_bytes", +[](const Facts& of) { return of.memory_bytes; });
+    facts_and_docs(
+        ocean, "isa", +[](const Facts& of) { return std::string(name_of(of.isa)); });
 }
 
 }  // namespace

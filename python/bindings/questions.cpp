@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/message/near_names.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/near_names.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
@@ -52,7 +52,7 @@ Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const c
     Doubles array = doubles_of(given, name);
     if (array.ndim() == 0 || array.shape(array.ndim() - 1) != numbers)
         throw std::invalid_argument(invalid_value_message(std::string(name) + ".shape", text_of(shape_of(array)),
-                                            "(..., " + number_text(numbers) + "): " + meaning));
+                                                          "(..., " + number_text(numbers) + "): " + meaning));
     return array;
 }
 
@@ -138,7 +138,8 @@ class Fields {
     bool has(const char* name, bool by_default = true) const { return all_ ? by_default : wanted_.contains(name); }
 
    private:
-    const std::vector<std::string> known_ = {"height", "normal", "jacobian", "velocity", "foam", "converged", "error"};
+    const std::vector<std::string> known_ = {"height", "normal",    "jacobian", "velocity",
+                                             "foam",   "converged", "error"};
     bool all_;
     std::set<std::string> wanted_;
 };
@@ -229,7 +230,8 @@ void warn_of_span(const Places& places, double repeat_m) {
     }
     if (!(span_m > repeat_m)) return;
     // Without the span: of warnings with one text Python shows and keeps one for each line of a program.
-    const std::string line = "the points span more than the " + number_text(repeat_m) + " m after which the longest waves repeat";
+    const std::string line =
+        "the points span more than the " + number_text(repeat_m) + " m after which the longest waves repeat";
     if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 2) != 0) throw py::error_already_set();
 }
 
@@ -259,7 +261,8 @@ void need_no_repetition(const std::vector<double>& times_s, double loop_s) {
     const double fits_s = std::ceil(span_s + span_s / static_cast<double>(times_s.size() - 1));
     throw std::invalid_argument(
         "times span " + number_text(span_s) + " s, but the sea repeats after " + number_text(loop_s) + " s: " +
-        (fits_s <= longest_loop_s ? "loop_period_s=" + number_text(fits_s) + " is long enough, and " : "no loop is longer than 86400 s; ") +
+        (fits_s <= longest_loop_s ? "loop_period_s=" + number_text(fits_s) + " is long enough, and "
+                                  : "no loop is longer than 86400 s; ") +
         "repeats=True permits repetition");
 }
 
@@ -268,10 +271,13 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
     const SurfaceQueryOptions options = options_of(tolerance_m, interpolation);
     const Places places = places_of(points, py::none());
     const Doubles moments = doubles_of(times, "times");
-    if (moments.ndim() != 1) throw std::invalid_argument(invalid_value_message("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
+    if (moments.ndim() != 1)
+        throw std::invalid_argument(
+            invalid_value_message("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
     const std::vector<double> times_s(moments.data(), moments.data() + moments.size());
     for (const double time_s : times_s)
-        if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("times", time_s, "finite numbers of seconds"));
+        if (!std::isfinite(time_s))
+            throw std::invalid_argument(invalid_value_message("times", time_s, "finite numbers of seconds"));
     const auto facts = [&] {
         const py::gil_scoped_release others_run;
         return ocean.facts();
@@ -294,19 +300,23 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
     return arrays.answers;
 }
 
-py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach, double tolerance_m) {
+py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach,
+              double tolerance_m) {
     const auto reader = handle.read();
     if (!(tolerance_m >= min_tolerance_m && tolerance_m <= max_tolerance_m))
         throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const SurfaceQuery surface(handle.frame, tolerance_m);
-    const py::object extended = doubles_of(reach, "reach").attr("__getitem__")(
-        py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
+    const py::object extended =
+        doubles_of(reach, "reach")
+            .attr("__getitem__")(py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
     const SameShape same({rows_of(origins, "origins", 3, "x, y and z of each ray"),
-                          rows_of(directions, "directions", 3, "x, y and z of each ray"), doubles_of(extended, "reach")});
+                          rows_of(directions, "directions", 3, "x, y and z of each ray"),
+                          doubles_of(extended, "reach")});
     Shape shape = same.shape;
     shape.pop_back();
     const std::size_t count = same.elements[0].size() / 3;
-    const double *origin = same.elements[0].data(), *direction = same.elements[1].data(), *reaches = same.elements[2].data();
+    const double *origin = same.elements[0].data(), *direction = same.elements[1].data(),
+                 *reaches = same.elements[2].data();
 
     py::array_t<bool> hit(shape), from_below(shape);
     py::array_t<double> distance(shape), position(with(shape, 3));
@@ -347,7 +357,8 @@ Places reference_places_of(py::handle points, py::handle z) {
     for (std::size_t i = 0; i < places.x.size(); ++i)
         for (const double at : {places.x[i], places.z[i]})
             if (!(std::fabs(at) <= max_m))
-                throw std::invalid_argument("point " + number_text(i) + ": " + invalid_value_message("a coordinate", at, "[-1e9, 1e9]"));
+                throw std::invalid_argument("point " + number_text(i) + ": " +
+                                            invalid_value_message("a coordinate", at, "[-1e9, 1e9]"));
     return places;
 }
 
@@ -373,8 +384,8 @@ float resting_foam(const Frame& frame, double x_m, double z_m) {
         const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
-                                      z - row));
+        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
+                                    x - column, z - row));
     }
     return static_cast<float>(max);
 }
@@ -393,9 +404,9 @@ py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, 
 }  // namespace
 
 void add_questions(FrameClass& frame) {
-    frame.def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
-              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, py::arg("interpolation") = "linear",
-              doc_of("Frame.query"));
+    frame.def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(),
+              py::arg("fields") = py::none(), py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m,
+              py::arg("interpolation") = "linear", doc_of("Frame.query"));
     frame.def("rays", &rays, py::arg("origins"), py::arg("directions"), py::arg("reach"), py::kw_only(),
               py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, doc_of("Frame.rays"));
     frame.def("displaced", &displaced, py::arg("points"), py::arg("z") = py::none(), doc_of("Frame.displaced"));

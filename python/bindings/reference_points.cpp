@@ -1,7 +1,7 @@
 // What a frame does to points of water by where they rest: how far they are moved, how fast they move, how much foam floats on them. A
 // mesh whose vertices rest asks for all at once and often, so a cascade's cells are found once for all of its planes.
-#include <pybind11/pybind11.h>
 #include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
 
 #include <cmath>
 #include <string>
@@ -23,7 +23,8 @@ using Planes = PlaneView Cascade::*[3];
 /// One cascade, as many points read it.
 class ReferenceCascade {
    public:
-    explicit ReferenceCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.grid.side_m) {
+    explicit ReferenceCascade(const Cascade& cascade)
+        : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.grid.side_m) {
         const PlaneView& plane = cascade.height;
         for (int i = 0; i < plane.resolution; ++i)
             columns_.push_back(i / plane.block_columns * plane.block_stride + i % plane.block_columns);
@@ -90,7 +91,8 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
                 throw std::invalid_argument(invalid_value_message("points[" + number_text(point) + "]",
-                                                    number_text(at[0]) + ", " + number_text(at[1]), "metres in [-1e9, 1e9]"));
+                                                                  number_text(at[0]) + ", " + number_text(at[1]),
+                                                                  "metres in [-1e9, 1e9]"));
             double sum[3] = {}, speed[3] = {}, max_foam = 0;
             for (const ReferenceCascade& cascade : cascades) {
                 const ReferenceCascade::Cell cell = cascade.cell_at(at[0], at[1]);
@@ -113,6 +115,8 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
 
 }  // namespace
 
-void add_reference_points(FrameClass& frame) { frame.def("sample_undisplaced", &sample_undisplaced, py::arg("points"), doc_of("Frame.sample_undisplaced")); }
+void add_reference_points(FrameClass& frame) {
+    frame.def("sample_undisplaced", &sample_undisplaced, py::arg("points"), doc_of("Frame.sample_undisplaced"));
+}
 
 }  // namespace pelagic::python

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/message/near_names.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/near_names.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace py = pybind11;
@@ -27,7 +27,8 @@ template <class Value, class Named, class All>
 Value named_in(py::handle sea, const char* field, Named named, const All& all) {
     const py::object value = sea.attr(field);
     if (!py::isinstance<py::str>(value))
-        throw py::type_error(invalid_value_message(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
+        throw py::type_error(
+            invalid_value_message(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
     const auto name = value.cast<std::string>();
     if (const std::optional<Value> found = named(name)) return *found;
     const std::vector<std::string> names = names_of(all);
@@ -41,9 +42,9 @@ double number_in(py::handle sea, const SeaStateField& field) {
                           !std::holds_alternative<float SeaState::*>(field.member);
     // Whatever Python itself takes for a number, NumPy's too; a bool is one only to Python.
     PyObject* const converted = py::isinstance<py::bool_>(value) ? nullptr
-                                : is_whole                        ? PyNumber_Index(value.ptr())
-                                : py::isinstance<py::str>(value)  ? nullptr
-                                                                  : PyNumber_Float(value.ptr());
+                                : is_whole                       ? PyNumber_Index(value.ptr())
+                                : py::isinstance<py::str>(value) ? nullptr
+                                                                 : PyNumber_Float(value.ptr());
     if (!converted) {
         PyErr_Clear();
         throw py::type_error(
@@ -110,7 +111,8 @@ py::array_t<double> densities(py::handle sea, const Doubles& at, const char* nam
 
 SeaState sea_state_of(py::handle sea) {
     if (!py::hasattr(sea, "wind_speed_mps"))
-        throw py::type_error(invalid_value_message("sea", std::string(py::repr(sea)), "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
+        throw py::type_error(invalid_value_message("sea", std::string(py::repr(sea)),
+                                                   "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
     SeaState state;
     state.waves = named_in<WaveModel>(sea, "waves", wave_model_named, wave_models());
     state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_model_named, spectrum_models());

@@ -9,7 +9,8 @@ namespace pelagic::python {
 namespace {
 
 void need_finite(double time_s) {
-    if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
+    if (!std::isfinite(time_s))
+        throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
 }
 
 }  // namespace
@@ -39,8 +40,9 @@ void SharedOcean::begin(double time_s) {
         const std::uint64_t next = scheduled_ + 1;
         Use& use = use_of(next);
         if (use.views > 0)
-            throw MemoryInUse("an array of the frame of " + number_text(times_s_[next % 2]) +
-                              " s is still in use, and the next frame needs its memory: drop the array, or keep a copy() of it");
+            throw MemoryInUse(
+                "an array of the frame of " + number_text(times_s_[next % 2]) +
+                " s is still in use, and the next frame needs its memory: drop the array, or keep a copy() of it");
         scheduled_ = next;  // from here on nobody begins to read the old one
         times_s_[next % 2] = time_s;
         readers_left_.wait(lock, [&] { return use.readers == 0; });
@@ -80,7 +82,8 @@ NumberedFrame SharedOcean::frame_at(double time_s) {
     return end();
 }
 
-void SharedOcean::frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use) {
+void SharedOcean::frames_at(std::span<const double> times_s,
+                            const std::function<void(std::size_t, const Frame&)>& use) {
     const std::lock_guard turn(turn_);
     if (times_s.empty()) return;
     begin(times_s[0]);
@@ -110,9 +113,9 @@ void SharedOcean::schedule_sea(const SeaChange& change) {
 SharedOcean::Facts SharedOcean::facts() {
     const std::lock_guard turn(turn_);
     const Ocean& ocean = opened();
-    return {ocean.sea(),        ocean.resolution(),   ocean.executor().thread_limit(),
+    return {ocean.sea(),           ocean.resolution(),   ocean.executor().thread_limit(),
             ocean.cascade_count(), ocean.memory_bytes(), ocean.isa(),
-            repeat_length_m_,   has_velocities_,      has_foam_};
+            repeat_length_m_,      has_velocities_,      has_foam_};
 }
 
 void SharedOcean::close() {
@@ -146,7 +149,8 @@ void SharedOcean::need_alive(std::uint64_t number) const {
     need_open_now();
     if (scheduled_ >= number + 2)
         throw StaleFrame(
-            "the frame's memory holds a later one: a frame lasts until the second schedule() or frame_at() after its own");
+            "the frame's memory holds a later one: a frame lasts until the second schedule() or frame_at() after its "
+            "own");
 }
 
 SharedOcean::Reader::Reader(std::shared_ptr<SharedOcean> ocean, std::uint64_t number)

@@ -31,14 +31,14 @@ void ContractionMap::find(const Cascade& cascade, const Kernels& kernels, std::s
     assert(cascade.resolution() == resolution_);
     assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
     kernels.find_contraction({.surface = texels_of(cascade),
-                          .texels_per_m = static_cast<float>(1 / cascade.texel_m()),
-                          .cosine = static_cast<float>(cascade.grid.cosine),
-                          .sine = static_cast<float>(cascade.grid.sine),
-                          .one = ContractionBound::one,
-                          .first_row = job * rows_per_job,
-                          .rows = rows_per_job,
-                          .blocks = blocks_.data(),
-                          .extremes = &extremes_[job]});
+                              .texels_per_m = static_cast<float>(1 / cascade.texel_m()),
+                              .cosine = static_cast<float>(cascade.grid.cosine),
+                              .sine = static_cast<float>(cascade.grid.sine),
+                              .one = ContractionBound::one,
+                              .first_row = job * rows_per_job,
+                              .rows = rows_per_job,
+                              .blocks = blocks_.data(),
+                              .extremes = &extremes_[job]});
 }
 
 double ContractionMap::largest_m() const {
@@ -48,7 +48,7 @@ double ContractionMap::largest_m() const {
 }
 
 void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
-                        double finest_texel_m, const Kernels& kernels) {
+                            double finest_texel_m, const Kernels& kernels) {
     // The file's r_i, with what a search may be off.
     double reach_m = 0, reference_m = margin * finest_texel_m;
     for (std::size_t i = maps.size(); i-- > 0;) {
@@ -67,10 +67,10 @@ void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* co
     const double reach = std::ceil(reach_m / (2 * cascade.texel_m()));
     if (reach < static_cast<double>(side) / 2)
         kernels.spread_contraction({.from = blocks_.data(),
-                                .side = side,
-                                .reach = static_cast<std::size_t>(reach),
-                                .scratch = scratch_.data(),
-                                .to = around_.data()});
+                                    .side = side,
+                                    .reach = static_cast<std::size_t>(reach),
+                                    .scratch = scratch_.data(),
+                                    .to = around_.data()});
     else
         std::fill_n(around_.data(), around_.size(), *from);
 
@@ -79,14 +79,16 @@ void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* co
         stretch = std::max(stretch, part.stretch);
         steepness_squared = std::max(steepness_squared, part.steepness_squared);
     }
-    cascade.contraction = {.blocks = {blocks_.data(), blocks_.size()},
-                    .around = {around_.data(), around_.size()},
-                    .largest_m = static_cast<float>(largest_m()),
-                    .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
-                    .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
+    cascade.contraction = {
+        .blocks = {blocks_.data(), blocks_.size()},
+        .around = {around_.data(), around_.size()},
+        .largest_m = static_cast<float>(largest_m()),
+        .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
+        .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
 }
 
-void ContractionMap::update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels) {
+void ContractionMap::update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps,
+                            const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
     std::array<const ContractionMap*, max_cascades> all;
     for (std::size_t i = 0; i < cascades.size(); ++i) {

@@ -20,8 +20,8 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -45,8 +45,8 @@ class ContractionMap {
     /// Stage `folds tail`, when that is done for all cascades: the rest of it. Sets cascade.contraction, a view into the map.
     /// \param maps   of all cascades, the coarsest first
     /// \param number  of this map among them
-    void spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number, double finest_texel_m,
-                const Kernels& kernels);
+    void spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
+                double finest_texel_m, const Kernels& kernels);
 
     /// All of it, for cascades that no ocean made.
     static void update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels);

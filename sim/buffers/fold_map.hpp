@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {

@@ -115,7 +115,8 @@ void FrameSlots::finish_textures() {
 std::size_t FrameSlots::bytes() const {
     std::size_t bytes = 0;
     for (const Slot& slot : slots_)
-        for (const CascadeBuffers& buffers : slot.buffers) bytes += buffers.bytes() + sizeof(CascadeBuffers) + sizeof(Cascade);
+        for (const CascadeBuffers& buffers : slot.buffers)
+            bytes += buffers.bytes() + sizeof(CascadeBuffers) + sizeof(Cascade);
     return bytes;
 }
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/buffers/contraction_map.hpp"
+#include "pelagic/sim/buffers/fold_map.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
@@ -20,9 +20,9 @@ namespace pelagic {
 struct FrameExtras {
     bool folds = false;
     bool velocities = false;
-    bool gradients = true;   ///< each cascade's own normals
-    bool slopes = false;     ///< and those that add to other cascades'
-    bool foam = false;       ///< that lasts
+    bool gradients = true;  ///< each cascade's own normals
+    bool slopes = false;    ///< and those that add to other cascades'
+    bool foam = false;      ///< that lasts
     Allocator memory = {};  ///< for everything whose size grows with N^2
 };
 
@@ -33,9 +33,9 @@ struct CascadeBuffers {
     CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
     std::size_t bytes() const;
 
-    AlignedBuffer<float> surface;       ///< lines at first, see kernels/wave_blocks.hpp
-    AlignedBuffer<float> velocity;      ///< the same for the derivative in time, if wanted
-    std::optional<FoldMap> folds;       ///< of one cascade, if wanted
+    AlignedBuffer<float> surface;               ///< lines at first, see kernels/wave_blocks.hpp
+    AlignedBuffer<float> velocity;              ///< the same for the derivative in time, if wanted
+    std::optional<FoldMap> folds;               ///< of one cascade, if wanted
     std::optional<ContractionMap> contraction;  ///< of several
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cassert>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

@@ -14,7 +14,8 @@ Arrival::Arrival(const SeaChange& change) : over_s_(change.over_s) {
         delays_s_[band] = swell.delay_s(two_pi / loop_s * middle_harmonic(band));
 }
 
-LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival, double since_s) {
+LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival,
+                       double since_s) {
     LineStatistics sum;
     for (std::size_t band = std::min(before.first(), after.first()); band < std::max(before.end(), after.end());
          ++band)

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
 
 namespace pelagic {
@@ -29,6 +29,7 @@ class Arrival {
 };
 
 /// What a cascade's waves add to the sea meanwhile: each band blends by itself, so that the figures are those of the waves.
-LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival, double since_s);
+LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival,
+                       double since_s);
 
 }  // namespace pelagic

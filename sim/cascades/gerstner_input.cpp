@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascades/input_grid.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -122,8 +122,8 @@ struct GerstnerInput::State {
     AnalyticSea asked;  ///< from the next frame on
     std::vector<Held> held;
     double choppiness = 0;
-    std::vector<det::SineCosine> circle;     ///< of N parts of a turn
-    AlignedBuffer<float> columns;            ///< of each wave N cosines and N sines
+    std::vector<det::SineCosine> circle;    ///< of N parts of a turn
+    AlignedBuffer<float> columns;           ///< of each wave N cosines and N sines
     std::array<int, max_waves> columns_of;  ///< which m
     /// Of each wave's angle at texel (0, 0), by the moment's place.
     std::array<std::array<det::SineCosine, max_waves>, 2> starts;
@@ -182,8 +182,8 @@ void GerstnerInput::add(const InputRows& rows) const {
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
             ++count;
         }
-        const auto add_to = [&](const std::array<GridWaveRow, max_waves>& of, std::span<float> x,
-                                std::span<float> y, std::span<float> z) {
+        const auto add_to = [&](const std::array<GridWaveRow, max_waves>& of, std::span<float> x, std::span<float> y,
+                                std::span<float> z) {
             kernels.add_waves(
                 {.waves = of.data(),
                  .count = count,

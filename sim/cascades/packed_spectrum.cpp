@@ -96,8 +96,8 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
     return sum;
 }
 
-LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out, StatisticsByBand* by_band) {
+LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan,
+                                  std::size_t line, PackedSpectrum& out, StatisticsByBand* by_band) {
     const CascadePlan& cascade = waves.cascade();
     const int resolution = cascade.resolution;
     const int radix = plan.tables().first_step().radix;
@@ -147,13 +147,13 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                     return std::norm(of.amplitude) * met_frequency * met_frequency;
                 };
                 statistics.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
-                                         mirrors *
-                                             (square_rate(opposites.along, frequency - drifted) +
-                                              square_rate(opposites.against, frequency + drifted)) *
-                                             orbit_square,
-                                         signed_m * spacing, n * spacing, sign * fold_x, fold_z);
+                                            mirrors *
+                                                (square_rate(opposites.along, frequency - drifted) +
+                                                 square_rate(opposites.against, frequency + drifted)) *
+                                                orbit_square,
+                                            signed_m * spacing, n * spacing, sign * fold_x, fold_z);
                 statistics.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
-                                        sign * shown_x.derivative, shown_z.derivative);
+                                           sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
                 statistics.stokes_x = running * (signed_m * spacing);
                 statistics.stokes_z = running * (n * spacing);

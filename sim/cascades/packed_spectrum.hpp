@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
-#include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -81,7 +81,7 @@ class StatisticsByBand {
 LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part);
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent. \param by_band  gets the same figures, if there is one
-LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out, StatisticsByBand* by_band = nullptr);
+LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan,
+                                  std::size_t line, PackedSpectrum& out, StatisticsByBand* by_band = nullptr);
 
 }  // namespace pelagic

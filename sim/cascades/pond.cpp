@@ -7,8 +7,8 @@
 
 #include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
-#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -27,7 +27,8 @@ struct RowPart {
 
     PondAnswers answers(bool with_velocities) {
         if (!with_velocities) return {.height = height.data()};
-        return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), vertical_velocity.data(), slope_variance.data()};
+        return {height.data(),   normal_x.data(),          normal_y.data(),
+                normal_z.data(), vertical_velocity.data(), slope_variance.data()};
     }
 };
 
@@ -55,8 +56,7 @@ Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& e
       resolution_(slots.resolution()),
       row_bounds_(static_cast<std::size_t>(resolution_)) {
     for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
-    for (std::vector<double>& starts : starts_.values)
-        starts.reserve(max_analytic_waves);  // frames allocate nothing
+    for (std::vector<double>& starts : starts_.values) starts.reserve(max_analytic_waves);  // frames allocate nothing
 }
 
 FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
@@ -97,13 +97,13 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     RowBounds bounds{3.4e38f, -3.4e38f};
     for (std::size_t first = 0; first < n; first += count) {
         kernels_.pond({.octaves = waves_.terms.data(),
-                           .starts = starts_[pass].data(),
-                           .octave_count = static_cast<int>(waves_.terms.size()),
-                           .count = count,
-                           .x = columns_.data() + first,
-                           .z = z.data(),
-                           .footprint = footprint.data(),
-                           .out = part.answers(with_velocities)});
+                       .starts = starts_[pass].data(),
+                       .octave_count = static_cast<int>(waves_.terms.size()),
+                       .count = count,
+                       .x = columns_.data() + first,
+                       .z = z.data(),
+                       .footprint = footprint.data(),
+                       .out = part.answers(with_velocities)});
         const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
             store_row(values, count, first, component(planes, of), lanes_, block_floats);
         };
@@ -166,7 +166,7 @@ LineStatistics Pond::statistics_of(const Waves& waves) {
         statistics.mean_square_slope += shown * octave.slope_variance();
         const double height = octave.octave.height_m;
         statistics.slopes.add_wave(pond_slope_variance * (height * height) * shown, difference(octave.at.m),
-                                difference(octave.at.n));
+                                   difference(octave.at.n));
     }
     return statistics;
 }

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
 #include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
-#include "pelagic/sim/buffers/frame_slots.hpp"
 
 namespace pelagic {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascades/input_grid.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -31,8 +31,9 @@ constexpr std::array fields = {
 std::string check(const Ripple& ripple) {
     if (std::string reason = check_fields(ripple, fields); !reason.empty()) return reason;
     if (two_pi * ripple.amplitude_m > ripple.wavelength_m)
-        return invalid_value_message("amplitude_m", ripple.amplitude_m,
-                       "at most wavelength_m / (2 pi), " + rounded_text(ripple.wavelength_m / two_pi, 4));
+        return invalid_value_message(
+            "amplitude_m", ripple.amplitude_m,
+            "at most wavelength_m / (2 pi), " + rounded_text(ripple.wavelength_m / two_pi, 4));
     return {};
 }
 
@@ -60,7 +61,8 @@ struct RippleInput::State {
         const CascadeGrid& grid = moment.grids[*cascade];
         const double half_m = grid.side_m / 2;
         harmonic = input_harmonic(1 / shown.wavelength_m, moment.loop_period_s);
-        held = {*cascade, harmonic / moment.loop_period_s, shown.reach_m > 0 ? std::min(shown.reach_m, half_m) : half_m};
+        held = {*cascade, harmonic / moment.loop_period_s,
+                shown.reach_m > 0 ? std::min(shown.reach_m, half_m) : half_m};
         const std::size_t n = static_cast<std::size_t>(moment.resolution);
         if (along_squared.size() != n) along_squared = AlignedBuffer<float>(n);
         texel_m = grid.side_m / moment.resolution;
@@ -87,7 +89,9 @@ void RippleInput::begin(const InputMoment& moment) {
     state_->starts[moment.place] = static_cast<std::uint32_t>(static_cast<std::int64_t>(turns * 0x1p32));
 }
 
-bool RippleInput::adds_to(std::size_t cascade) const { return state_->held.reach_m > 0 && state_->held.cascade == cascade; }
+bool RippleInput::adds_to(std::size_t cascade) const {
+    return state_->held.reach_m > 0 && state_->held.cascade == cascade;
+}
 
 // The wave's own slope, at most k A; that of its fall from the middle, A / L at most, for q >= L / 2; and that of the fade, whose
 // (1 - u^2)^2 falls by 16 / (6 sqrt 3) = 1.54 of the reach at most.
@@ -105,17 +109,18 @@ void RippleInput::add(const InputRows& rows) const {
         const float across_squared =
             state_->squared_way(static_cast<double>(rows.first_row + row), state_->middle_row);
         if (static_cast<double>(across_squared) >= reach_squared) continue;
-        kernels.add_ripple({.along_squared = state_->along_squared.data(),
-                            .across_squared = across_squared,
-                            .columns = rows.resolution(),
-                            .reach_squared = static_cast<float>(reach_squared),
-                            .half_wave = static_cast<float>(ripple.wavelength_m / 2),
-                            .waves_per_m = static_cast<float>(1 / ripple.wavelength_m),
-                            .start = state_->starts[rows.moment.place],
-                            .amplitude = static_cast<float>(ripple.amplitude_m),
-                            .vertical_velocity = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
-                            .heights = rows.row_of(rows.height, row).data(),
-                            .vertical_velocities = rows.velocity_y.empty() ? nullptr : rows.row_of(rows.velocity_y, row).data()});
+        kernels.add_ripple(
+            {.along_squared = state_->along_squared.data(),
+             .across_squared = across_squared,
+             .columns = rows.resolution(),
+             .reach_squared = static_cast<float>(reach_squared),
+             .half_wave = static_cast<float>(ripple.wavelength_m / 2),
+             .waves_per_m = static_cast<float>(1 / ripple.wavelength_m),
+             .start = state_->starts[rows.moment.place],
+             .amplitude = static_cast<float>(ripple.amplitude_m),
+             .vertical_velocity = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
+             .heights = rows.row_of(rows.height, row).data(),
+             .vertical_velocities = rows.velocity_y.empty() ? nullptr : rows.row_of(rows.velocity_y, row).data()});
     }
 }
 

@@ -4,11 +4,11 @@
 #include <cassert>
 #include <utility>
 
-#include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/cascades/arrival.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
-#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/cascades/arrival.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
 
 namespace pelagic {
 namespace {
@@ -25,7 +25,8 @@ constexpr std::size_t spectrum_batch = 2;
 
 }  // namespace
 
-SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras)
+SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels,
+                                 const FrameExtras& extras)
     : slots_(slots),
       cascade_(cascade),
       kernels_(kernels),
@@ -58,14 +59,15 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
-    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
-                                            .count = part_bounds_.size(),
-                                            .waits_for = {lines_done},
-                                            .body = for_each_item([this, pass, surface](std::size_t pair) {
-                                                if (shown_[pass].is_idle) return;
-                                                columns_finalize(pass, pair, surface(), part_bounds_[pair]);
-                                            }),
-                                            .stack_bytes = transforms});
+    const StageId surface_done =
+        graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
+                   .count = part_bounds_.size(),
+                   .waits_for = {lines_done},
+                   .body = for_each_item([this, pass, surface](std::size_t pair) {
+                       if (shown_[pass].is_idle) return;
+                       columns_finalize(pass, pair, surface(), part_bounds_[pair]);
+                   }),
+                   .stack_bytes = transforms});
     return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
 }
 
@@ -97,10 +99,11 @@ const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) cons
     return **found;
 }
 
-SpectralCascade::Look SpectralCascade::look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const {
-    return {whitecap_cover > 0
-                ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
-                : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
+SpectralCascade::Look SpectralCascade::look_of(const LineStatistics& statistics, double choppiness,
+                                               double whitecap_cover) const {
+    return {whitecap_cover > 0 ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover,
+                                                    TickClock(loop_period_s_).tick_s())
+                               : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
             slope_ranges(statistics.mean_square_slope, statistics.mean_square_convergence)};
 }
 

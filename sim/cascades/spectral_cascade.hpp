@@ -13,15 +13,15 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/cascades/spectrum_cache.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/kernels/fft_plan.hpp"
-#include "pelagic/sim/cascades/packed_spectrum.hpp"
-#include "pelagic/sim/cascades/spectrum_cache.hpp"
-#include "pelagic/sim/cascades/sea_source.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/buffers/frame_slots.hpp"
 
 namespace pelagic {
 
@@ -81,7 +81,7 @@ class SpectralCascade final : public SeaSource {
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SpectrumCache::places> seas_;
-    CascadeGrid grid_;       ///< of frames to come, and so is
+    CascadeGrid grid_;          ///< of frames to come, and so is
     double loop_period_s_ = 1;  ///< this: a pass in flight has its own
 
     /// What a pass evaluates.

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/buffers/item_stage.hpp"
 
 namespace pelagic {
 namespace {
@@ -39,7 +39,7 @@ std::string name_of_input(std::size_t number) { return "inputs[" + std::to_strin
         for (std::size_t i = 0; i < texels; ++i)
             if (const float value = rows.fields[field][i]; !(std::fabs(value) <= WaveInput::max_value))
                 throw std::invalid_argument(invalid_value_message(name_of_input(number) + "'s " + names[field], value,
-                                                    "[-1000, 1000], metres or metres a second"));
+                                                                  "[-1000, 1000], metres or metres a second"));
     throw std::logic_error("an input is refused, and nothing is wrong with it");
 }
 
@@ -92,7 +92,8 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
         if (!inputs_[i]->adds_to(cascade)) continue;
         const double slope = inputs_[i]->largest_slope(cascade);
         if (!(slope >= 0 && slope <= largest_slopes))
-            throw std::invalid_argument(invalid_value_message(name_of_input(i) + "'s largest_slope", slope, "[0, 100]"));
+            throw std::invalid_argument(
+                invalid_value_message(name_of_input(i) + "'s largest_slope", slope, "[0, 100]"));
         steeper += overstated * slope;
         adds = 1;
     }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/cascades/sea_source.hpp"
 #include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/wave_input.hpp"
 
 namespace pelagic {

@@ -10,13 +10,13 @@
 #include <span>
 #include <vector>
 
+#include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/cascades/arrival.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/cascades/arrival.hpp"
-#include "pelagic/sim/cascades/spectrum_cache.hpp"
-#include "pelagic/sim/cascades/sea_source.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -80,7 +80,7 @@ class Weather {
         Sums sums;
         Sums wind;                  ///< what the wind adds to them
         std::vector<Sums> by_band;  ///< what waves add to them, by bands of frequency
-        SeaStatistics statistics;         ///< of this sea alone
+        SeaStatistics statistics;   ///< of this sea alone
     };
     /// Another weather, whose sea is being baked.
     struct Other {

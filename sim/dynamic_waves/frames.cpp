@@ -52,7 +52,8 @@ void check_place(double x_m, double z_m) {
 
 }  // namespace
 
-DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const Allocator& memory, const Prepare& prepare)
+DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const Allocator& memory,
+                                     const Prepare& prepare)
     : grid_(options, isa, memory) {
     const auto n = static_cast<std::size_t>(options.resolution);
     for (Slot& slot : slots_) {
@@ -81,8 +82,9 @@ void DynamicWaveFrames::enqueue(const Command& command) { commands_.push_back(co
 void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
     if (grid_.sources().settled() + new_disturbances_ == DynamicWaveSources::max_count)
-        throw std::invalid_argument(invalid_value_message("the number of disturbances of a tick", DynamicWaveSources::max_count + 1,
-                                            "at most " + number_text(DynamicWaveSources::max_count)));
+        throw std::invalid_argument(invalid_value_message("the number of disturbances of a tick",
+                                                          DynamicWaveSources::max_count + 1,
+                                                          "at most " + number_text(DynamicWaveSources::max_count)));
     ++new_disturbances_;
     enqueue({Command::Kind::disturb, 0, disturbance});
 }
@@ -90,8 +92,8 @@ void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
 std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     if (numbers_.size() == DynamicWaveSources::max_count)
-        throw std::invalid_argument(
-            invalid_value_message("the number of sources", DynamicWaveSources::max_count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
+        throw std::invalid_argument(invalid_value_message("the number of sources", DynamicWaveSources::max_count + 1,
+                                                          "at most " + number_text(DynamicWaveSources::max_count)));
     const std::uint32_t number = grid_.sources().new_number();
     numbers_.push_back(number);
     enqueue({Command::Kind::add, number, source});
@@ -196,7 +198,8 @@ bool DynamicWaveFrames::is_done() const { return !frame_in_flight_ || !run_in_fl
 void DynamicWaveFrames::show_rows(std::size_t item) {
     Slot& slot = slots_[back_];
     grid_.show(part_, item,
-               {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(), slot.highest.data()});
+               {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(),
+                slot.highest.data()});
 }
 
 DynamicWavesView DynamicWaveFrames::surface() const {
@@ -232,14 +235,17 @@ std::vector<std::uint8_t> DynamicWaveFrames::saved() const {
 void DynamicWaveFrames::restore(std::span<const std::uint8_t> saved) {
     SavedClock clock{};
     if (saved.size() < sizeof clock)
-        throw std::invalid_argument(invalid_value_message("the saved water", number_text(saved.size()) + " bytes", "more"));
+        throw std::invalid_argument(
+            invalid_value_message("the saved water", number_text(saved.size()) + " bytes", "more"));
     std::memcpy(&clock, saved.data(), sizeof clock);
     if (clock.options != digest_of(grid_.options()))
         throw std::invalid_argument("the saved water is of other options, needs those of this ocean's water");
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
-        throw std::invalid_argument(invalid_value_message("the saved water's clock", clock.last_tick, "a tick within 2^50"));
+        throw std::invalid_argument(
+            invalid_value_message("the saved water's clock", clock.last_tick, "a tick within 2^50"));
     if (!std::isfinite(clock.last_time_s))
-        throw std::invalid_argument(invalid_value_message("the saved water's time", clock.last_time_s, "a finite one"));
+        throw std::invalid_argument(
+            invalid_value_message("the saved water's time", clock.last_time_s, "a finite one"));
     grid_.restore(saved.subspan(sizeof clock));
     has_clock_ = clock.has_clock != 0;
     last_tick_ = clock.last_tick;

@@ -12,8 +12,8 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/simd/allocator.hpp"
 
 namespace pelagic {

@@ -9,8 +9,8 @@
 #include <xxhash.h>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -118,8 +118,8 @@ StageId DynamicWaveGrid::add_tick_stages(JobGraph& graph, const std::vector<Stag
                                         .count = row_jobs,
                                         .waits_for = waits_for,
                                         .body = for_each_item([this](std::size_t job) { prepare_rows(job); })});
-    const StageId stepped =
-        options_.step == DynamicWavesStep::verlet ? add_verlet_stage(graph, prepared) : add_spectral_stages(graph, prepared);
+    const StageId stepped = options_.step == DynamicWavesStep::verlet ? add_verlet_stage(graph, prepared)
+                                                                      : add_spectral_stages(graph, prepared);
     return graph.add({.name = "dynamic waves foam",
                       .count = row_jobs,
                       .waits_for = {stepped},
@@ -166,8 +166,8 @@ StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) 
                    .body = for_each_item([this](std::size_t job) {
                        const FftTables tables = plan_.front().tables();
                        kernels_.dynamic_lines({.lines = lines_.data() + job * block_stride(),
-                                             .phases = phases_.data() + job * (n() + 2) * kernels_.lanes,
-                                             .fft = &tables});
+                                               .phases = phases_.data() + job * (n() + 2) * kernels_.lanes,
+                                               .fft = &tables});
                    }),
                    .stack_bytes = 2 * stack_bytes + stack_margin});
     return graph.add({.name = "dynamic waves columns back",
@@ -281,19 +281,19 @@ void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
 void DynamicWaveGrid::show(float part, std::size_t item, const Shown& to) const {
     const std::size_t first = item * rows_an_item;
     kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
-                         .now = first_texel(height_),
-                         .way_before = way_before_.data() + dynamic_row_margin,
-                         .resolution = n(),
-                         .first_row = first,
-                         .rows = rows_an_item,
-                         .part = part,
-                         .ticks_per_s = static_cast<float>(options_.ticks_per_s),
-                         .shown_x = shown_[0].data(),
-                         .shown_z = shown_[1].data(),
-                         .height = to.height_m,
-                         .vertical_velocity = to.vertical_velocity_mps,
-                         .lowest = to.lowest_m,
-                         .highest = to.highest_m});
+                                .now = first_texel(height_),
+                                .way_before = way_before_.data() + dynamic_row_margin,
+                                .resolution = n(),
+                                .first_row = first,
+                                .rows = rows_an_item,
+                                .part = part,
+                                .ticks_per_s = static_cast<float>(options_.ticks_per_s),
+                                .shown_x = shown_[0].data(),
+                                .shown_z = shown_[1].data(),
+                                .height = to.height_m,
+                                .vertical_velocity = to.vertical_velocity_mps,
+                                .lowest = to.lowest_m,
+                                .highest = to.highest_m});
     std::copy_n(foam_.data() + first * n(), rows_an_item * n(), to.foam + first * n());
 }
 
@@ -321,12 +321,13 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     if (saved.size() < sizeof header + saved_texel_bytes())
         throw std::invalid_argument(
             invalid_value_message("the saved water", number_text(saved.size()) + " bytes",
-                    number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
+                                  number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
     std::memcpy(&header, saved.data(), sizeof header);
     const double max_texels = farthest_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= max_texels))
-            throw std::invalid_argument(invalid_value_message("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
+            throw std::invalid_argument(
+                invalid_value_message("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
     if (header.ticks < 0 || header.ticks > max_ticks)
         throw std::invalid_argument(invalid_value_message("the saved water's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
@@ -336,7 +337,8 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
         if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
             throw std::invalid_argument(invalid_value_message("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
-    sources_ = DynamicWaveSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
+    sources_ =
+        DynamicWaveSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
 
     placement_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;

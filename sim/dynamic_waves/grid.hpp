@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/kernels/fft_plan.hpp"
-#include "pelagic/sim/dynamic_waves/sources.hpp"
 #include "pelagic/sim/dynamic_waves/grid_placement.hpp"
+#include "pelagic/sim/dynamic_waves/sources.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/allocator.hpp"
 

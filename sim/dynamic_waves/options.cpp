@@ -14,17 +14,18 @@ namespace {
 
 constexpr std::array fields = {
     NumericField<DynamicWavesOptions>{"resolution", &DynamicWavesOptions::resolution, 64, 1024,
-                                    "64, 128, 256, 512 or 1024", Among::powers_of_two},
+                                      "64, 128, 256, 512 or 1024", Among::powers_of_two},
     NumericField<DynamicWavesOptions>{"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
     NumericField<DynamicWavesOptions>{"ticks_per_s", &DynamicWavesOptions::ticks_per_s, 10, 240, "[10, 240]"},
     NumericField<DynamicWavesOptions>{"border_m", &DynamicWavesOptions::border_m, 0.001, 2500,
-                                    "[0.001, side_m / 4], or 0: none", Among::all, 0},
+                                      "[0.001, side_m / 4], or 0: none", Among::all, 0},
     NumericField<DynamicWavesOptions>{"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
     NumericField<DynamicWavesOptions>{"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
     NumericField<DynamicWavesOptions>{"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
-                                    Among::above_min},
+                                      Among::above_min},
     NumericField<DynamicWavesOptions>{"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
-    NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100, "[0.001, 100]"},
+    NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100,
+                                      "[0.001, 100]"},
 };
 
 /// Texels of a frame's grid, with their neighbours.
@@ -54,8 +55,9 @@ class DynamicWaveTexels {
 
 DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double part) {
     const auto mixed = [&](double DynamicWavesSample::*member) { return a.*member + part * (b.*member - a.*member); };
-    return {mixed(&DynamicWavesSample::height_m), mixed(&DynamicWavesSample::slope_x), mixed(&DynamicWavesSample::slope_z),
-            mixed(&DynamicWavesSample::vertical_velocity_mps), mixed(&DynamicWavesSample::foam)};
+    return {mixed(&DynamicWavesSample::height_m), mixed(&DynamicWavesSample::slope_x),
+            mixed(&DynamicWavesSample::slope_z), mixed(&DynamicWavesSample::vertical_velocity_mps),
+            mixed(&DynamicWavesSample::foam)};
 }
 
 }  // namespace
@@ -64,12 +66,13 @@ std::string check(const DynamicWavesOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     if (options.border_m > options.side_m / 4)
         return invalid_value_message("border_m", options.border_m,
-                       "at most a quarter of side_m, " + number_text(options.side_m / 4));
+                                     "at most a quarter of side_m, " + number_text(options.side_m / 4));
     const double courant = DynamicWaveGrid::courant_number(options);
     if (options.step == DynamicWavesStep::verlet && courant * courant > DynamicWaveGrid::max_coupling)
         return invalid_value_message("wave_speed_mps", options.wave_speed_mps,
-                       "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(DynamicWaveGrid::max_coupling) +
-                           " at most, which is " + rounded_text(courant * courant, 3));
+                                     "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " +
+                                         number_text(DynamicWaveGrid::max_coupling) + " at most, which is " +
+                                         rounded_text(courant * courant, 3));
     return {};
 }
 

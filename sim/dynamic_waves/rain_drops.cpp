@@ -51,12 +51,14 @@ std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
     const double widest = water.side_m / 16;
     if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
-        return invalid_value_message("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
-    if (!(rain.height_m >= -10 && rain.height_m <= 10)) return invalid_value_message("height_m", rain.height_m, "[-10, 10]");
+        return invalid_value_message("radius_m", rain.radius_m,
+                                     "[0.001, " + number_text(widest) + "], to a 16th of side_m");
+    if (!(rain.height_m >= -10 && rain.height_m <= 10))
+        return invalid_value_message("height_m", rain.height_m, "[-10, 10]");
     const double max = max_drops(rain, water);
     if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= max))
         return invalid_value_message("drops_per_m2_s", rain.drops_per_m2_s,
-                       "[0, " + rounded_text(max, 6) + "] for drops so wide in such a grid");
+                                     "[0, " + rounded_text(max, 6) + "] for drops so wide in such a grid");
     return {};
 }
 

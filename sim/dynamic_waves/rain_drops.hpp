@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/rain.hpp"
 #include "pelagic/sim/dynamic_waves/grid_placement.hpp"
+#include "pelagic/sim/rain.hpp"
 
 namespace pelagic {
 

@@ -20,7 +20,8 @@ constexpr double two_pi = 6.283185307179586;
 constexpr double gauss_reach = 3;  ///< in radii
 
 /// Texels of the grid within `reach_m` of a place along an axis: the first, and the one behind the last.
-std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridPlacement& placement, std::size_t axis) {
+std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridPlacement& placement,
+                                    std::size_t axis) {
     const auto low = static_cast<std::int64_t>(std::ceil((middle_m - reach_m) / placement.texel_m()));
     const auto high = static_cast<std::int64_t>(std::floor((middle_m + reach_m) / placement.texel_m())) + 1;
     const std::int64_t first = placement.first()[axis], end = first + placement.resolution();
@@ -84,7 +85,8 @@ RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& wat
 
 void need_room(const char* what, std::size_t count) {
     if (count == DynamicWaveSources::max_count)
-        throw std::invalid_argument(invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
+        throw std::invalid_argument(
+            invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
 }
 
 }  // namespace
@@ -97,9 +99,8 @@ void DynamicWaveSources::disturb(const Disturbance& disturbance) {
 
 void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    const auto at =
-        std::lower_bound(sources_.begin(), sources_.end(), number,
-                         [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
+    const auto at = std::lower_bound(sources_.begin(), sources_.end(), number,
+                                     [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
     if (at != sources_.end() && at->number == number) {
         *at = {number, source, ticks};
         return;
@@ -171,7 +172,7 @@ void DynamicWaveSources::add_profile(const Splash& splash, const GridPlacement& 
 /// Calls at_texel(floats from the first texel, shape, shape over its height) for what a splash reaches in the rows.
 template <class AtTexel>
 void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& placement, std::size_t first_row,
-                              std::size_t rows, AtTexel at_texel) const {
+                                    std::size_t rows, AtTexel at_texel) const {
     const Disturbance& of = splash.of;
     const float height = static_cast<float>(of.height_m);
     const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(placement.resolution()));
@@ -202,7 +203,7 @@ void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& p
 }
 
 void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
-                             HeightPlanes heights) const {
+                                   HeightPlanes heights) const {
     float *const now = heights.now, *const before = heights.before;
     for (const Splash& splash : splashes_) {
         const auto push = [&](auto at_texel) { for_texels(splash, placement, first_row, rows, at_texel); };
@@ -235,7 +236,7 @@ void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t f
 }
 
 void DynamicWaveSources::lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
-                             HeightPlanes heights) const {
+                                   HeightPlanes heights) const {
     float *const now = heights.now, *const before = heights.before;
     for (const Splash& splash : splashes_) {
         if (splash.of.mode != Disturbance::Mode::pressure) continue;
@@ -277,7 +278,7 @@ void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
 }
 
 DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
-                                    const DynamicWavesOptions& water) {
+                                                const DynamicWavesOptions& water) {
     SavedHeader header{};
     if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
     const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
@@ -286,10 +287,11 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
         !can_be(header.settled, header.waiting) ||
         bytes.size() !=
             sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
-        throw std::invalid_argument(
-            invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
+        throw std::invalid_argument(invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes",
+                                                          "as many as their number says"));
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
-        throw std::invalid_argument(invalid_value_message("the saved water's next source", header.next_number, "[1, 2^32)"));
+        throw std::invalid_argument(
+            invalid_value_message("the saved water's next source", header.next_number, "[1, 2^32)"));
     DynamicWaveSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
@@ -303,9 +305,11 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
     for (std::int64_t i = 0, last = 0; i < header.lasting; ++i) {
         const SavedSource saved = next();
         if (saved.number <= last || saved.number >= header.next_number)
-            throw std::invalid_argument(invalid_value_message("a saved source's number", saved.number, "more than the one before"));
+            throw std::invalid_argument(
+                invalid_value_message("a saved source's number", saved.number, "more than the one before"));
         if (saved.since < 0 || saved.since > ticks)
-            throw std::invalid_argument(invalid_value_message("a saved source's tick", saved.since, "one of the water's"));
+            throw std::invalid_argument(
+                invalid_value_message("a saved source's tick", saved.since, "one of the water's"));
         sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }

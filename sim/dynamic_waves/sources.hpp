@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pelagic/sim/disturbance.hpp"
-#include "pelagic/sim/dynamic_waves/rain_drops.hpp"
 #include "pelagic/sim/dynamic_waves/grid_placement.hpp"
+#include "pelagic/sim/dynamic_waves/rain_drops.hpp"
 
 namespace pelagic {
 
@@ -38,8 +38,10 @@ class DynamicWaveSources {
     /// disturbances in theirs, then rain.
     void begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s);
     /// Before the step, in rows of the torus: presses take the shape away, which lift_rows() puts back after it.
-    void push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows, HeightPlanes heights) const;
-    void lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows, HeightPlanes heights) const;
+    void push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                   HeightPlanes heights) const;
+    void lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                   HeightPlanes heights) const;
     void end_tick();
 
     /// What lasts, what waits and the rain, as bytes.
@@ -47,7 +49,7 @@ class DynamicWaveSources {
     void save(std::span<std::uint8_t> bytes) const;
     /// Throws std::invalid_argument if no such water of so many ticks can have saved them.
     static DynamicWaveSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
-                                 const DynamicWavesOptions& water);
+                                       const DynamicWavesOptions& water);
     std::size_t bytes() const;
 
    private:
@@ -73,7 +75,7 @@ class DynamicWaveSources {
                     AtTexel at_texel) const;
 
     std::uint32_t next_number_ = 1;
-    std::vector<Source> sources_;      ///< by number
+    std::vector<Source> sources_;       ///< by number
     std::vector<Disturbance> waiting_;  ///< for the tick to come
     std::size_t settled_ = 0;           ///< of these, the first ones
     std::vector<Splash> splashes_;      ///< of the tick in flight

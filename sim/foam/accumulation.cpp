@@ -34,7 +34,8 @@ double rarity(double cover) { return std::sqrt(-2 * det::log(cover)); }
 
 }  // namespace
 
-FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s) : half_turn_of_tick_(frequency_radps * tick_s / 2) {
+FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s)
+    : half_turn_of_tick_(frequency_radps * tick_s / 2) {
     const double fall = ramp_deviations / (fading_ticks * tick_s * frequency_radps);
     crossings_ = density(fall) / fall + (1 - part_above(fall));
 }

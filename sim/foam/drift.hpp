@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic {
 

@@ -1,8 +1,8 @@
 // What a cascade's threshold means for the foam of its texels.
 #pragma once
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 
 namespace pelagic {
 namespace {
@@ -32,11 +32,12 @@ FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const Alloca
 std::vector<StageId> FoamHistory::add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) {
     std::vector<StageId> done;
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade)
-        done.push_back(graph.add({.name = stage_name("tick foam", cascade),
-                                  .count = static_cast<std::size_t>(slots_.resolution()) / rows_a_job,
-                                  .waits_for = {surfaces_done[cascade]},
-                                  .body = for_each_item([this, cascade](std::size_t job) { tick_rows(cascade, job); }),
-                                  .stack_bytes = foam_stack_bytes}));
+        done.push_back(
+            graph.add({.name = stage_name("tick foam", cascade),
+                       .count = static_cast<std::size_t>(slots_.resolution()) / rows_a_job,
+                       .waits_for = {surfaces_done[cascade]},
+                       .body = for_each_item([this, cascade](std::size_t job) { tick_rows(cascade, job); }),
+                       .stack_bytes = foam_stack_bytes}));
     return done;
 }
 
@@ -106,7 +107,8 @@ void FoamHistory::restore(std::span<const std::uint8_t> bytes) {
 
 std::size_t FoamHistory::bytes() const {
     std::size_t bytes = 0;
-    for (const CascadeMemory& cascade : cascades_) bytes += sizeof(CascadeMemory) + cascade.maps[0].bytes() + cascade.maps[1].bytes();
+    for (const CascadeMemory& cascade : cascades_)
+        bytes += sizeof(CascadeMemory) + cascade.maps[0].bytes() + cascade.maps[1].bytes();
     return bytes;
 }
 

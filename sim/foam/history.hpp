@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

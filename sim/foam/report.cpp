@@ -4,8 +4,8 @@
 
 #include "pelagic/sim/foam/drift.hpp"
 #include "pelagic/sim/foam/history.hpp"
-#include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/foam/whitecaps.hpp"
 
 namespace pelagic {
 namespace {
@@ -26,10 +26,11 @@ FoamReport report_on_foam(const Frame& frame) {
                       .cascades = {}};
     for (const Cascade& cascade : frame.cascades) {
         const DriftTexels loop = drift_a_loop(statistics, cascade.grid, cascade.resolution(), clock);
-        report.cascades.push_back({.makes_whitecaps = cascade.makes_whitecaps(),
-                                .columns_a_loop = loop.x,
-                                .rows_a_loop = loop.z,
-                                .drift_mps = length(loop.x, loop.z) * cascade.texel_m() / frame.sea.loop_period_s});
+        report.cascades.push_back(
+            {.makes_whitecaps = cascade.makes_whitecaps(),
+             .columns_a_loop = loop.x,
+             .rows_a_loop = loop.z,
+             .drift_mps = length(loop.x, loop.z) * cascade.texel_m() / frame.sea.loop_period_s});
     }
     return report;
 }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/foam/drift.hpp"
-#include "pelagic/sim/cascades/spectral_cascade.hpp"
 #include "pelagic/sim/cascades/pond.hpp"
+#include "pelagic/sim/cascades/spectral_cascade.hpp"
+#include "pelagic/sim/foam/drift.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -207,7 +207,8 @@ void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s
     for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade)
         inputs_.set_grid(pass, cascade, cascade_of(pass, cascade).grid);
     inputs_.begin(pass, time_s, time_in_loop_s, weather_.forecast().first.loop_period_s);
-    for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade) inputs_.begin_cascade(pass, cascade, cascade_of(pass, cascade));
+    for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade)
+        inputs_.begin_cascade(pass, cascade, cascade_of(pass, cascade));
 }
 
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t cascade) {

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/cascades/sea_source.hpp"
+#include "pelagic/sim/cascades/wave_inputs.hpp"
+#include "pelagic/sim/cascades/weather.hpp"
+#include "pelagic/sim/foam/history.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/foam/history.hpp"
-#include "pelagic/sim/cascades/wave_inputs.hpp"
-#include "pelagic/sim/cascades/sea_source.hpp"
-#include "pelagic/sim/cascades/weather.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
-#include "pelagic/sim/buffers/frame_slots.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/texture_targets.hpp"
-#include "pelagic/sim/foam/tick_clock.hpp"
 
 namespace pelagic {
 
@@ -73,7 +73,9 @@ class FrameAssembly {
 
    private:
     void begin_inputs(Pass pass, double time_s, double time_in_loop_s);
-    Cascade& cascade_of(Pass pass, std::size_t cascade) { return pass == Pass::frame ? slots_.cascade(cascade) : foam_->cascade(cascade); }
+    Cascade& cascade_of(Pass pass, std::size_t cascade) {
+        return pass == Pass::frame ? slots_.cascade(cascade) : foam_->cascade(cascade);
+    }
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t cascade);
     TickClock clock() const;
     SeaMoment moment_at_tick(std::int64_t number) const;

@@ -52,7 +52,8 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
 std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
     if (cascades.size() != cascade_count)
-        return "there are buffers of " + number_text(cascades.size()) + " cascades, needs " + number_text(cascade_count);
+        return "there are buffers of " + number_text(cascades.size()) + " cascades, needs " +
+               number_text(cascade_count);
     for (const FrameBuffers& buffers : cascades)
         if (std::string reason = check_cascade(buffers, resolution, contents); !reason.empty()) return reason;
     return {};
@@ -78,7 +79,8 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
         throw std::invalid_argument(reason);
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
-            throw std::invalid_argument("displacement_rgba16f is wanted, but was written into the application's own memory");
+            throw std::invalid_argument(
+                "displacement_rgba16f is wanted, but was written into the application's own memory");
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         const Cascade& from = frame.cascades[i];
         const FrameBuffers& to = cascades[i];

@@ -31,7 +31,8 @@ void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t
 std::uint64_t foam_hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    for (const Cascade& cascade : frame.cascades) XXH3_64bits_update(&state, cascade.foam_r8.data(), cascade.foam_r8.size());
+    for (const Cascade& cascade : frame.cascades)
+        XXH3_64bits_update(&state, cascade.foam_r8.data(), cascade.foam_r8.size());
     return XXH3_64bits_digest(&state);
 }
 
@@ -54,8 +55,8 @@ std::uint64_t hash_of(const Frame& frame) {
             XXH3_64bits_update(&state, cascade.slopes_rgba8.data(), cascade.slopes_rgba8.size_bytes());
             XXH3_64bits_update(&state, cascade.moments_rgba8.data(), cascade.moments_rgba8.size_bytes());
         }
-        const float bounds[] = {cascade.bounds.height_min_m, cascade.bounds.height_max_m, cascade.bounds.horizontal_x_max_m,
-                                cascade.bounds.horizontal_z_max_m};
+        const float bounds[] = {cascade.bounds.height_min_m, cascade.bounds.height_max_m,
+                                cascade.bounds.horizontal_x_max_m, cascade.bounds.horizontal_z_max_m};
         XXH3_64bits_update(&state, bounds, sizeof bounds);
     }
     return XXH3_64bits_digest(&state);

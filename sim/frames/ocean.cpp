@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/dynamic_waves/frames.hpp"
+#include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/shore/shore_source.hpp"
 
 namespace pelagic {
@@ -66,11 +66,11 @@ struct Ocean::State {
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
         if (options.dynamic_waves)
-            dynamic_waves =
-                std::make_unique<DynamicWaveFrames>(checked(*options.dynamic_waves), isa, options.memory,
-                                              [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
-                                                  return prepare(*executor, graph, options.trace, "dynamic_waves", runs);
-                                              });
+            dynamic_waves = std::make_unique<DynamicWaveFrames>(
+                checked(*options.dynamic_waves), isa, options.memory,
+                [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
+                    return prepare(*executor, graph, options.trace, "dynamic_waves", runs);
+                });
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
@@ -264,8 +264,9 @@ Ocean::~Ocean() = default;
 void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
-    if (const std::string reason =
-            cascades.empty() ? std::string() : check(cascades, cascade_count(), resolution(), state_->frames.contents());
+    if (const std::string reason = cascades.empty()
+                                       ? std::string()
+                                       : check(cascades, cascade_count(), resolution(), state_->frames.contents());
         !reason.empty())
         throw std::invalid_argument(reason);
     state_->adopt_ahead();
@@ -341,11 +342,11 @@ void Ocean::schedule_sea(const SeaState& sea) {
         throw std::invalid_argument(
             invalid_value_message("cascades", cascades, number_text(cascade_count()) + ", as the ocean was built"));
     if (resolution_of(sea) != resolution())
-        throw std::invalid_argument(
-            invalid_value_message("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
+        throw std::invalid_argument(invalid_value_message("resolution", resolution_of(sea),
+                                                          number_text(resolution()) + ", as the ocean was built"));
     if ((sea.waves == WaveModel::pond) != (this->sea().waves == WaveModel::pond))
-        throw std::invalid_argument(invalid_value_message("waves", name_of(sea.waves),
-                                            std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
+        throw std::invalid_argument(invalid_value_message(
+            "waves", name_of(sea.waves), std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->end_bake();
     state_->frames.begin_other_weather(sea);
     try {
@@ -397,7 +398,9 @@ void Ocean::restore_history(std::span<const std::uint8_t> saved) {
 }
 
 void Ocean::disturb(const Disturbance& disturbance) { state_->needed_dynamic_waves().disturb(disturbance); }
-std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->needed_dynamic_waves().add_source(source); }
+std::uint32_t Ocean::add_source(const Disturbance& source) {
+    return state_->needed_dynamic_waves().add_source(source);
+}
 void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
     state_->needed_dynamic_waves().set_source(number, source);
 }

@@ -62,7 +62,8 @@ TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution) {
 std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
     if (cascades.size() != cascade_count)
-        return "there are targets of " + number_text(cascades.size()) + " cascades, needs " + number_text(cascade_count);
+        return "there are targets of " + number_text(cascades.size()) + " cascades, needs " +
+               number_text(cascade_count);
     for (const TextureTargets& targets : cascades)
         if (std::string reason = check_cascade(targets, resolution, contents); !reason.empty()) return reason;
     return {};

@@ -32,8 +32,7 @@ struct ContractionOfCells {
     using V = xsimd::batch<float, Arch>;
     V min_even = V(1e30f), max_apart_squared = V(0.f);
 
-    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& max_even,
-                             V& max_turn) {
+    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& max_even, V& max_turn) {
         const V even = edge.along + side.across, difference = edge.along - side.across;
         const V shear = edge.across + side.along, turn = edge.across - side.along;
         min_even = xsimd::min(min_even, even);

@@ -86,9 +86,9 @@ struct TickInterpolationJob {
     std::size_t first_row, rows;
     float part;  ///< of the way
     float ticks_per_s;
-    const float *shown_x, *shown_z;  ///< of each column and row of the torus
-    float *height, *vertical_velocity;            ///< N^2, in rows of N
-    float *lowest, *highest;         ///< of each row's heights
+    const float *shown_x, *shown_z;     ///< of each column and row of the torus
+    float *height, *vertical_velocity;  ///< N^2, in rows of N
+    float *lowest, *highest;            ///< of each row's heights
 };
 
 }  // namespace pelagic

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
-#include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
+#include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/transpose.kernel.hpp"
 

@@ -32,7 +32,7 @@ struct TexelPairs {
 /// is linear and least at one of the corners, where it is the cross product of the two edges that meet there.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> min_area(const TexelPairs<Arch>& here, const TexelPairs<Arch>& behind,
-                                                    xsimd::batch<float, Arch> texel) {
+                                                  xsimd::batch<float, Arch> texel) {
     using V = xsimd::batch<float, Arch>;
     V upper_x[2], lower_x[2], behind_z[2];
     for (int axis = 0; axis < 2; ++axis) {

@@ -31,10 +31,10 @@ struct AddRippleJob {
     const float* along_squared;  ///< of each column, m^2: how far it is from the middle along the row
     float across_squared;        ///< of the row
     std::size_t columns;
-    float reach_squared;    ///< m^2, above 0
-    float half_wave;        ///< m
-    float waves_per_m;      ///< 1 / wavelength
-    std::uint32_t start;    ///< turns in the middle, 2^32 are one
+    float reach_squared;                 ///< m^2, above 0
+    float half_wave;                     ///< m
+    float waves_per_m;                   ///< 1 / wavelength
+    std::uint32_t start;                 ///< turns in the middle, 2^32 are one
     float amplitude, vertical_velocity;  ///< m, and m/s: amplitude times angular frequency
     float* heights;
     float* vertical_velocities;  ///< null: nobody wants them

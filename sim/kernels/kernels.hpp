@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "pelagic/sim/kernels/input_jobs.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
+#include "pelagic/sim/kernels/input_jobs.hpp"
 #include "pelagic/sim/kernels/shore_jobs.hpp"
 
 namespace pelagic {
@@ -106,16 +106,16 @@ struct GradientsJob {
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;     ///< of the cascade, which is smaller than the above if N is
-    std::size_t block_stride;                ///< floats between column blocks
-    float two_texels_m;                      ///< 2 L / N
-    float jacobian_factor;                   ///< 1 / two_texels_m^2
-    float normal_length;                     ///< equation 49 at the sea's roughness
-    std::int32_t smoothness_bits;            ///< 1 - sqrt(roughness) as the highest byte of a texel
-    std::uint16_t* rgba16f;                  ///< tight rows of four halves a texel; null: nobody wants them
-    ShownFoam foam;                          ///< with the half floats
+    std::size_t first_row, first_column;        ///< of the cascade, which is smaller than the above if N is
+    std::size_t block_stride;                   ///< floats between column blocks
+    float two_texels_m;                         ///< 2 L / N
+    float jacobian_factor;                      ///< 1 / two_texels_m^2
+    float normal_length;                        ///< equation 49 at the sea's roughness
+    std::int32_t smoothness_bits;               ///< 1 - sqrt(roughness) as the highest byte of a texel
+    std::uint16_t* rgba16f;                     ///< tight rows of four halves a texel; null: nobody wants them
+    ShownFoam foam;                             ///< with the half floats
     std::uint32_t* levels[cascade_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
-    float* averages;                         ///< of level 3, for MipLevelJob
+    float* averages;                            ///< of level 3, for MipLevelJob
     std::size_t average_stride;
     float cosine = 1,
           sine = 0;  ///< of the angle by which the cascade's axes are rotated in the world, from +x towards +z;
@@ -158,17 +158,17 @@ struct SlopesJob {
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;      ///< of the cascade, which is smaller than the above if N is
-    std::size_t block_stride;                 ///< floats between column blocks
-    float cosine, sine;                       ///< as in GradientsJob
-    float difference_factor;                  ///< near_weight / (slope_step L / N)
-    float slope_step;                         ///< slope_range / 127
-    float variance_factor;                    ///< slope_step^2 / variance_range
-    std::uint16_t* rgba16f;                   ///< as in GradientsJob, J from these slopes; null: nobody wants them
-    ShownFoam foam;                           ///< the same
+    std::size_t first_row, first_column;         ///< of the cascade, which is smaller than the above if N is
+    std::size_t block_stride;                    ///< floats between column blocks
+    float cosine, sine;                          ///< as in GradientsJob
+    float difference_factor;                     ///< near_weight / (slope_step L / N)
+    float slope_step;                            ///< slope_range / 127
+    float variance_factor;                       ///< slope_step^2 / variance_range
+    std::uint16_t* rgba16f;                      ///< as in GradientsJob, J from these slopes; null: nobody wants them
+    ShownFoam foam;                              ///< the same
     std::uint32_t* slopes[cascade_levels + 1];   ///< tight rows, the texels of level 0 to 3
     std::uint32_t* moments[cascade_levels + 1];  ///< the same
-    float* averages;                          ///< of level 3, for SlopeLevelJob
+    float* averages;                             ///< of level 3, for SlopeLevelJob
     std::size_t average_stride;
 };
 
@@ -285,12 +285,12 @@ struct FindContractionJob {
     static constexpr std::size_t max_resolution = 2048;
 
     SurfaceTexels surface;
-    float texels_per_m;           ///< N / L
-    float cosine, sine;           ///< of the cascade's grid
-    float one;                    ///< the byte that means 1
-    std::size_t first_row, rows;  ///< even
-    std::uint8_t* blocks;         ///< (N/2)^2, tight rows; those of these rows are written
-    ContractionExtremes* extremes;    ///< of these rows
+    float texels_per_m;             ///< N / L
+    float cosine, sine;             ///< of the cascade's grid
+    float one;                      ///< the byte that means 1
+    std::size_t first_row, rows;    ///< even
+    std::uint8_t* blocks;           ///< (N/2)^2, tight rows; those of these rows are written
+    ContractionExtremes* extremes;  ///< of these rows
 };
 
 /// The largest byte within `reach` of each along both axes; the square of bytes repeats.
@@ -333,11 +333,11 @@ struct InvertStackJob {
 
     StackCascade cascades[max_cascades];
     std::size_t cascade_count;
-    float target;                      ///< metres
-    float reach;                       ///< metres: no offset is longer than the largest displacement
-    std::size_t count;                 ///< a multiple of W
-    float *offset_x, *offset_z;        ///< metres, from the given points to those that rest there; alias no input
-    float* error;                      ///< remaining distance in metres
+    float target;                        ///< metres
+    float reach;                         ///< metres: no offset is longer than the largest displacement
+    std::size_t count;                   ///< a multiple of W
+    float *offset_x, *offset_z;          ///< metres, from the given points to those that rest there; alias no input
+    float* error;                        ///< remaining distance in metres
     std::int32_t* blocks[max_cascades];  ///< of 2 x 2 cells of each cascade, row by row: where that is
 };
 

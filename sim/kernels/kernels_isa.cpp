@@ -5,16 +5,16 @@
 // PELAGIC_ISA_ARCH  xsimd's name of it
 #include "pelagic/sim/kernels/blend.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
+#include "pelagic/sim/kernels/contraction.kernel.hpp"
+#include "pelagic/sim/kernels/dynamic_waves_step.kernel.hpp"
 #include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
 #include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/inputs.kernel.hpp"
-#include "pelagic/sim/kernels/dynamic_waves_step.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
-#include "pelagic/sim/kernels/contraction.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
 

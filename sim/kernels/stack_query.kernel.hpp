@@ -22,10 +22,10 @@ struct StackPlaces {
 
     PELAGIC_INLINE StackPlaces(const StackCascade& cascade, std::size_t at, V offset_x, V offset_z) {
         const V along(cascade.along), across(cascade.across);
-        split(cascade.world.cell_x + at, V::load_aligned(cascade.world.u + at) + (along * offset_x + across * offset_z), x,
-              u);
-        split(cascade.world.cell_z + at, V::load_aligned(cascade.world.v + at) + (along * offset_z - across * offset_x), z,
-              v);
+        split(cascade.world.cell_x + at,
+              V::load_aligned(cascade.world.u + at) + (along * offset_x + across * offset_z), x, u);
+        split(cascade.world.cell_z + at,
+              V::load_aligned(cascade.world.v + at) + (along * offset_z - across * offset_x), z, v);
     }
 
    private:
@@ -72,7 +72,7 @@ class StackSearch {
             else
                 cells_[t].follow(cascade.surface, texels, place.x, place.z);
             const Horizontal<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
-                                 dz = cells_[t].dz(place.u, place.v, V(1.f));
+                                   dz = cells_[t].dz(place.u, place.v, V(1.f));
             const CountedPart<Arch, HasParts> counted(cascade, at);
             const V along = counted.of(V(cascade.along)), across = counted.of(V(cascade.across));
             off_x = off_x + counted.of(dx.value);
@@ -192,7 +192,8 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const typename Interpolation::template Place<Arch> at_place(place.u, place.v);
         const CountedPart<Arch, HasParts> counted(cascade, at);
         if (out.normal_x) {
-            const V half_along = counted.of(V(0.5f * cascade.along)), half_across = counted.of(V(0.5f * cascade.across));
+            const V half_along = counted.of(V(0.5f * cascade.along)),
+                    half_across = counted.of(V(0.5f * cascade.across));
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
                 .read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
@@ -207,7 +208,8 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         if (out.velocity_x) {
             V values[3];
             at_place.read(texels, place.x, place.z,
-                          {cascade.surface.velocity_x, cascade.surface.velocity_y, cascade.surface.velocity_z}, values);
+                          {cascade.surface.velocity_x, cascade.surface.velocity_y, cascade.surface.velocity_z},
+                          values);
             velocity_x = velocity_x + counted.of(values[0]);
             velocity_y = velocity_y + counted.of(values[1]);
             velocity_z = velocity_z + counted.of(values[2]);

@@ -131,7 +131,8 @@ class CellReader {
             for (std::size_t plane = 0; plane < Planes; ++plane) {
                 const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
                 const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
-                texels[plane].at[row][k] = lanes_rotated<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+                texels[plane].at[row][k] =
+                    lanes_rotated<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
             }
         }
         for (std::size_t plane = 0; plane < Planes; ++plane) fours_rotated<Arch>(texels[plane].at[row]);
@@ -351,7 +352,8 @@ class Inversion {
             cells_.load(job.surface, places, x_, z_);
         else
             cells_.follow(job.surface, places, x_, z_);
-        const Horizontal<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)), dz = cells_.dz(u_, v_, V(job.texels_per_m));
+        const Horizontal<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)),
+                               dz = cells_.dz(u_, v_, V(job.texels_per_m));
 
         // How far the displaced point is from where it should be, in texels.
         const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;

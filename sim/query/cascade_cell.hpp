@@ -32,7 +32,8 @@ class CascadeCell {
         double value, along_u, along_v;  ///< slopes along the cascade's axes, a texel long
     };
 
-    CascadeCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation) : interpolation_(interpolation) {
+    CascadeCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation)
+        : interpolation_(interpolation) {
         const int first = interpolation == Interpolation::cubic ? -1 : 0, side = 2 - 2 * first;
         for (int b = 0; b < side; ++b)
             for (int a = 0; a < side; ++a)

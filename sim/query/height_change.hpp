@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <span>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 
@@ -27,7 +27,8 @@ class HeightChange {
     /// \param cascades          of a frame of several, made with OceanOptions::queries
     /// \param dynamic_waves_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
     /// \param parts_change_per_m  c
-    explicit HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m = 0, double parts_change_per_m = 0);
+    explicit HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m = 0,
+                          double parts_change_per_m = 0);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;

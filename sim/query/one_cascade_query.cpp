@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/query/cascade_cell.hpp"
 #include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/buffers/surface_texels.hpp"
+#include "pelagic/sim/query/cascade_cell.hpp"
+#include "pelagic/sim/query/foam_at.hpp"
 
 namespace pelagic {
 namespace {
@@ -70,8 +70,7 @@ OneCascadeQuery::OneCascadeQuery(const Cascade& cascade, const Kernels& kernels,
       cascade_(cascade),
       interpolation_(options.interpolation),
       texel_m_(cascade.texel_m()),
-      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {
-}
+      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {}
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
     const int resolution = cascade_.resolution();
@@ -101,8 +100,9 @@ void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {
         const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
         const bool may_be_overturned = (folds[square / 8] >> square % 8 & 1) != 0;
         if (chunk.error[i] <= target_ && !may_be_overturned) continue;
-        const Intersection intersection = is_cubic ? highest_cubic_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
-                                     : highest_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
+        const Intersection intersection =
+            is_cubic ? highest_cubic_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
+                     : highest_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
         if (!intersection.found) continue;  // the error says how good the steps' end is
         chunk.rest.cell_x[i] = intersection.cell_x;
         chunk.rest.cell_z[i] = intersection.cell_z;
@@ -132,7 +132,8 @@ void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) 
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
-OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, double u, int cell_z, double v) const {
+OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, double u, int cell_z,
+                                                                    double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
     const double reach_x = cascade_.bounds.horizontal_x_max_m * texels_per_m + edge;
@@ -189,7 +190,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
 }
 
 // In each cell Newton's steps begin at the middles of its quarters. What they find is a reference point if it is in the cell.
-OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z, double v) const {
+OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z,
+                                                                          double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
     const double reach_x = cascade_.bounds.horizontal_x_max_m * max_cubic_value * texels_per_m + edge;
@@ -205,7 +207,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
         Vector off{}, along_u{}, along_v{};
         const auto look = [&] {
             const CascadeCell::Value dx = cell.at(surface.dx, along_x, along_z),
-                                  dz = cell.at(surface.dz, along_x, along_z);
+                                     dz = cell.at(surface.dz, along_x, along_z);
             off = {i + along_x - u + dx.value * texels_per_m, j + along_z - v + dz.value * texels_per_m};
             along_u = {1 + dx.along_u * texels_per_m, dz.along_u * texels_per_m};
             along_v = {dx.along_v * texels_per_m, 1 + dz.along_v * texels_per_m};

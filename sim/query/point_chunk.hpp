@@ -50,13 +50,13 @@ struct PointChunk {
     };
 
     World world[max_cascades];
-    World rest;                             ///< what rests there, of one cascade
-    alignas(64) Floats offset_x, offset_z;  ///< the same of several, metres from the points
-    alignas(64) Cells blocks[max_cascades];   ///< and in which 2 x 2 cells of each
-    alignas(64) Floats error;               ///< metres, when all is done
+    World rest;                              ///< what rests there, of one cascade
+    alignas(64) Floats offset_x, offset_z;   ///< the same of several, metres from the points
+    alignas(64) Cells blocks[max_cascades];  ///< and in which 2 x 2 cells of each
+    alignas(64) Floats error;                ///< metres, when all is done
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
     alignas(64) double x[capacity], z[capacity];  ///< world, metres; 0 if a place has no sample
-    alignas(64) Floats part[max_cascades];  ///< of each cascade at a shore
+    alignas(64) Floats part[max_cascades];        ///< of each cascade at a shore
 
     std::size_t first = 0, count = 0;  ///< of the batch
     std::size_t padded = 0;            ///< count, up to whole registers

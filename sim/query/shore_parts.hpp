@@ -14,7 +14,8 @@ inline std::array<float, max_cascades> shore_parts_at(const ShoreSurface& shore,
     parts.fill(1);
     const ShoreAt at(shore, x_m, z_m);
     if (!at.is_place()) return parts;
-    for (std::size_t cascade = 0; cascade < max_cascades; ++cascade) parts[cascade] = static_cast<float>(at.part(cascade));
+    for (std::size_t cascade = 0; cascade < max_cascades; ++cascade)
+        parts[cascade] = static_cast<float>(at.part(cascade));
     return parts;
 }
 

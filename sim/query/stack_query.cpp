@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/buffers/contraction_map.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/query/shore_parts.hpp"
-#include "pelagic/sim/buffers/contraction_map.hpp"
 
 namespace pelagic {
 namespace {
@@ -105,7 +105,7 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
     const StackIntersection intersection = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
-                                 .highest_intersection(where, has_arrived ? &stepped : nullptr);
+                                               .highest_intersection(where, has_arrived ? &stepped : nullptr);
     if (!intersection.found) return;  // the error says how good the steps' end is
     chunk.offset_x[point] = static_cast<float>(intersection.offset.x);
     chunk.offset_z[point] = static_cast<float>(intersection.offset.z);

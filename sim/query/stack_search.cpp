@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/query/cascade_cell.hpp"
 #include "pelagic/sim/buffers/contraction_map.hpp"
+#include "pelagic/sim/query/cascade_cell.hpp"
 
 namespace pelagic {
 namespace {
@@ -61,7 +61,7 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
 /// Where an offset's reference point is drawn, from the point that is asked about, metres.
 struct StackSearch::Drawn {
     double x, z;
-    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;         ///< slopes along the world's axes
+    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;           ///< slopes along the world's axes
     std::array<double, max_cascades> displacement = {};  ///< length of each cascade's
 
     double distance() const { return length_of(x, z); }
@@ -102,7 +102,7 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
         const CellPlace place = place_in(cascade, point, t, offset);
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
         const CascadeCell::Value dx = cell.at(cascade.texels.dx, place.u, place.v),
-                              dz = cell.at(cascade.texels.dz, place.u, place.v);
+                                 dz = cell.at(cascade.texels.dz, place.u, place.v);
         const double part = point.part[t];
         drawn.x += part * dx.value;
         drawn.z += part * dz.value;
@@ -127,7 +127,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
 }
 
 /// The most that a cascade contracts on a square of its own axes, `reach` texels to all sides of a place.
-double StackSearch::contraction_within(const StackPoint& point, std::size_t number, Offset centre, double reach) const {
+double StackSearch::contraction_within(const StackPoint& point, std::size_t number, Offset centre,
+                                       double reach) const {
     const SearchCascade& cascade = cascades_[number];
     const CellPlace place = place_in(cascade, point, number, centre);
     const int n = cascade.texels.resolution;
@@ -146,7 +147,7 @@ double StackSearch::contraction_within(const StackPoint& point, std::size_t numb
     const int left = first_i >> shift & (side - 1), right = last_i >> shift & (side - 1);
     const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
     const int max = std::max(std::max(blocks[upper + left], blocks[upper + right]),
-                              std::max(blocks[lower + left], blocks[lower + right]));
+                             std::max(blocks[lower + left], blocks[lower + right]));
     return max == 255 ? 1e9 : static_cast<double>(max) / ContractionBound::one;
 }
 
@@ -158,7 +159,8 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
         const SearchCascade& cascade = cascades_[t];
         const double around = cascade.interpolation == Interpolation::cubic ? 1 : 0;
         const double texels =
-            reach_m * (is_square ? std::fabs(cascade.along) + std::fabs(cascade.across) : cascade.texels_per_m) + around;
+            reach_m * (is_square ? std::fabs(cascade.along) + std::fabs(cascade.across) : cascade.texels_per_m) +
+            around;
         slack -= contraction_within(point, t, centre, texels);
     }
     return slack;
@@ -214,10 +216,11 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Intersectio
         double max = radius + target_m_;
         for (std::size_t t = 0; t < cascades_.size(); ++t)
             max += std::min(static_cast<double>(cascades_[t].contraction.stretch) * radius,
-                             static_cast<double>(cascades_[t].contraction.largest_m) + drawn.displacement[t]);
+                            static_cast<double>(cascades_[t].contraction.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > max) continue;
         const bool is_small = here.half <= small;
-        if (is_small || slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
+        if (is_small ||
+            slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
             const double near = is_small ? small_surroundings : surroundings;
             if (intersections.has_one_in(here, near)) continue;
             Offset found = here.centre;

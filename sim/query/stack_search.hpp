@@ -15,9 +15,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
@@ -56,7 +56,8 @@ struct StackIntersection {
 class StackSearch {
    public:
     /// \param target_m  how near is near enough
-    StackSearch(std::span<const SearchCascade> cascades, double target_m) : cascades_(cascades), target_m_(target_m) {}
+    StackSearch(std::span<const SearchCascade> cascades, double target_m)
+        : cascades_(cascades), target_m_(target_m) {}
 
     /// The highest of the intersections over a point.
     /// \param known  where one of them rests, or null

@@ -9,11 +9,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/query/one_cascade_query.hpp"
-#include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
+#include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -167,7 +167,8 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
         }
         add(samples.height_m, at, dynamic_waves.height_m);
         add(samples.velocity_y_mps, at, dynamic_waves.vertical_velocity_mps);
-        if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(dynamic_waves.foam));
+        if (!samples.foam.empty())
+            samples.foam[at] = std::max(samples.foam[at], static_cast<float>(dynamic_waves.foam));
         if (!wants_normal(samples) || (dynamic_waves.slope_x == 0 && dynamic_waves.slope_z == 0)) continue;
         const double y = static_cast<double>(chunk.normal_y[i]);
         const double x = static_cast<double>(chunk.normal_x[i]) - y * dynamic_waves.slope_x;

@@ -109,7 +109,10 @@ double crossing_in(const RayWalk& walk, Crossing crossing, bool below, double to
 class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
-        : ground_(walk.along_ground()), vertical_velocity_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
+        : ground_(walk.along_ground()),
+          vertical_velocity_(walk.upwards()),
+          step_m_(step_m),
+          unsure_m_(2 * query.tolerance_m()) {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
         if (query.frame().cascades.size() > 1)
@@ -123,7 +126,8 @@ class FreeSteps {
     std::size_t first_places() const { return change_ ? 1 : near_places; }
     double from(double clearance_m, double max) const {
         if (!change_) return 0;
-        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, max * step_m_) / step_m_);
+        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, max * step_m_) /
+                          step_m_);
     }
     /// Between two places: all of them from the first, or half from either.
     bool are_free(double steps, double first_m, double second_m) const {
@@ -150,7 +154,8 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
         if (!is_within(along, -far_m, far_m)) return invalid_value_message("origin_m", along, "[-1e9, 1e9]");
     const auto& d = ray.direction;
     const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    if (!is_within(length, 1e-100, 1e100)) return invalid_value_message("direction's length", length, "[1e-100, 1e100]");
+    if (!is_within(length, 1e-100, 1e100))
+        return invalid_value_message("direction's length", length, "[1e-100, 1e100]");
     if (!is_within(ray.reach_m, 0, max_texels * frame.cascades.front().texel_m()))
         return invalid_value_message("reach_m", ray.reach_m, "0 to a million texels of the coarsest cascade");
     return {};

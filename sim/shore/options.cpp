@@ -8,11 +8,11 @@
 #include <xxhash.h>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/shore/shore_at.hpp"
-#include "pelagic/sim/shore/sea_bed.hpp"
-#include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/shore/shore_waves.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/shore/sea_bed.hpp"
+#include "pelagic/sim/shore/shore_at.hpp"
+#include "pelagic/sim/shore/shore_waves.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 
 namespace pelagic {
 namespace {
@@ -42,14 +42,15 @@ std::string check(const ShoreOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     const std::size_t samples = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
     if (options.heights_m.size() != samples)
-        return invalid_value_message("heights_m' size", options.heights_m.size(), number_text(samples) + ", columns times rows");
+        return invalid_value_message("heights_m' size", options.heights_m.size(),
+                                     number_text(samples) + ", columns times rows");
     for (const float height : options.heights_m)
         if (!(static_cast<double>(height) >= lowest_m && static_cast<double>(height) <= highest_m))
             return invalid_value_message("heights_m", height, "[-11000, 9000]");
     const double shorter_m = (std::min(options.columns, options.rows) - 1) * options.metres_a_sample;
     if (options.fade_m > shorter_m / 2)
         return invalid_value_message("fade_m", options.fade_m,
-                       "at most half the field's shorter side, " + number_text(shorter_m / 2));
+                                     "at most half the field's shorter side, " + number_text(shorter_m / 2));
     return {};
 }
 
@@ -58,9 +59,11 @@ std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (sea.waves == WaveModel::pond)
         return invalid_value_message("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
     if (has_papers_spectrum(sea))
-        return invalid_value_message("spectrum", name_of(sea.spectrum), "one with a physical height where there is a shore");
+        return invalid_value_message("spectrum", name_of(sea.spectrum),
+                                     "one with a physical height where there is a shore");
     if (const int cascades = cascades_of(sea); cascades < 2)
-        return invalid_value_message("cascades", cascades, "2 to 4 where there is a shore, which takes the coarsest cascade's waves");
+        return invalid_value_message("cascades", cascades,
+                                     "2 to 4 where there is a shore, which takes the coarsest cascade's waves");
     return {};
 }
 
@@ -84,7 +87,8 @@ ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
         return at.linear([plane](std::size_t texel) { return static_cast<double>(plane[texel]); });
     };
     ShoreSample sample{.depth_m = metres(shore.depth_m)};
-    for (std::size_t cascade = 0; cascade < std::size(sample.parts); ++cascade) sample.parts[cascade] = at.part(cascade);
+    for (std::size_t cascade = 0; cascade < std::size(sample.parts); ++cascade)
+        sample.parts[cascade] = at.part(cascade);
     if (!at.is_within()) return sample;
     const ShoreAt::Cubic height = at.cubic(shore.height_m);
     const auto [x_mps, z_mps] = at.velocity();

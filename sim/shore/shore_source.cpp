@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -213,7 +213,7 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
         const Refraction::Upstream from = wave.upstream(texel);
         if (from.share_x + from.share_z > 0)
             max[texel] = std::min(max[texel], (from.share_x > 0 ? from.share_x * max[from.x] : 0) +
-                                                    (from.share_z > 0 ? from.share_z * max[from.z] : 0));
+                                                  (from.share_z > 0 ? from.share_z * max[from.z] : 0));
     }
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         if (!bed_.is_water(texel)) continue;
@@ -374,7 +374,7 @@ void ShoreSource::end_bake() {
     const auto compare = [&](std::size_t a, std::size_t b) {
         for (int byte = 0; byte < 32; byte += 8)
             max = std::max(max, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
-                                           static_cast<int>(parts_.data()[b] >> byte & 255)));
+                                         static_cast<int>(parts_.data()[b] >> byte & 255)));
     };
     for (int j = 0; j < bed_.rows; ++j)
         for (int i = 0; i < bed_.columns; ++i) {

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/shore/refraction.hpp"
 #include "pelagic/sim/shore/sea_bed.hpp"
 #include "pelagic/sim/shore/shore_waves.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/allocator.hpp"
 

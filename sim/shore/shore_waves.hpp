@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -75,7 +75,7 @@ class CascadeWaves {
     std::uint32_t seed_;
     CascadePlan cascade_;
     std::optional<WaveSpectrum> spectrum_;  ///< none: the list has all waves
-    std::vector<GridWave> list_;         ///< by place
+    std::vector<GridWave> list_;            ///< by place
 };
 
 }  // namespace pelagic

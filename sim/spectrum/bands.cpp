@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -66,8 +66,7 @@ bool is_stack(const SeaState& sea) { return !is_cascade_for_good(sea); }
 constexpr double margin_of_shortest = 4.0 / 3;
 
 WaveSpectrum spectrum_of_stack(const SeaState& sea) {
-    return {sea,
-            {.grid = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
+    return {sea, {.grid = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
 std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
@@ -86,9 +85,8 @@ double end_of_waves(const SeaState& sea) {
 
 std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
-    const double coarsest_m =
-        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false),
-                   min_side_m, max_side_m);
+    const double coarsest_m = std::clamp(
+        short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false), min_side_m, max_side_m);
 
     const double widest = n / (texels_a_wave * steps_a_band);
     double ratio = widest;
@@ -104,11 +102,11 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
         const det::SineCosine turn = det::sine_cosine_of_turns(rotation_a_cascade * number);
         const double max_k = two_pi * n / (texels_a_wave * side_m);
         cascades.push_back({.grid = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
-                         .resolution = n,
-                         .number = number,
-                         .min_k = min_k,
-                         .max_k = number + 1 == count ? std::min(max_k, end_k) : max_k,
-                         .has_surface_tension = true});
+                            .resolution = n,
+                            .number = number,
+                            .min_k = min_k,
+                            .max_k = number + 1 == count ? std::min(max_k, end_k) : max_k,
+                            .has_surface_tension = true});
         min_k = max_k;
         side_m = short_number(side_m / ratio, true);
     }
@@ -138,8 +136,8 @@ std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& rea
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
     const double chosen_m = sea.waves == WaveModel::pond ? pond_side_m(sea) : papers_side_m;
-    return {{.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
-             .resolution = resolution_of(sea)}};
+    return {
+        {.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m}, .resolution = resolution_of(sea)}};
 }
 
 std::vector<CascadePlan> plan_cascades(const SeaState& sea) {

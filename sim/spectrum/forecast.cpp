@@ -34,7 +34,7 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     // Octaves that move one another have no energies to blend.
     if (sea.waves == WaveModel::pond)
         return invalid_value_message(of_change("waves", number), name_of(sea.waves),
-                       "spectrum or analytic: a pond does not change");
+                                     "spectrum or analytic: a pond does not change");
     if (has_papers_spectrum(first) != has_papers_spectrum(sea))
         return refused("spectrum", name_of(sea.spectrum),
                        has_papers_spectrum(first) ? "phillips-paper" : "a physical one");
@@ -57,8 +57,9 @@ std::string too_long(const std::string& whose, const SeaState& sea, double large
     if (largest_peak_m == 0) return {};  // the search for a peak takes most of a check's time
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
-    return invalid_value_message("peak_wavelength_m" + whose, peak_m,
-                   "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
+    return invalid_value_message(
+        "peak_wavelength_m" + whose, peak_m,
+        "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
 double between(double before, double after, double part) {
@@ -122,9 +123,11 @@ std::string check(const Forecast& forecast) {
             return invalid_value_message(of_change("over_s", number), change.over_s, "(0, 1e9]");
         if (const double afar = change.swell_from_m;
             afar != 0 && !(afar >= min_swell_from_m && afar <= max_swell_from_m))
-            return invalid_value_message(of_change("swell_from_m", number), afar, "[1e3, 2e7], or 0: all waves change together");
+            return invalid_value_message(of_change("swell_from_m", number), afar,
+                                         "[1e3, 2e7], or 0: all waves change together");
         if (change.swell_from_m > 0 && change.sea.swell_height_m == 0)
-            return invalid_value_message(of_change("swell_from_m", number), change.swell_from_m, "0 where the sea has no swell");
+            return invalid_value_message(of_change("swell_from_m", number), change.swell_from_m,
+                                         "0 where the sea has no swell");
         if (!(change.from_s >= over_s && change.from_s <= max_time_s))
             return invalid_value_message(
                 of_change("from_s", number), change.from_s,
@@ -149,7 +152,9 @@ WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own) {
     return reach;
 }
 
-std::vector<CascadePlan> plan_cascades(const Forecast& forecast) { return plan_cascades(forecast.first, reach_of(forecast)); }
+std::vector<CascadePlan> plan_cascades(const Forecast& forecast) {
+    return plan_cascades(forecast.first, reach_of(forecast));
+}
 
 SeaState sea_between(const SeaState& before, const SeaState& after, double part) {
     if (part == 0) return before;

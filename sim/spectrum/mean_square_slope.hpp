@@ -1,9 +1,9 @@
 // How steep the sea is: what was measured over a wind, what the waves of a cascade have of it, and what is left for the light.
 #pragma once
 
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/slope_variance.hpp"
-#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 

@@ -68,7 +68,8 @@ bool is_cascade_for_good(const SeaState& sea) {
 
 int cascades_of(const SeaState& sea) {
     if (sea.cascades != 0) return sea.cascades;
-    const bool is_one = is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
+    const bool is_one =
+        is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
 }
 
@@ -116,16 +117,21 @@ std::string check(const SeaState& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {
-        if (sea.patch_size_m > 0) return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");
-        if (is_papers) return invalid_value_message("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
-        if (sea.waves == WaveModel::pond) return invalid_value_message("cascades", sea.cascades, "1 where waves is pond");
+        if (sea.patch_size_m > 0)
+            return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");
+        if (is_papers)
+            return invalid_value_message("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
+        if (sea.waves == WaveModel::pond)
+            return invalid_value_message("cascades", sea.cascades, "1 where waves is pond");
         if (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks)
-            return invalid_value_message("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
+            return invalid_value_message("cascades", sea.cascades,
+                                         "1 where the resolution is " + number_text(sea.resolution));
     }
     if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);
     if (!is_papers) return {};
     if (sea.spreading != SpreadingModel::paper)
-        return invalid_value_message("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");
+        return invalid_value_message("spreading", name_of(sea.spreading),
+                                     "paper where the spectrum is phillips-paper");
     if (sea.swell_height_m != 0)
         return invalid_value_message("swell_height_m", sea.swell_height_m, "0 where the spectrum is phillips-paper");
     return {};

@@ -10,10 +10,10 @@
 
 #include <optional>
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spreading.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 

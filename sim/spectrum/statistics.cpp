@@ -40,11 +40,11 @@ constexpr double band_ratio = 1.05;
 /// What one pass over all cascades' grids finds: every figure of this file comes from these.
 struct GridSums {
     double lowest_band_hz = 0;
-    Moments expected;                 ///< the mean over all seeds
-    std::vector<CascadeSlopes> cascades;    ///< the same
-    Moments drawn;                    ///< of this seed, as are the rest
-    std::vector<double> bands;        ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
-    std::vector<double> swell_bands;  ///< the swell's part of them, as many; none without a swell
+    Moments expected;                     ///< the mean over all seeds
+    std::vector<CascadeSlopes> cascades;  ///< the same
+    Moments drawn;                        ///< of this seed, as are the rest
+    std::vector<double> bands;            ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
+    std::vector<double> swell_bands;      ///< the swell's part of them, as many; none without a swell
     std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
     double expected_hz = 0,
            expected_hz2 = 0;  ///< the mean over all seeds of the variances times the frequency, and its square
@@ -319,8 +319,9 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, std::span<const CascadePlan> plan, const ModelWaves& asked,
-                                       const ExpectedWaves& waves, const LoopFrequencies& found) {
+std::vector<std::string> warnings_from(const SeaState& sea, std::span<const CascadePlan> plan,
+                                       const ModelWaves& asked, const ExpectedWaves& waves,
+                                       const LoopFrequencies& found) {
     const SpectralPeak& peak = asked.peak;
     const CascadePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;

@@ -43,20 +43,21 @@ std::string check_pond(const SeaState& sea) {
     const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
         return invalid_value_message("wave_count", asked.octaves,
-                       "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
-                           " to shortest_wave_m " + rounded_text(shortest_wave_of(sea), 4) +
-                           ": each at least a quarter of the one before");
+                                     "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
+                                         " to shortest_wave_m " + rounded_text(shortest_wave_of(sea), 4) +
+                                         ": each at least a quarter of the one before");
     if (asked.height_m > 10)
         return invalid_value_message("wave_height_m", sea.wave_height_m,
-                       "at most " + rounded_text(sea.wave_height_m * 10 / asked.height_m, 3) +
-                           " where waves is pond with so many octaves");
+                                     "at most " + rounded_text(sea.wave_height_m * 10 / asked.height_m, 3) +
+                                         " where waves is pond with so many octaves");
     return one_line(check(asked));
 }
 
 std::string check_analytic(const SeaState& sea) {
     const PlaneWaves held = waves_of_cascades(sea);
     if (held.waves.empty())
-        return invalid_value_message("longest_wave_m", longest_wave_of(sea), "longer waves: the cascades' texels hold none of these");
+        return invalid_value_message("longest_wave_m", longest_wave_of(sea),
+                                     "longer waves: the cascades' texels hold none of these");
     if (const double steepness = steepness_of(held); steepness > max_steepness)
         return invalid_value_message(
             "steepness", rounded_text(steepness, 4),
@@ -152,11 +153,11 @@ PondSea pond_sea_of(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const double longest_m = longest_wave_of(sea), ratio = longest_m / shortest_wave_of(sea);
     PondSea asked{.octaves = count_of(sea),
-                     .height_m = pond.height_m / pond.wavelength_m * longest_m,
-                     .wavelength_m = longest_m,
-                     .direction_rad = two_pi * turns_of(sea.wind_direction_rad),
-                     .growth = 1,
-                     .drag = sea.wave_drag};
+                  .height_m = pond.height_m / pond.wavelength_m * longest_m,
+                  .wavelength_m = longest_m,
+                  .direction_rad = two_pi * turns_of(sea.wind_direction_rad),
+                  .growth = 1,
+                  .drag = sea.wave_drag};
     if (asked.octaves > 1) asked.growth = det::pow(ratio, 1.0 / (asked.octaves - 1));
     if (sea.wave_height_m > 0) {
         double squares = 0;
@@ -209,10 +210,11 @@ std::string check_wave_list(const SeaState& sea) {
     if (sea.swell_height_m != 0) return invalid_value_message("swell_height_m", sea.swell_height_m, "0" + waves);
     const double longest_m = longest_wave_of(sea);
     if (sea.shortest_wave_m > longest_m)
-        return invalid_value_message("shortest_wave_m", sea.shortest_wave_m, "at most longest_wave_m, " + number_text(longest_m));
+        return invalid_value_message("shortest_wave_m", sea.shortest_wave_m,
+                                     "at most longest_wave_m, " + number_text(longest_m));
     if (sea.patch_size_m > 0 && sea.patch_size_m < longest_m)
         return invalid_value_message("patch_size_m", sea.patch_size_m,
-                       "at least longest_wave_m, " + number_text(longest_m) + "," + waves);
+                                     "at least longest_wave_m, " + number_text(longest_m) + "," + waves);
     return is_pond(sea) ? check_pond(sea) : check_analytic(sea);
 }
 

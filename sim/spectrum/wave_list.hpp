@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "pelagic/sim/analytic_cascades.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -45,7 +45,7 @@ std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade
 struct GridOctave {
     GridIndex at;
     std::uint32_t harmonic;  ///< periods in a loop
-    PondOctave octave;    ///< as moved there
+    PondOctave octave;       ///< as moved there
     double shown;            ///< what of it texels can show; the rest is hidden
 
     /// Mean squares of what is shown of its height, m^2, and of all its slope.

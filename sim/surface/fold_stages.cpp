@@ -45,7 +45,7 @@ void FoldStages::spread(std::size_t cascade) {
     const std::size_t count = slots_.cascade_count();
     for (std::size_t i = 0; i < count; ++i) maps[i] = &*slots_.buffers(i).contraction;
     slots_.buffers(cascade).contraction->spread(slots_.cascade(cascade), {maps.data(), count}, cascade,
-                                         slots_.cascade(count - 1).texel_m(), kernels_);
+                                                slots_.cascade(count - 1).texel_m(), kernels_);
 }
 
 }  // namespace pelagic

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

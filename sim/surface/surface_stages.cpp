@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 
 namespace pelagic {
@@ -27,7 +27,8 @@ Pieces pieces_of(int resolution) {
 
 }  // namespace
 
-SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras)
+SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels,
+                             const FrameExtras& extras)
     : slots_(slots), cascade_(cascade), kernels_(kernels), resolution_(slots.resolution()), has_foam_(extras.foam) {
     if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
     if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
 

@@ -71,7 +71,7 @@ pelagic_sea any_sea(Bytes& bytes) {
     sea.patch_size_m = 250;
     double* const fields[] = {
         &sea.patch_size_m,   &sea.wind_speed_mps, &sea.wind_direction_rad,  &sea.fetch_m,         &sea.depth_m,
-        &sea.choppiness,     &sea.roughness,      &sea.short_wave_cutoff,         &sea.wind_alignment,       &sea.loop_period_s,
+        &sea.choppiness,     &sea.roughness,      &sea.short_wave_cutoff,   &sea.wind_alignment,  &sea.loop_period_s,
         &sea.swell_height_m, &sea.swell_period_s, &sea.swell_direction_rad, &sea.swell_spread_rad};
     for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
         *fields[bytes.take<std::uint8_t>() % std::size(fields)] = bytes.number();
@@ -165,9 +165,10 @@ pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
         dynamic_waves.ticks_per_s = bytes.take<std::int32_t>();
     }
     change(bytes, dynamic_waves,
-           {&pelagic_dynamic_waves_options::side_m, &pelagic_dynamic_waves_options::border_m, &pelagic_dynamic_waves_options::depth_m,
-            &pelagic_dynamic_waves_options::viscosity_m2ps, &pelagic_dynamic_waves_options::wave_speed_mps,
-            &pelagic_dynamic_waves_options::decay_per_s, &pelagic_dynamic_waves_options::foam_height_m});
+           {&pelagic_dynamic_waves_options::side_m, &pelagic_dynamic_waves_options::border_m,
+            &pelagic_dynamic_waves_options::depth_m, &pelagic_dynamic_waves_options::viscosity_m2ps,
+            &pelagic_dynamic_waves_options::wave_speed_mps, &pelagic_dynamic_waves_options::decay_per_s,
+            &pelagic_dynamic_waves_options::foam_height_m});
     return dynamic_waves;
 }
 
@@ -303,8 +304,8 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
         if (place + sizeof buffers <= cascades.size()) std::memcpy(cascades.data() + place, &buffers, sizeof buffers);
     }
     pelagic_bounds bounds{};
-    must_be_a_status(pelagic_ocean_frame_at(ocean, bytes.number(),
-                                            reinterpret_cast<const pelagic_frame_buffers*>(cascades.data()), &bounds));
+    must_be_a_status(pelagic_ocean_frame_at(
+        ocean, bytes.number(), reinterpret_cast<const pelagic_frame_buffers*>(cascades.data()), &bounds));
 }
 
 /// Every byte of what a cascade points to is there.
@@ -389,7 +390,9 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     const pelagic_status of_dynamic_waves = pelagic_ocean_dynamic_waves(ocean, &dynamic_waves);
     must_be_a_status(of_dynamic_waves);
     if (of_dynamic_waves == PELAGIC_OK && dynamic_waves.struct_size == sizeof dynamic_waves) {
-        const auto last = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution) - 1;
+        const auto last =
+            static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution) -
+            1;
         sum += dynamic_waves.height_m[last] + dynamic_waves.vertical_velocity_mps[last] + dynamic_waves.foam[last];
     }
     const pelagic_status of_shore = pelagic_ocean_shore(ocean, &shore);

@@ -176,7 +176,9 @@ double density(const SeaState& sea, double kx, double kz) {
     return kept_after_breaking(sea) * unbroken_density(sea, kx, kz);
 }
 
-Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, kept_after_breaking(sea), m, n); }
+Complex initial_amplitude(const SeaState& sea, int m, int n) {
+    return amplitude(sea, kept_after_breaking(sea), m, n);
+}
 
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;

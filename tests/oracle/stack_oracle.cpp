@@ -39,8 +39,7 @@ Stack::Stack(const Frame& frame, Interpolation interpolation) {
         const auto range_of = [&](const std::vector<double>& plane) {
             const auto [min, max] = std::minmax_element(plane.begin(), plane.end());
             // Four weights that add up to 1 are -1/16, 9/16, 9/16, -1/16 at worst, along either axis.
-            const double beyond =
-                interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*max - *min) : 0;
+            const double beyond = interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*max - *min) : 0;
             reach_m_ += std::max(-*min, *max) + beyond;
             return Range{*min - beyond, *max + beyond};
         };

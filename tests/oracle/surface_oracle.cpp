@@ -92,7 +92,8 @@ std::vector<Intersection> Surface::intersections_at(double x_m, double z_m) cons
     std::vector<Intersection> intersections;
     for (std::size_t c = first_[square]; c < first_[square + 1]; ++c)
         look_inside(candidates_[c], {x, z}, 0, 0, 1, intersections);
-    std::sort(intersections.begin(), intersections.end(), [](const Intersection& a, const Intersection& b) { return a.height > b.height; });
+    std::sort(intersections.begin(), intersections.end(),
+              [](const Intersection& a, const Intersection& b) { return a.height > b.height; });
     return intersections;
 }
 
@@ -111,7 +112,8 @@ void Surface::look_inside(const Candidate& cell, Corner point, double u, double 
 }
 
 // Newton's method with a numeric derivative, exact for a bilinear piece.
-void Surface::refine(const Candidate& cell, Corner point, double u, double v, std::vector<Intersection>& intersections) const {
+void Surface::refine(const Candidate& cell, Corner point, double u, double v,
+                     std::vector<Intersection>& intersections) const {
     for (int step = 0; step < 40; ++step) {
         const Corner here = drawn(cell, u, v);
         const double off_x = here.x - point.x, off_z = here.z - point.z;

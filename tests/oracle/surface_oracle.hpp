@@ -49,7 +49,8 @@ class Surface {
     Corner drawn(const Candidate& cell, double u, double v) const;
     void look_inside(const Candidate& cell, Corner point, double u, double v, double size,
                      std::vector<Intersection>& intersections) const;
-    void refine(const Candidate& cell, Corner point, double u, double v, std::vector<Intersection>& intersections) const;
+    void refine(const Candidate& cell, Corner point, double u, double v,
+                std::vector<Intersection>& intersections) const;
 
     int n_;
     double texel_m_;

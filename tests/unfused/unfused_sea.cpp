@@ -7,8 +7,8 @@
 #include <complex>
 #include <utility>
 
-#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/simd/det_math.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/kernels/fft_plan.hpp"
 
 namespace pelagic::unfused {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
@@ -76,10 +76,9 @@ class Cascade {
         const auto at = [&](std::size_t i, std::size_t j) { return plane[j % n_ * n_ + i % n_]; };
         constexpr auto far_weight = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight);
         const Along grid = {(at(x + 1, z) - at(x + n_ - 1, z)) + far_weight * (at(x + 2, z) - at(x + n_ - 2, z)),
-                               (at(x, z + 1) - at(x, z + n_ - 1)) + far_weight * (at(x, z + 2) - at(x, z + n_ - 2))};
+                            (at(x, z + 1) - at(x, z + n_ - 1)) + far_weight * (at(x, z + 2) - at(x, z + n_ - 2))};
         if (planes_.sine == 0 && planes_.cosine == 1) return grid;
-        return {grid.x * planes_.cosine - grid.z * planes_.sine,
-                grid.x * planes_.sine + grid.z * planes_.cosine};
+        return {grid.x * planes_.cosine - grid.z * planes_.sine, grid.x * planes_.sine + grid.z * planes_.cosine};
     }
 
     const CascadePlanes& planes_;

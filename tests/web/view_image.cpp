@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "pelagic/gl/headless_context.hpp"
-#include "pelagic/gl/light_presets.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"

@@ -105,7 +105,8 @@ void print_jobs(const Timings& timings) {
     print_line(heading);
     bool has_stored = false;
     for (const std::string& sea : seas) has_stored |= print_sea(on_one_thread(timings, sea));
-    print_line("sea: cascades x N, several are the default sea; instr.: a texel; GB/s: inputs and outputs, each once");
+    print_line(
+        "sea: cascades x N, several are the default sea; instr.: a texel; GB/s: inputs and outputs, each once");
     if (!timings.no_counter.empty()) print_line("Instructions are not counted here: " + timings.no_counter + ".");
     if (has_stored)
         print_line("* Counted by the project with valgrind or qemu, in a build by " + stored_instructions_compiler() +

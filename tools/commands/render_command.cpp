@@ -9,16 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/gl/camera_water_plane.hpp"
 #include "pelagic/gl/display.hpp"
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/light_meter.hpp"
+#include "pelagic/gl/meshes/rock.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/rock.hpp"
-#include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/gl/sky_panorama.hpp"
+#include "pelagic/gl/sky/sky_panorama.hpp"
 #include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water/camera_water_plane.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/commands/command.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pelagic/gl/small_water.hpp"
+#include "pelagic/gl/water/small_water.hpp"
 
 namespace pelagic::tools {
 

@@ -18,8 +18,9 @@ namespace {
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,strength";
 constexpr double radians_a_degree = 3.14159265358979323846 / 180;
 
-constexpr NamedValues<Disturbance::Mode, 3> mode_names = {
-    {{Disturbance::Mode::impulse, "impulse"}, {Disturbance::Mode::pressure, "pressure"}, {Disturbance::Mode::relaxation, "relaxation"}}};
+constexpr NamedValues<Disturbance::Mode, 3> mode_names = {{{Disturbance::Mode::impulse, "impulse"},
+                                                           {Disturbance::Mode::pressure, "pressure"},
+                                                           {Disturbance::Mode::relaxation, "relaxation"}}};
 
 enum class Column { time, x, z, radius, strength, velocity, heading, duration, length, mode };
 

@@ -68,8 +68,7 @@ std::vector<std::string> warnings_about(const EventOptions& options, bool is_loo
                            " m around " + number_text(options.middle_x_m) + "," + number_text(options.middle_z_m) +
                            ", where alone water answers; --events-side and --events-at say where it is");
     if (is_loop)
-        warnings.push_back(
-            "the frames are a loop, but dynamic waves events does not come back to where it began");
+        warnings.push_back("the frames are a loop, but dynamic waves events does not come back to where it began");
     return warnings;
 }
 
@@ -127,7 +126,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
     options.file = read_events(*file_);
     event_commands(*options.file,
-                options.water.ticks_per_s);  // so that too many at once are told before anything is made
+                   options.water.ticks_per_s);  // so that too many at once are told before anything is made
     if (!at) at = middle_of(*options.file);
     options.middle_x_m = (*at)[0];
     options.middle_z_m = (*at)[1];

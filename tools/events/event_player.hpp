@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/events/event_commands.hpp"
+#include "pelagic/tools/events/event_options.hpp"
 
 namespace pelagic::tools {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
-#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 

@@ -50,11 +50,11 @@ void print_notes(std::FILE* to, const ExportOptions& options) {
             std::fprintf(to, "note: %s\n", warning.c_str());
     if (const SeaPatch& patch = options.meshes.patch;
         options.meshes.any() && patch.cascades < static_cast<std::size_t>(cascades_of(sea)))
-        std::fprintf(
-            to,
-            "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d cascades; a smaller --mesh-size or "
-            "more --mesh-steps show shorter waves\n",
-            rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.cascades, cascades_of(sea));
+        std::fprintf(to,
+                     "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d cascades; a smaller "
+                     "--mesh-size or "
+                     "more --mesh-steps show shorter waves\n",
+                     rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.cascades, cascades_of(sea));
 }
 
 }  // namespace pelagic::tools

@@ -57,7 +57,8 @@ std::string name_of(const ImagePart& part) {
     return std::string(name_of(part.map)) + (part.cascade > 0 ? "_c" + number_text(part.cascade) : "");
 }
 
-ExrLayer layer_of(const ImagePart& part, const Cascade& cascade, const MapOptions& options, const std::string& before) {
+ExrLayer layer_of(const ImagePart& part, const Cascade& cascade, const MapOptions& options,
+                  const std::string& before) {
     const Sample sample = options.sample_of(part.map);
     ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&cascade, &options, part](int level) {
                        return without_bytes(map_image(cascade, part.map, part.first_level + level, options));

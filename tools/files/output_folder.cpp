@@ -34,7 +34,8 @@ std::optional<std::string> OutputFolder::read_text(const std::string& name, std:
     return is_there ? std::optional(std::move(text)) : std::nullopt;
 }
 
-OutputFile::OutputFile(const std::filesystem::path& file) : folder_(OutputFolder::of(file)), name_(file.filename().string()) {
+OutputFile::OutputFile(const std::filesystem::path& file)
+    : folder_(OutputFolder::of(file)), name_(file.filename().string()) {
     if (name_.empty()) throw FileError("can't write " + file.string() + ": it names a folder, needs a file");
     folder_.check_writable(name_);
 }

@@ -102,8 +102,8 @@ OutputFolder::OutputFolder(std::filesystem::path path, Sync sync, const std::fil
     if (!std::filesystem::is_directory(folder, reason))
         throw file_error(can_not_write, wanted, std::filesystem::exists(folder, reason) ? ENOTDIR : ENOENT);
     // Others may read and write in it; nobody may remove it.
-    const HANDLE held = ::CreateFileW(folder.c_str(), FILE_LIST_DIRECTORY, FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr,
-                                      OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
+    const HANDLE held = ::CreateFileW(folder.c_str(), FILE_LIST_DIRECTORY, FILE_SHARE_READ | FILE_SHARE_WRITE,
+                                      nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
     if (held == INVALID_HANDLE_VALUE) throw file_error(can_not_write, wanted, EACCES);
     folder_ = Descriptor(::_open_osfhandle(reinterpret_cast<std::intptr_t>(held), _O_RDONLY));
     if (!folder_.is_open()) {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
 
 namespace pelagic::tools {

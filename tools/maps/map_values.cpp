@@ -82,7 +82,8 @@ std::vector<float> slopes(const Cascade& cascade, UpAxis up_axis) {
 std::vector<float> foam(const Cascade& cascade) {
     assert(!cascade.foam_r8.empty());
     std::vector<float> values;
-    for (const std::uint8_t byte : cascade.level_of(cascade.foam_r8, 0)) values.push_back(static_cast<float>(byte) / 255);
+    for (const std::uint8_t byte : cascade.level_of(cascade.foam_r8, 0))
+        values.push_back(static_cast<float>(byte) / 255);
     return values;
 }
 

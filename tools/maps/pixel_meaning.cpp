@@ -145,7 +145,8 @@ std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& opti
 Json channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
     Json maps = Json::object();
     for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(map, options);
-    if (has_dynamic_waves) maps[std::string(name_of(MapKind::dynamic_waves))] = list_of(MapKind::dynamic_waves, options);
+    if (has_dynamic_waves)
+        maps[std::string(name_of(MapKind::dynamic_waves))] = list_of(MapKind::dynamic_waves, options);
     return maps;
 }
 

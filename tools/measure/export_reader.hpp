@@ -16,8 +16,8 @@ namespace pelagic::tools {
 OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync);
 /// How the displacement images keep heights.
 struct StoredHeights {
-    std::size_t channel = 1;        ///< of three
-    float metres = 1;               ///< that a pixel's 1 stands for
+    std::size_t channel = 1;       ///< of three
+    float metres = 1;              ///< that a pixel's 1 stands for
     bool overturned_rows = false;  ///< the image's last row is the cascade's first
 };
 

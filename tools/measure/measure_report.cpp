@@ -120,12 +120,12 @@ Json measure_export(const std::filesystem::path& folder) {
     std::vector<WaveMeasurement> cascades;
     for (const CascadePlan& cascade : reader.cascades())
         cascades.emplace_back(HeightSeries{.cascade = cascade,
-                                        .depth_m = sea.depth_m,
-                                        .loop_period_s = sea.loop_period_s,
-                                        .likely_peak_period_s = report.expected.peak_period_s,
-                                        .frames = reader.frames(),
-                                        .step_s = reader.step_s(),
-                                        .is_one_loop = is_one_loop});
+                                           .depth_m = sea.depth_m,
+                                           .loop_period_s = sea.loop_period_s,
+                                           .likely_peak_period_s = report.expected.peak_period_s,
+                                           .frames = reader.frames(),
+                                           .step_s = reader.step_s(),
+                                           .is_one_loop = is_one_loop});
     {
         Progress progress("frame", reader.frames());
         for (std::size_t frame = 0; frame < reader.frames(); ++frame) {

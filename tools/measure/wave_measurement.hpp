@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::tools {
 

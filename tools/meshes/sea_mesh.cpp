@@ -15,7 +15,7 @@ double foam_of(const Frame& frame, glm::dvec2 rest) {
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
         max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
-                                      x - column, z - row));
+                                    x - column, z - row));
     }
     return max;
 }

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/tools/meshes/mesh.hpp"
 
 namespace pelagic::tools {

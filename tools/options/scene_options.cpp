@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/encode/flow_file.hpp"
 #include "pelagic/tools/text/errors.hpp"

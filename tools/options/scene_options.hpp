@@ -7,12 +7,12 @@
 #include <string>
 
 #include "pelagic/gl/exposure.hpp"
-#include "pelagic/gl/sea_floor.hpp"
-#include "pelagic/gl/shading.hpp"
-#include "pelagic/gl/sky_baker.hpp"
-#include "pelagic/gl/small_water.hpp"
+#include "pelagic/gl/sky/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
-#include "pelagic/gl/water_optics.hpp"
+#include "pelagic/gl/water/sea_floor.hpp"
+#include "pelagic/gl/water/shading.hpp"
+#include "pelagic/gl/water/small_water.hpp"
+#include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/options/camera_options.hpp"
 #include "pelagic/tools/options/compute_options.hpp"

@@ -67,8 +67,8 @@ CascadeSample CascadeLevels::at(double x_m, double z_m, float footprint_m) const
     const CascadeGrid::Place place = cascade_.grid.in_cascade(x_m, z_m);
     const double u = place.along / cascade_.grid.side_m, v = place.across / cascade_.grid.side_m;
     const auto part_u = static_cast<float>(u - std::floor(u)), part_v = static_cast<float>(v - std::floor(v));
-    const float level =
-        std::min(level_of(footprint_m / static_cast<float>(cascade_.texel_m())), static_cast<float>(levels_.size() - 1));
+    const float level = std::min(level_of(footprint_m / static_cast<float>(cascade_.texel_m())),
+                                 static_cast<float>(levels_.size() - 1));
     const int finer = static_cast<int>(level);
     const float coarser_part = level - static_cast<float>(finer);
     CascadeSample sample;

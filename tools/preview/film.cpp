@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "pelagic/message/number_text.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 extern char** environ;

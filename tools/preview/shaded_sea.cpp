@@ -11,8 +11,8 @@
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/simd/det_math.hpp"
-#include "pelagic/tools/preview/sea_light.hpp"
 #include "pelagic/tools/preview/cascade_levels.hpp"
+#include "pelagic/tools/preview/sea_light.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -183,7 +183,8 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
     SurfaceSlopes slopes;
     float foam = 0;
     for (const CascadeLevels& cascade : cascades) {
-        const CascadeSample sample = cascade.at(static_cast<double>(rest.x), static_cast<double>(rest.z), footprint_m);
+        const CascadeSample sample =
+            cascade.at(static_cast<double>(rest.x), static_cast<double>(rest.z), footprint_m);
         place += sample.displacement;
         slopes += sample.slopes;
         foam = std::max(foam, sample.foam);
@@ -291,7 +292,8 @@ int ShadedSea::height() const { return state_->height; }
 const std::vector<std::uint8_t>& ShadedSea::draw(const Frame& frame) {
     state_->hidden_slope_variance = static_cast<float>(frame.statistics.unresolved_slopes.total() / 2);
     state_->cascades.resize(frame.cascades.size());
-    for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) state_->cascades[cascade].take(frame.cascades[cascade]);
+    for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade)
+        state_->cascades[cascade].take(frame.cascades[cascade]);
     state_->run->schedule();
     state_->run->complete();
     return state_->pixels;

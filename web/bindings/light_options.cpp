@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 

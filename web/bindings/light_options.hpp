@@ -1,10 +1,10 @@
-// Light as a page gives it, an object {preset: "noon", cloudCover: 0.3}: names and ranges are those of gl/sky.hpp, in JavaScript's
+// Light as a page gives it, an object {preset: "noon", cloudCover: 0.3}: names and ranges are those of gl/sky/sky.hpp, in JavaScript's
 // spelling.
 #pragma once
 
 #include <emscripten/val.h>
 
-#include "pelagic/gl/sky.hpp"
+#include "pelagic/gl/sky/sky.hpp"
 
 namespace pelagic::web {
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "pelagic/message/near_names.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/near_names.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -149,7 +149,8 @@ std::string word_of(std::string_view name, const val& value, const std::vector<s
     if (!is_of_type(value, "string")) reject(name, value, list_of(words));
     const auto word = value.as<std::string>();
     if (std::find(words.begin(), words.end(), word) == words.end())
-        throw std::invalid_argument(invalid_value_message(name, text_of(value), list_of(words) + nearest_hint(word, words)));
+        throw std::invalid_argument(
+            invalid_value_message(name, text_of(value), list_of(words) + nearest_hint(word, words)));
     return word;
 }
 

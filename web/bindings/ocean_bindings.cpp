@@ -271,7 +271,8 @@ class OceanOfPage {
                                                            ? interpolation_named(interpolation.as<std::string>())
                                                            : std::nullopt;
             if (!named)
-                throw std::invalid_argument(invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
+                throw std::invalid_argument(
+                    invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
             const SurfaceQuery query(frames_[slot], {.tolerance_m = tolerance, .interpolation = *named});
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::size_t count = pairs.size() / 2;

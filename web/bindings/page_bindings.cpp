@@ -11,9 +11,9 @@
 #include <cmath>
 #include <string>
 
-#include "pelagic/gl/light_presets.hpp"
-#include "pelagic/gl/shading.hpp"
-#include "pelagic/gl/sky.hpp"
+#include "pelagic/gl/sky/light_presets.hpp"
+#include "pelagic/gl/sky/sky.hpp"
+#include "pelagic/gl/water/shading.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/viewer/sliders.hpp"

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"

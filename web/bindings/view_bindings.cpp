@@ -13,7 +13,7 @@
 // image `quality` ('low', 'medium', 'high', 'ultra'), `sizeM`, `shading` ('headset', 'medium', 'high'), `skyFaceSize`, `foam`.
 //
 //   setSea(options)         those of a sea; what is not in them is the preset's or the default
-//   setLight(options)       `preset` (noon, golden-hour, overcast, storm, moonlight), the others of gl/sky.hpp in camelCase, and `stops`,
+//   setLight(options)       `preset` (noon, golden-hour, overcast, storm, moonlight), the others of gl/sky/sky.hpp in camelCase, and `stops`,
 //                           brighter than the sky's own exposure. A clear sky of the same sun stands in until this one is baked
 //   continueBaking(ms)      bakes on for about that long; true if nothing is left
 //   hasSky()                the sky of the last setLight() is the one that is drawn
@@ -192,7 +192,8 @@ class BoundView {
     }
     bool has_sky() { return view_->has_sky(); }
     void simulate(double time_s) {
-        if (!std::isfinite(time_s)) throw std::invalid_argument(invalid_value_message("timeS", time_s, "a finite number"));
+        if (!std::isfinite(time_s))
+            throw std::invalid_argument(invalid_value_message("timeS", time_s, "a finite number"));
         context_.make_current();
         view_->simulate(time_s);
         is_simulated_ = true;

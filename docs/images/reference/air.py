@@ -2,7 +2,7 @@
 #
 # A path adds its source function times 1 - T, T being what it lets through: the sun's light, scattered once by air (Rayleigh) and haze
 # (Cornette and Shanks 1992), and the sky's, taken as coming evenly from above. Coefficients, asymmetry and the heights in which air and
-# haze thin to 1/e as in gl/atmosphere.hpp.
+# haze thin to 1/e as in gl/sky/atmosphere.hpp.
 import math
 
 rayleigh_per_m = (5.8e-6, 13.5e-6, 33.1e-6)

@@ -1,0 +1,423 @@
+#include "pelagic/capi/c_ocean.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "pelagic/capi/c_executor.hpp"
+#include "pelagic/capi/c_sea.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/c_wave_input.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/jobs/platform.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/number_text.hpp"
+
+namespace pelagic::capi {
+
+QueryFrames::Reader::Reader(QueryFrames& frames) {
+    for (;;) {
+        slot_ = frames.current_;
+        if (!slot_) return;
+        ++slot_->readers;
+        if (slot_ == frames.current_) return;
+        leave();
+    }
+}
+
+void QueryFrames::Reader::leave() {
+    if (slot_ && --slot_->readers == 0) wake_all(slot_->readers);
+}
+
+void QueryFrames::show(const SurfaceQuery& query) {
+    newest_ = 1 - newest_;
+    slots_[newest_].query = query;
+    current_ = &slots_[newest_];
+}
+
+void QueryFrames::wait_for_old_readers() {
+    const std::atomic<std::uint32_t>& readers = slots_[1 - newest_].readers;
+    for (std::uint32_t now = readers; now != 0; now = readers) wait_while(readers, now);
+}
+
+void need_no_frame_in_flight(const pelagic_ocean& ocean) {
+    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
+}
+
+void need_frame(const pelagic_ocean& ocean) {
+    if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+}
+
+void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count) {
+    std::size_t& there = needed(count, "count");
+    if (bytes && room < saved.size())
+        reject(invalid_value_message("room", room, number_text(saved.size()) + " or more"));
+    if (bytes) std::copy(saved.begin(), saved.end(), bytes);
+    there = saved.size();
+}
+
+namespace {
+
+constexpr double min_tolerance_m = 1e-6, max_tolerance_m = 1000;
+
+double query_tolerance_m(const pelagic_ocean_options& options) {
+    const double wanted = options.query_tolerance_m;
+    if (wanted == 0) return SurfaceQuery::default_tolerance_m;
+    if (!(wanted >= min_tolerance_m && wanted <= max_tolerance_m))
+        reject(invalid_value_message("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
+    return wanted;
+}
+
+OceanOptions options_of(const pelagic_ocean_options& options) {
+    OceanOptions result{.queries = options.queries != 0,
+                        .velocities = options.velocities != 0,
+                        .gradients = options.gradients != 0,
+                        .slopes = options.slopes != 0,
+                        .foam = options.foam != 0};
+    if (options.executor) result.executor = options.executor->executor;
+    if (options.isa) {
+        result.isa = isa_named(options.isa);
+        if (!result.isa) reject(invalid_value_message("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
+    }
+    if (!options.allocate != !options.release) reject("allocate or release is NULL, needs both or neither");
+    if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
+    if (options.shore) result.shore = shore_options_of(options.shore);
+    result.inputs = inputs_of(options.inputs, options.input_count);
+    result.memory = {options.memory_user, options.allocate, options.release};
+    return result;
+}
+
+void need_finite(double time_s) {
+    if (!std::isfinite(time_s)) reject(invalid_value_message("time_s", time_s, "a finite number"));
+}
+
+void need_frame_in_flight(const pelagic_ocean& ocean) {
+    if (!ocean.frame_in_flight) throw WrongOrder("no frame is in flight, needs pelagic_ocean_schedule first");
+}
+
+void need_sea_in_flight(const pelagic_ocean& ocean) {
+    if (!ocean.sea_in_flight) throw WrongOrder("no sea is being baked, needs pelagic_ocean_schedule_sea first");
+}
+
+pelagic_plane plane_of(const PlaneView& view) {
+    return {view.data, view.resolution, view.block_columns, view.row_stride, view.block_stride};
+}
+
+pelagic_bounds bounds_of(const FrameBounds& bounds) {
+    return {bounds.height_min_m, bounds.height_max_m, bounds.horizontal_x_max_m, bounds.horizontal_z_max_m};
+}
+
+/// Where the levels of a chain begin, in texels.
+constexpr int max_levels = 12;
+static_assert(mip_levels(2048) == max_levels);
+
+void write_offsets(int resolution, std::uint32_t (&offset)[max_levels]) {
+    for (int level = 0; level < mip_levels(resolution); ++level)
+        offset[level] = static_cast<std::uint32_t>(mip_offset(resolution, level));
+}
+
+/// What C's frame and cascade have in common: planes and halves.
+template <class T>
+void write_surface(const Cascade& cascade, T& out) {
+    out.resolution = cascade.resolution();
+    out.dx = plane_of(cascade.dx);
+    out.height = plane_of(cascade.height);
+    out.dz = plane_of(cascade.dz);
+    out.velocity_x = plane_of(cascade.velocity_x);
+    out.velocity_y = plane_of(cascade.velocity_y);
+    out.velocity_z = plane_of(cascade.velocity_z);
+    out.displacement_rgba16f = cascade.displacement_rgba16f.data();
+    out.gradient_rgba8 = cascade.gradient_rgba8.data();
+}
+
+pelagic_frame c_frame_of(const Frame& frame) {
+    pelagic_frame out{};
+    const Cascade& first = frame.cascades.front();
+    write_surface(first, out);
+    out.time_s = frame.time_s;
+    out.patch_size_m = first.grid.side_m;
+    if (!first.gradient_rgba8.empty()) {
+        out.gradient_levels = mip_levels(first.resolution());
+        write_offsets(first.resolution(), out.gradient_offset);
+    }
+    out.bounds = bounds_of(frame.bounds);
+    out.cascade_count = static_cast<std::int32_t>(frame.cascades.size());
+    out.roughness = static_cast<float>(frame.statistics.roughness);
+    out.foam_drift_x_mps = frame.statistics.foam_drift_x_mps;
+    out.foam_drift_z_mps = frame.statistics.foam_drift_z_mps;
+    return out;
+}
+
+pelagic_cascade c_cascade_of(const Cascade& cascade) {
+    pelagic_cascade out{};
+    write_surface(cascade, out);
+    out.side_m = cascade.grid.side_m;
+    out.cosine = cascade.grid.cosine;
+    out.sine = cascade.grid.sine;
+    out.slopes_rgba8 = cascade.slopes_rgba8.data();
+    out.moments_rgba8 = cascade.moments_rgba8.data();
+    out.slope_range = cascade.slope_ranges.slope;
+    out.variance_range = cascade.slope_ranges.variance;
+    out.levels = mip_levels(cascade.resolution());
+    write_offsets(cascade.resolution(), out.level_offset);
+    out.bounds = bounds_of(cascade.bounds);
+    out.whitecap_jacobian = cascade.whitecap_jacobian;
+    out.foam_r8 = cascade.foam_r8.data();
+    out.whitecap_ramp = cascade.whitecap_ramp;
+    return out;
+}
+
+/// Makes it the frame that queries, cascade, copy and hash tell of.
+void show(pelagic_ocean& ocean, const Frame& frame) {
+    ocean.shown = &frame;
+    if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
+}
+
+FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
+    const auto part = []<class T>(T* data, std::size_t count) {
+        // A pointer with a count of 0 is a mistake, not a wish for nothing; one element is never right.
+        return data ? std::span<T>(data, count == 0 ? 1 : count) : std::span<T>();
+    };
+    return {.dx = part(buffers.dx, buffers.plane_count),
+            .height = part(buffers.height, buffers.plane_count),
+            .dz = part(buffers.dz, buffers.plane_count),
+            .velocity_x = part(buffers.velocity_x, buffers.plane_count),
+            .velocity_y = part(buffers.velocity_y, buffers.plane_count),
+            .velocity_z = part(buffers.velocity_z, buffers.plane_count),
+            .displacement_rgba16f = part(buffers.displacement_rgba16f, buffers.rgba16f_count),
+            .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count),
+            .slopes_rgba8 = part(buffers.slopes_rgba8, buffers.slopes_count),
+            .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count),
+            .foam_r8 = part(buffers.foam_r8, buffers.foam_count)};
+}
+
+/// As ours, of a struct that read_struct() has read.
+TextureTargets ours_of(const pelagic_texture_targets& targets) {
+    return {.displacement_rgba16f = targets.displacement_rgba16f,
+            .gradient_rgba8 = std::to_array(targets.gradient_rgba8),
+            .slopes_rgba8 = std::to_array(targets.slopes_rgba8),
+            .moments_rgba8 = std::to_array(targets.moments_rgba8)};
+}
+
+/// What an application says of each cascade of a frame: his structs, one after the other, each of the size that the first states.
+template <class Theirs, class Ours>
+class OfEachCascade {
+   public:
+    /// Throws std::invalid_argument for null and a wrong struct_size.
+    OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
+        const std::size_t bytes = struct_bytes(first, name.c_str());
+        if (count_ > 1 && bytes % alignof(Theirs) != 0)
+            reject(invalid_value_message(name + ".struct_size", bytes,
+                                         number_text(sizeof *first) + ", the size of the struct"));
+        // Before anybody looks behind the first: an application that knows one cascade has one struct.
+        if (std::max(first->cascade_count, 1u) != count_)
+            reject(invalid_value_message(name + ".cascade_count", first->cascade_count,
+                                         number_text(count_) + ", with as many structs one after the other"));
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::string of_cascade = i == 0 ? name : name + "[" + number_text(i) + "]";
+            const auto* const at =
+                reinterpret_cast<const Theirs*>(reinterpret_cast<const unsigned char*>(first) + i * bytes);
+            if (at->struct_size != bytes)
+                reject(invalid_value_message(of_cascade + ".struct_size", at->struct_size,
+                                             number_text(bytes) + ", as the first's"));
+            if (i > 0 && at->cascade_count != 0)
+                reject(invalid_value_message(of_cascade + ".cascade_count", at->cascade_count, "0"));
+            cascades_[i] = ours_of(read_struct(at, of_cascade.c_str()));
+        }
+    }
+    std::span<const Ours> all() const { return {cascades_.data(), count_}; }
+
+   private:
+    static constexpr std::size_t max_cascades = 4;
+    std::array<Ours, max_cascades> cascades_;
+    std::size_t count_;
+};
+
+using ApplicationBuffers = OfEachCascade<pelagic_frame_buffers, FrameBuffers>;
+using ApplicationTargets = OfEachCascade<pelagic_texture_targets, TextureTargets>;
+
+}  // namespace
+
+pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
+    const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
+    auto* const ocean = new pelagic_ocean(forecast, options_of(wanted), query_tolerance_m(wanted));
+    for (std::size_t i = 0; i < wanted.input_count; ++i) wanted.inputs[i]->has_ocean = true;
+    return ocean;
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_options* options,
+                                    pelagic_ocean** ocean) {
+    return guarded([&] {
+        pelagic_ocean*& out = needed(ocean, "ocean");
+        out = nullptr;
+        const Forecast forecast{.first = sea_of(sea)};
+        if (const std::string reason = check(forecast.first); !reason.empty()) reject(reason);
+        out = new_ocean(forecast, options);
+    });
+}
+
+void pelagic_ocean_destroy(pelagic_ocean* ocean) { delete ocean; }
+
+pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info) {
+    return guarded([&] {
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        struct_bytes(info, "info");
+        pelagic_ocean_info out{};
+        out.resolution = sea.resolution();
+        out.cascade_count = static_cast<std::int32_t>(sea.cascade_count());
+        out.threads = sea.executor().thread_limit();
+        out.memory_bytes = sea.memory_bytes();
+        out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
+        out.executor = sea.executor().name().data();  // ours alone: an application's is named "application" here
+        write_struct(out, info);
+    });
+}
+
+pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        ocean->asked.wait_for_old_readers();
+        ocean->ocean.schedule(time_s);
+        ocean->frame_in_flight = true;
+    });
+}
+
+pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
+                                           const pelagic_texture_targets* targets) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        Ocean& sea = ocean->ocean;
+        const ApplicationTargets to(targets, "targets", sea.cascade_count());
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
+            !reason.empty())
+            reject("targets: " + reason);
+        ocean->asked.wait_for_old_readers();
+        sea.schedule(time_s, to.all());
+        ocean->frame_in_flight = true;
+    });
+}
+
+pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready) {
+    return guarded([&] {
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        needed(is_ready, "is_ready") = sea.is_ready();
+    });
+}
+
+pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame) {
+    return guarded([&] {
+        need_frame_in_flight(needed(ocean, "ocean"));
+        struct_bytes(frame, "frame");
+        ocean->frame_in_flight = false;  // whatever comes
+        const Frame& completed = ocean->ocean.complete();
+        ocean->has_completed = true;
+        show(*ocean, completed);
+        write_struct(c_frame_of(completed), frame);
+    });
+}
+
+pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        struct_bytes(cascade, "cascade");
+        const std::span<const Cascade> cascades = ocean->shown->cascades;
+        if (index < 0 || static_cast<std::size_t>(index) >= cascades.size())
+            reject(invalid_value_message("index", index,
+                                         cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
+        write_struct(c_cascade_of(cascades[static_cast<std::size_t>(index)]), cascade);
+    });
+}
+
+pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        copy_frame(*ocean->shown, ApplicationBuffers(buffers, "buffers", ocean->shown->cascades.size()).all());
+    });
+}
+
+pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const pelagic_frame_buffers* buffers,
+                                      pelagic_bounds* bounds) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        Ocean& sea = ocean->ocean;
+        const ApplicationBuffers to(buffers, "buffers", sea.cascade_count());
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
+            !reason.empty())
+            reject(reason);
+        ocean->asked.wait_for_old_readers();
+        FrameBounds all;
+        if (ocean->has_completed) {
+            all = sea.frame_at(time_s, to.all());
+        } else {
+            const Frame& frame = sea.frame_at(time_s);
+            show(*ocean, frame);
+            copy_frame(frame, to.all());
+            all = frame.bounds;
+        }
+        if (bounds) *bounds = bounds_of(all);
+    });
+}
+
+pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        needed(hash, "hash") = hash_of(*ocean->shown);
+    });
+}
+
+pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        if (!ocean->contents.foam) reject("the ocean remembers no foam, needs pelagic_ocean_options.foam");
+        needed(hash, "hash") = foam_hash_of(*ocean->shown);
+    });
+}
+
+pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        write_saved(ocean->ocean.saved_history(), bytes, room, count);
+    });
+}
+
+pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        if (count > 0) needed(bytes, "bytes");
+        ocean->ocean.restore_history({bytes, count});
+    });
+}
+
+pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea) {
+    return guarded([&] {
+        if (needed(ocean, "ocean").sea_in_flight)
+            throw WrongOrder("a sea is being baked, needs pelagic_ocean_complete_sea first");
+        ocean->ocean.schedule_sea(sea_of(sea));
+        ocean->sea_in_flight = true;
+    });
+}
+
+pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready) {
+    return guarded([&] {
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        needed(is_ready, "is_ready") = sea.sea_is_ready();
+    });
+}
+
+pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_sea_in_flight(*ocean);
+        ocean->sea_in_flight = false;  // whatever comes
+        ocean->ocean.complete_sea();
+    });
+}

@@ -1,0 +1,99 @@
+#include <limits>
+
+#include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
+    if (!ocean.has_queries) reject("the ocean can't be queried, needs pelagic_ocean_options.queries");
+    if (!reader.query()) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+    return *reader.query();
+}
+
+Interpolation interpolation_of(const pelagic_points& points) {
+    switch (points.interpolation) {
+        case PELAGIC_INTERPOLATION_LINEAR: return Interpolation::linear;
+        case PELAGIC_INTERPOLATION_CUBIC: return Interpolation::cubic;
+        default:
+            reject(invalid_value_message("points.interpolation", points.interpolation,
+                                         "PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)"));
+    }
+}
+
+SurfacePoints points_of(const pelagic_points& points) {
+    // More can't be in memory, and a length in bytes still fits.
+    constexpr std::size_t max = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+    if (points.count > max)
+        reject(invalid_value_message("points.count", points.count, "at most " + number_text(max)));
+    if (points.count == 0) return {};
+    return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
+}
+
+SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
+    const auto part = [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
+    return {.height_m = part(samples.height_m),
+            .normal_x = part(samples.normal_x),
+            .normal_y = part(samples.normal_y),
+            .normal_z = part(samples.normal_z),
+            .jacobian = part(samples.jacobian),
+            .velocity_x_mps = part(samples.velocity_x_mps),
+            .velocity_y_mps = part(samples.velocity_y_mps),
+            .velocity_z_mps = part(samples.velocity_z_mps),
+            .error_m = part(samples.error_m),
+            .converged = part(samples.converged),
+            .foam = part(samples.foam)};
+}
+
+SurfaceRay ray_of(const pelagic_ray& ray, const Frame& frame) {
+    const SurfaceRay asked{.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
+                           .direction = {ray.direction[0], ray.direction[1], ray.direction[2]},
+                           .reach_m = ray.reach_m};
+    if (const std::string reason = check(asked, frame); !reason.empty()) reject("ray." + reason);
+    return asked;
+}
+
+pelagic_hit c_hit_of(const SurfaceHit& found) {
+    pelagic_hit hit{};
+    hit.is_hit = 1;
+    hit.from_below = found.from_below;
+    hit.distance_m = found.distance_m;
+    for (std::size_t i = 0; i < 3; ++i) {
+        hit.normal[i] = found.normal[i];
+        hit.position_m[i] = found.position_m[i];
+    }
+    return hit;
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
+                                   const pelagic_samples* samples) {
+    return guarded([&] {
+        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
+        const SurfaceQuery& query = needed_query(*ocean, reader);
+        const pelagic_points asked = read_struct(points, "points");
+        const SurfacePoints where = points_of(asked);
+        query.with(interpolation_of(asked))
+            .sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
+    });
+}
+
+pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray, pelagic_hit* hit) {
+    return guarded([&] {
+        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
+        const SurfaceQuery& query = needed_query(*ocean, reader);
+        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame());
+        struct_bytes(hit, "hit");
+        const std::optional<SurfaceHit> found = first_hit(query, asked);
+        write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);
+    });
+}

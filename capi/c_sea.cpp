@@ -1,0 +1,190 @@
+#include "pelagic/capi/c_sea.hpp"
+
+#include <cstddef>
+
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/statistics.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel::phillips_paper));
+static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
+static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
+static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
+static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
+static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
+static_assert(PELAGIC_WAVES_POND == static_cast<int>(WaveModel::pond));
+static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
+static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
+static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
+static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
+
+/// An older application's struct has 0 where a range has none.
+double or_default(double value, double SeaState::*member) { return value == 0 ? SeaState{}.*member : value; }
+
+pelagic_sea c_sea_of(const SeaState& from) {
+    pelagic_sea to{};
+    to.spectrum = static_cast<std::int32_t>(from.spectrum);
+    to.resolution = from.resolution;
+    to.seed = from.seed;
+    to.patch_size_m = from.patch_size_m;
+    to.wind_speed_mps = from.wind_speed_mps;
+    to.wind_direction_rad = from.wind_direction_rad;
+    to.fetch_m = from.fetch_m;
+    to.depth_m = from.depth_m;
+    to.choppiness = from.choppiness;
+    to.roughness = from.roughness;
+    to.short_wave_cutoff = from.short_wave_cutoff;
+    to.wind_alignment = from.wind_alignment;
+    to.loop_period_s = from.loop_period_s;
+    to.spreading = static_cast<std::int32_t>(from.spreading);
+    to.swell_height_m = from.swell_height_m;
+    to.swell_period_s = from.swell_period_s;
+    to.swell_direction_rad = from.swell_direction_rad;
+    to.swell_spread_rad = from.swell_spread_rad;
+    to.cascades = from.cascades;
+    to.waves = static_cast<std::int32_t>(from.waves);
+    to.wave_count = from.wave_count;
+    to.longest_wave_m = from.longest_wave_m;
+    to.shortest_wave_m = from.shortest_wave_m;
+    to.wave_strength = from.wave_strength;
+    to.wave_height_m = from.wave_height_m;
+    to.wave_drag = from.wave_drag;
+    return to;
+}
+
+/// An application whose struct ends before it was compiled when a frame was one cascade, and draws one.
+bool knows_cascades(const pelagic_sea& sea) {
+    return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
+}
+
+/// An application whose struct ends before it gets no sea of other waves than a spectrum's.
+bool knows_waves(const pelagic_sea& sea) {
+    return sea.struct_size >= offsetof(pelagic_sea, wave_drag) + sizeof sea.wave_drag;
+}
+
+/// For an application that doesn't know cascades: as it was, 256 texels on this side.
+SeaState one_cascade(SeaState sea, double side_m) {
+    sea.resolution = 256;
+    sea.patch_size_m = side_m;
+    return sea;
+}
+
+/// Four peak wavelengths, or so, instead of sixteen: a cascade that stands alone needs the short waves too.
+double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().grid.side_m / 4; }
+
+std::string preset_names() {
+    std::string names;
+    for (const SeaPreset& preset : sea_presets())
+        if (!preset.name.starts_with("beaufort-")) names.append(preset.name).append(", ");
+    return names + "beaufort-0 to beaufort-12";
+}
+
+}  // namespace
+
+SeaState sea_of(const pelagic_sea* pointer) {
+    const pelagic_sea sea = read_struct(pointer, "sea");
+    return {.waves = static_cast<WaveModel>(sea.waves),
+            .spectrum = static_cast<SpectrumModel>(sea.spectrum),
+            .spreading = static_cast<SpreadingModel>(sea.spreading),
+            .cascades = knows_cascades(*pointer) ? sea.cascades : 1,
+            .resolution = sea.resolution,
+            .patch_size_m = sea.patch_size_m,
+            .wind_speed_mps = sea.wind_speed_mps,
+            .wind_direction_rad = sea.wind_direction_rad,
+            .fetch_m = sea.fetch_m,
+            .depth_m = sea.depth_m,
+            .choppiness = sea.choppiness,
+            .roughness = sea.roughness,
+            .short_wave_cutoff = sea.short_wave_cutoff,
+            .wind_alignment = sea.wind_alignment,
+            .swell_height_m = sea.swell_height_m,
+            .swell_period_s = or_default(sea.swell_period_s, &SeaState::swell_period_s),
+            .swell_direction_rad = sea.swell_direction_rad,
+            .swell_spread_rad = or_default(sea.swell_spread_rad, &SeaState::swell_spread_rad),
+            .loop_period_s = sea.loop_period_s,
+            .seed = sea.seed,
+            .wave_count = sea.wave_count,
+            .longest_wave_m = sea.longest_wave_m,
+            .shortest_wave_m = sea.shortest_wave_m,
+            .wave_strength = sea.wave_strength,
+            .wave_height_m = sea.wave_height_m,
+            .wave_drag = sea.wave_drag};
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
+    return guarded([&] {
+        struct_bytes(sea, "sea");
+        constexpr double side_m = 250;
+        write_struct(c_sea_of(knows_cascades(*sea) ? SeaState{} : one_cascade({}, side_m)), sea);
+    });
+}
+
+pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
+    return guarded([&] {
+        const std::string_view wanted = &needed(name, "name");
+        struct_bytes(sea, "sea");
+        const SeaPreset* const preset = sea_preset_named(wanted);
+        if (!preset) reject(invalid_value_message("preset", wanted, "one of " + preset_names()));
+        const SeaState& state = preset->sea;
+        if (state.waves != WaveModel::spectrum && !knows_waves(*sea))
+            reject(
+                invalid_value_message("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
+        write_struct(c_sea_of(knows_cascades(*sea) ? state : one_cascade(state, lone_side_m(state))), sea);
+    });
+}
+
+pelagic_status pelagic_sea_check(const pelagic_sea* sea) {
+    return guarded([&] {
+        if (const std::string reason = check(sea_of(sea)); !reason.empty()) reject(reason);
+    });
+}
+
+pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics) {
+    return guarded([&] {
+        struct_bytes(statistics, "statistics");
+        const SeaState state = sea_of(sea);
+        if (const std::string reason = check(state); !reason.empty()) reject(reason);
+        const SeaReport report = report_on(state);
+        const WavePart wind_sea = report.wind_sea.value_or(WavePart{}), swell = report.swell.value_or(WavePart{});
+        pelagic_statistics all{};
+        all.expected_wave_height_m = report.expected.significant_wave_height_m;
+        all.drawn_wave_height_m = report.drawn_significant_wave_height_m;
+        all.model_wave_height_m = report.expected.model_significant_wave_height_m.value_or(0);
+        all.expected_peak_period_s = report.expected.peak_period_s;
+        all.drawn_peak_period_s = report.drawn_significant_wave_height_m > 0 ? report.drawn_peak_period_s : 0;
+        all.peak_wavelength_m = report.expected.peak_wavelength_m;
+        all.expected_tm01_s = report.expected_periods.tm01_s;
+        all.drawn_tm01_s = report.drawn_periods.tm01_s;
+        all.expected_tm02_s = report.expected_periods.tm02_s;
+        all.drawn_tm02_s = report.drawn_periods.tm02_s;
+        all.expected_direction_rad = report.expected_directions.mean_rad;
+        all.drawn_direction_rad = report.drawn_directions.mean_rad;
+        all.expected_spread_rad = report.expected_directions.spread_rad;
+        all.drawn_spread_rad = report.drawn_directions.spread_rad;
+        for (const CascadeSlopes& cascade : report.cascades) {
+            all.slope_variance_along_wind += cascade.slopes.upwind;
+            all.slope_variance_across_wind += cascade.slopes.crosswind;
+        }
+        all.expected_convergence_variance = report.expected_convergence_variance;
+        all.drawn_convergence_variance = report.drawn_convergence_variance;
+        all.wind_sea_height_m = wind_sea.significant_wave_height_m;
+        all.wind_sea_peak_period_s = wind_sea.peak_period_s;
+        all.swell_height_m = swell.significant_wave_height_m;
+        all.swell_peak_period_s = swell.peak_period_s;
+        all.drawn_wind_sea_peak_period_s = wind_sea.drawn_peak_period_s;
+        all.drawn_swell_peak_period_s = swell.drawn_peak_period_s;
+        all.effective_fetch_m = report.effective_fetch_m;
+        all.repeats_after_m = repeat_length_m(state);
+        write_struct(all, statistics);
+    });
+}

@@ -1,0 +1,87 @@
+// Shores as C spells them.
+#include "pelagic/sim/shore.hpp"
+
+#include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+const ShoreSurface& shown_shore(const pelagic_ocean& ocean) {
+    need_frame(ocean);
+    if (!ocean.shown->shore) reject("the ocean has no shore, needs pelagic_ocean_options.shore");
+    return ocean.shown->shore;
+}
+
+}  // namespace
+
+ShoreOptions shore_options_of(const pelagic_shore_options* options) {
+    const pelagic_shore_options from = read_struct(options, "shore");
+    ShoreOptions ours{.columns = from.columns,
+                      .rows = from.rows,
+                      .corner_x_m = from.corner_x_m,
+                      .corner_z_m = from.corner_z_m,
+                      .metres_a_sample = from.metres_a_sample,
+                      .resolution = from.resolution,
+                      .fade_m = from.fade_m,
+                      .swash_m = from.swash_m};
+    // Only as many as are there may be read.
+    constexpr int max = ShoreOptions::max_samples_a_side;
+    if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
+        const float* const heights = &needed(from.heights_m, "shore.heights_m");
+        ours.heights_m.assign(heights,
+                              heights + static_cast<std::size_t>(from.columns) * static_cast<std::size_t>(from.rows));
+    }
+    if (const std::string reason = check(ours); !reason.empty()) reject("shore." + reason);
+    return ours;
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_shore_defaults(pelagic_shore_options* options) {
+    return guarded([&] {
+        struct_bytes(options, "options");
+        const ShoreOptions ours;
+        pelagic_shore_options out{};
+        out.resolution = ours.resolution;
+        out.metres_a_sample = ours.metres_a_sample;
+        out.swash_m = ours.swash_m;
+        write_struct(out, options);
+    });
+}
+
+pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface) {
+    return guarded([&] {
+        const ShoreSurface& shore = shown_shore(needed(ocean, "ocean"));
+        struct_bytes(surface, "surface");
+        pelagic_shore_surface out{};
+        out.columns = shore.columns;
+        out.rows = shore.rows;
+        out.parts_change_per_m = shore.parts_change_per_m;
+        out.texel_m = shore.texel_m;
+        out.x_m = shore.x_m;
+        out.z_m = shore.z_m;
+        out.depth_m = shore.depth_m.data();
+        out.parts_rgba8 = shore.parts_rgba8.data();
+        out.height_m = shore.height_m.data();
+        out.vertical_velocity_mps = shore.vertical_velocity_mps.data();
+        out.reach_m = shore.reach_m.data();
+        out.foam = shore.foam.data();
+        out.height_min_m = shore.height_min_m;
+        out.height_max_m = shore.height_max_m;
+        out.potential_m2ps = shore.potential_m2ps.data();
+        write_struct(out, surface);
+    });
+}
+
+pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        shown_shore(needed(ocean, "ocean"));
+        needed(hash, "hash") = shore_hash_of(*ocean->shown);
+    });
+}

@@ -1,0 +1,223 @@
+#include "pelagic/gl/sky/sky_baker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "pelagic/gl/sky/clear_sky.hpp"
+#include "pelagic/gl/sky/clouds.hpp"
+#include "pelagic/gl/sky/cube.hpp"
+#include "pelagic/gl/sky/sky_mirrors.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float pi = 3.14159265f;
+constexpr float half_max = 65504;
+/// Where the exposure puts a white card in the open: the filmic curve shows that as 80 % white.
+constexpr float white_card = 1.35f;
+/// What a mean sea gives back of the sky, for the mirrors' lower half: Fresnel averaged over a clouded sky, 0.066
+/// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
+constexpr float sea_albedo = 0.066f;
+
+/// The solid angle of a texel, over that of one in the middle of the face.
+float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f); }
+
+}  // namespace
+
+// The stages, in order: `sky air` (lines of its tables), `sky light` (their sum) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level
+// 0, rows of each face), `sky averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`. No job takes longer than a
+// frame of a page, some 10 ms, so that an application with one thread can bake between frames (sliced_executor.hpp).
+struct SkyBaker::State {
+    State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
+        for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);
+        for (int side = size; side >= 4; side /= 2) mirrors.emplace_back(side);
+        clearnesses.resize(mirrors[0].texels.size());
+        for (Sky& sky : skies) {
+            sky.face_size = size;
+            sky.levels = sky_levels(size);
+            std::size_t texels = 0;
+            for (const Cube& cube : mirrors) texels += cube.texels.size();
+            sky.texels.resize(4 * texels);
+        }
+        const StageId air = graph.add({"sky air", ClearSky::lines, 4, {}, [this](std::size_t begin, std::size_t end) {
+                                           for (std::size_t line = begin; line < end; ++line)
+                                               clear->fill_line(static_cast<int>(line));
+                                       }});
+        const StageId light = graph.add({"sky light", 1, 1, {air}, [this](auto, auto) { prepare_light(); }});
+        const StageId heaps =
+            graph.add({"sky heaps", CloudShape::side, 4, {}, [this](std::size_t begin, std::size_t end) {
+                           if (has_heaps() || target().options.cloud_cover <= 0) return;
+                           for (std::size_t row = begin; row < end; ++row)
+                               shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
+                       }});
+        const StageId faces = graph.add({"sky faces",
+                                         6 * static_cast<std::size_t>(size),
+                                         4,
+                                         {light, heaps},
+                                         [this](std::size_t begin, std::size_t end) {
+                                             for (std::size_t row = begin; row < end; ++row)
+                                                 bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);
+                                         }});
+        const StageId box = graph.add({"sky averages", 1, 1, {faces}, [this](auto, auto) { average(); }});
+        std::size_t mirror_rows = 0;
+        for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
+        const StageId mirror =
+            graph.add({"sky mirrors", mirror_rows, 8, {box}, [this](std::size_t begin, std::size_t end) {
+                           for (std::size_t row = begin; row < end; ++row) filter_mirror_row(averages, mirrors, row);
+                       }});
+        graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
+                       pack();
+                       if (target().options.cloud_cover > 0) heaps_seed = target().options.cloud_seed;
+                   }});
+        run = executor->prepare(graph);
+    }
+
+    Sky& target() { return skies[writing]; }
+    bool has_heaps() { return heaps_seed == target().options.cloud_seed; }
+
+    void prepare_light() {
+        Sky& sky = target();
+        clear->finish();
+        clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *clear, shape);
+        const KeyLight key = clear->key_light();
+        sky.unit = clear->unit();
+        sky.sun_direction = key.direction;
+        sky.key_is_moon = key.is_moon;
+        sky.haze_per_m = rayleigh_per_m + haze_per_m(sky.options.visibility_m);
+    }
+
+    std::size_t texel_number(int face, int x, int y) const {
+        return (static_cast<std::size_t>(face) * static_cast<std::size_t>(size) + static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(size) +
+               static_cast<std::size_t>(x);
+    }
+
+    void bake_row(int face, int y) {
+        Cube& cube = mirrors[0];
+        for (int x = 0; x < size; ++x) {
+            const glm::vec3 d = cube.direction(face, x, y);
+            glm::vec3 radiance;
+            float& clearness = clearnesses[texel_number(face, x, y)];
+            if (d.y >= 0) {
+                const CloudLight cloud = clouds->along(d);
+                radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
+                clearness = cloud.transmittance;
+            } else {
+                // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
+                const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
+                const glm::vec3 up(d.x, -d.y, d.z);
+                clearness = 0;
+                radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
+            }
+            cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
+        }
+    }
+
+    void average() {
+        averages[0].texels = mirrors[0].texels;
+        for (std::size_t level = 1; level < averages.size(); ++level) {
+            const Cube& finer = averages[level - 1];
+            Cube& cube = averages[level];
+            for (int face = 0; face < 6; ++face)
+                for (int y = 0; y < cube.side; ++y)
+                    for (int x = 0; x < cube.side; ++x)
+                        cube.at(face, x, y) =
+                            0.25f * (finer.at(face, 2 * x, 2 * y) + finer.at(face, 2 * x + 1, 2 * y) +
+                                     finer.at(face, 2 * x, 2 * y + 1) + finer.at(face, 2 * x + 1, 2 * y + 1));
+        }
+        measure_irradiance();
+    }
+
+    void measure_irradiance() {
+        Sky& sky = target();
+        const Cube& cube = averages[std::min<std::size_t>(averages.size() - 1, 2)];
+        glm::vec3 irradiance(0);
+        float weights = 0;
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < cube.side; ++y)
+                for (int x = 0; x < cube.side; ++x) {
+                    const float scale = 2.f / static_cast<float>(cube.side);
+                    const float weight = texel_weight((static_cast<float>(x) + 0.5f) * scale - 1,
+                                                      (static_cast<float>(y) + 0.5f) * scale - 1);
+                    const glm::vec3 d = cube.direction(face, x, y);
+                    weights += weight;
+                    if (d.y > 0) irradiance += cube.at(face, x, y) * (d.y * weight);
+                }
+        const glm::vec3 key = clear->key_light().irradiance;
+        sky.sun_irradiance = key * clouds->visibility(sky.sun_direction);
+        sky.sky_irradiance = irradiance * (4 * pi / weights);
+        // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
+        // take an evening for a night.
+        const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
+        // A cloud before the sun dims this place, not the whole view.
+        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * key);
+        const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
+        // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
+        const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
+        const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+        // What a meter would see of that card is middle grey.
+        const float grey = 0.18f * luminance * sky.luminance_of_unit();
+        sky.exposure = white_card / std::max(luminance, 1e-6f) * night_darkening(grey);
+    }
+
+    void pack() {
+        std::uint16_t* to = target().texels.data();
+        for (std::size_t level = 0; level < mirrors.size(); ++level)
+            for (std::size_t i = 0; i < mirrors[level].texels.size(); ++i) {
+                const float alpha = level == 0 ? clearnesses[i] : 1;
+                const std::uint64_t halves = glm::packHalf4x16(glm::vec4(mirrors[level].texels[i], alpha));
+                for (int c = 0; c < 4; ++c) *to++ = static_cast<std::uint16_t>(halves >> 16 * c);
+            }
+    }
+
+    std::shared_ptr<Executor> executor;
+    int size;
+    CloudShape shape;
+    std::optional<unsigned> heaps_seed;  ///< of what `shape` holds
+    std::optional<ClearSky> clear;
+    std::optional<CloudLayer> clouds;
+    std::vector<Cube> averages, mirrors;
+    std::vector<float> clearnesses;  ///< of level 0's texels
+    std::array<Sky, 2> skies;
+    std::size_t writing = 0;
+    bool in_flight = false;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> run;  // last: it waits for what is in flight
+};
+
+SkyBaker::SkyBaker(std::shared_ptr<Executor> executor, int face_size) {
+    if (face_size < 16 || face_size > 2048 || !std::has_single_bit(static_cast<unsigned>(face_size)))
+        throw std::invalid_argument(invalid_value_message("face_size", face_size, "a power of two from 16 to 2048"));
+    state_ = std::make_unique<State>(std::move(executor), face_size);
+}
+SkyBaker::~SkyBaker() = default;
+
+void SkyBaker::schedule(const SkyOptions& options) {
+    assert(!state_->in_flight && "complete() the sky in flight first");
+    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    state_->writing = 1 - state_->writing;
+    state_->target().options = options;
+    state_->clear.emplace(options, Atmosphere::FillLater{});
+    state_->in_flight = true;
+    state_->run->schedule();
+}
+
+bool SkyBaker::is_done() const { return state_->run->is_done(); }
+
+const Sky& SkyBaker::complete() {
+    if (state_->in_flight) state_->run->complete();
+    state_->in_flight = false;
+    return state_->target();
+}
+
+}  // namespace pelagic::gl

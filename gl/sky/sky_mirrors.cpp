@@ -1,0 +1,61 @@
+#include "pelagic/gl/sky/sky_mirrors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float pi = 3.14159265f;
+
+}  // namespace
+
+glm::vec2 hammersley(std::uint32_t i, std::uint32_t count) {
+    std::uint32_t bits = i;
+    bits = bits << 16 | bits >> 16;
+    bits = (bits & 0x55555555u) << 1 | (bits & 0xaaaaaaaau) >> 1;
+    bits = (bits & 0x33333333u) << 2 | (bits & 0xccccccccu) >> 2;
+    bits = (bits & 0x0f0f0f0fu) << 4 | (bits & 0xf0f0f0f0u) >> 4;
+    bits = (bits & 0x00ff00ffu) << 8 | (bits & 0xff00ff00u) >> 8;
+    return {(static_cast<float>(i) + 0.5f) / static_cast<float>(count), static_cast<float>(bits) * 0x1p-32f};
+}
+
+void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mirrors, std::size_t row) {
+    std::size_t level = 1;
+    while (row >= 6 * static_cast<std::size_t>(mirrors[level].side))
+        row -= 6 * static_cast<std::size_t>(mirrors[level++].side);
+    Cube& cube = mirrors[level];
+    const int face = static_cast<int>(row) / cube.side, y = static_cast<int>(row) % cube.side;
+    const float perceptual = static_cast<float>(level) / static_cast<float>(mirrors.size() - 1);
+    const float alpha = perceptual * perceptual;
+    const std::uint32_t samples = level == 1 ? 24 : 64;
+    const auto size = static_cast<float>(mirrors[0].side);
+    const float texel_angle = 4 * pi / (6 * size * size);
+    for (int x = 0; x < cube.side; ++x) {
+        const glm::vec3 n = cube.direction(face, x, y);
+        const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+        const glm::vec3 tangent = glm::normalize(glm::cross(helper, n)), across = glm::cross(n, tangent);
+        glm::vec3 sum(0);
+        float weights = 0;
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            const glm::vec2 u = hammersley(i, samples);
+            const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
+            const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
+            const glm::vec3 h = tangent * (sine * std::cos(angle)) + across * (sine * std::sin(angle)) + n * cosine;
+            const glm::vec3 light = 2 * cosine * h - n;
+            const float to_light = glm::dot(light, n);
+            if (to_light <= 0) continue;
+            const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
+            const float density = alpha * alpha / (pi * denominator * denominator) / 4;
+            const float sample_angle = 1 / (static_cast<float>(samples) * density);
+            const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
+                                          static_cast<float>(averages.size() - 1));
+            sum += averages[static_cast<std::size_t>(from + 0.5f)].sample(light) * to_light;
+            weights += to_light;
+        }
+        cube.at(face, x, y) = sum / std::max(weights, 1e-6f);
+    }
+}
+
+}  // namespace pelagic::gl

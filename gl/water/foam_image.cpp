@@ -1,0 +1,231 @@
+#include "pelagic/gl/water/foam_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <utility>
+
+#include "pelagic/gl/water/tileable_noise.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr int n = FoamImage::side;
+
+/// Of a layer: what is ranked, two signed numbers, a part.
+using Texels = std::vector<glm::vec4>;
+
+std::size_t at(int x, int y, int side = n) {
+    return static_cast<std::size_t>(y & (side - 1)) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(x & (side - 1));
+}
+
+/// A raft of round caps of three sizes: the small ones fill what the large ones leave.
+class Bubbles {
+   public:
+    explicit Bubbles(std::minstd_rand& engine)
+        : sizes_{CellNoise(19, 0.4f, engine), CellNoise(41, 0.3f, engine), CellNoise(67, 0.2f, engine)} {}
+
+    glm::vec4 texel(glm::vec2 place) const {
+        constexpr std::array heights = {1.f, 0.62f, 0.42f};
+        float highest = 0;
+        for (std::size_t size = 0; size < sizes_.size(); ++size) {
+            const glm::vec2 d = sizes_[size].nearest(place);
+            const float across = std::clamp(1 - (d.y - d.x) * 1.6f, 0.f, 1.f);  // 1 at the wall
+            highest = std::max(highest, heights[size] * std::sqrt(1 - across * across));
+        }
+        return {highest, 0, 0, highest};
+    }
+
+   private:
+    std::array<CellNoise, 3> sizes_;
+};
+
+/// Threads along the walls of cells. Those around the largest cells are the last to go: foam that ages opens from the middle
+/// of its cells on. Weak places tear the threads.
+class Lace {
+   public:
+    explicit Lace(std::minstd_rand& engine)
+        : sizes_{CellNoise(7, 0.55f, engine), CellNoise(15, 0.5f, engine), CellNoise(37, 0.4f, engine)},
+          bend_{GradientNoise(5, 5, engine), GradientNoise(5, 5, engine)},
+          fine_bend_{GradientNoise(23, 23, engine), GradientNoise(23, 23, engine)},
+          weak_{GradientNoise(9, 9, engine), GradientNoise(29, 29, engine)} {}
+
+    glm::vec4 texel(glm::vec2 place) const {
+        constexpr std::array strengths = {1.f, 0.84f, 0.62f};
+        constexpr std::array fading = {7.f, 9.f, 9.f};  // of strength, over a part of the cascade
+        const glm::vec2 bent = place + 0.04f * glm::vec2(bend_[0].at(place), bend_[1].at(place)) +
+                               0.010f * glm::vec2(fine_bend_[0].at(place), fine_bend_[1].at(place));
+        float thread = 0, froth = 0;
+        for (std::size_t size = 0; size < sizes_.size(); ++size) {
+            const glm::vec2 d = sizes_[size].nearest(bent);
+            const float from_wall = (d.y - d.x) / static_cast<float>(sizes_[size].cells());
+            thread = std::max(thread, strengths[size] - from_wall * fading[size]);
+            froth = std::max(froth, (size == 2 ? 1.f : 0.6f) * std::max(0.f, 1 - 1.2f * (d.y - d.x)));
+        }
+        return {thread + 0.13f * weak_[0].at(place) + 0.10f * weak_[1].at(place), 0, 0, froth};
+    }
+
+   private:
+    std::array<CellNoise, 3> sizes_;
+    std::array<GradientNoise, 2> bend_, fine_bend_, weak_;
+};
+
+/// Ridges down the wind that meet and part, with breaks.
+class Streaks {
+   public:
+    explicit Streaks(std::minstd_rand& engine)
+        : ridges_{GradientNoise(3, 7, engine), GradientNoise(5, 17, engine), GradientNoise(9, 37, engine),
+                  GradientNoise(17, 73, engine)},
+          bend_{GradientNoise(4, 5, engine), GradientNoise(13, 19, engine)},
+          breaking_(9, 7, engine),
+          warp_{GradientNoise(9, 5, engine), GradientNoise(9, 5, engine)},
+          fine_warp_{GradientNoise(31, 13, engine), GradientNoise(31, 13, engine)},
+          patches_{GradientNoise(4, 3, engine), GradientNoise(11, 7, engine)} {}
+
+    glm::vec4 texel(glm::vec2 place) const {
+        constexpr std::array weights = {0.30f, 0.28f, 0.24f, 0.18f};
+        const glm::vec2 bent = place + glm::vec2(0, 0.05f * bend_[0].at(place) + 0.012f * bend_[1].at(place));
+        float ridge = 0.22f * breaking_.at(place);
+        for (std::size_t size = 0; size < ridges_.size(); ++size)
+            ridge += weights[size] * (1 - std::min(1.f, 3.f * std::abs(ridges_[size].at(bent))));
+        const auto warp = [&](std::size_t axis) {
+            return std::clamp(0.9f * warp_[axis].at(place) + 0.3f * fine_warp_[axis].at(place), -1.f, 1.f);
+        };
+        return {ridge, warp(0), warp(1), patches_[0].at(place) + 0.5f * patches_[1].at(place)};
+    }
+
+   private:
+    std::array<GradientNoise, 4> ridges_;
+    std::array<GradientNoise, 2> bend_;
+    GradientNoise breaking_;
+    std::array<GradientNoise, 2> warp_, fine_warp_, patches_;
+};
+
+/// Slopes of what is ranked by central differences, so scaled that few leave [-1, 1].
+void add_slopes(Texels& texels) {
+    double square = 0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            glm::vec4& texel = texels[at(x, y)];
+            texel.y = texels[at(x + 1, y)].x - texels[at(x - 1, y)].x;
+            texel.z = texels[at(x, y + 1)].x - texels[at(x, y - 1)].x;
+            square += texel.y * texel.y + texel.z * texel.z;
+        }
+    const float scale = 0.3f / static_cast<float>(std::sqrt(0.5 * square / static_cast<double>(texels.size())));
+    for (glm::vec4& texel : texels) {
+        texel.y = glm::clamp(texel.y * scale, -1.f, 1.f);
+        texel.z = glm::clamp(texel.z * scale, -1.f, 1.f);
+    }
+}
+
+/// Ranks within (0, 1) instead of the values of one member: however they are distributed, thresholds then cover what they say.
+void rank(Texels& texels, float glm::vec4::*member) {
+    std::vector<std::pair<float, std::uint32_t>> order(texels.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {texels[i].*member, i};
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        texels[order[i].second].*member = (static_cast<float>(i) + 0.5f) / static_cast<float>(order.size());
+}
+
+Texels halved(const Texels& texels, int side) {
+    Texels coarser(texels.size() / 4);
+    for (int y = 0; y < side / 2; ++y)
+        for (int x = 0; x < side / 2; ++x)
+            coarser[at(x, y, side / 2)] =
+                0.25f * (texels[at(2 * x, 2 * y, side)] + texels[at(2 * x + 1, 2 * y, side)] +
+                         texels[at(2 * x, 2 * y + 1, side)] + texels[at(2 * x + 1, 2 * y + 1, side)]);
+    return coarser;
+}
+
+std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::clamp(part, 0.f, 1.f) * 255 + 0.5f); }
+std::uint8_t signed_byte_of(float value) {
+    return static_cast<std::uint8_t>(128 + std::lround(std::clamp(value, -1.f, 1.f) * 127));
+}
+
+/// The first byte of a layer in a level; of level `levels` and layer 0: how many there are.
+std::size_t start_of(int level, int layer) {
+    std::size_t texels = 0;
+    for (int m = 0; m < level; ++m) texels += std::size_t{FoamImage::layers} << 2 * (FoamImage::levels - 1 - m);
+    for (int l = 0; l < layer; ++l) texels += std::size_t{1} << 2 * (FoamImage::levels - 1 - level);
+    return 4 * texels;
+}
+
+/// Stages: `foam rows` (values, rows of all layers) and `foam levels` (a job is a layer: slopes, ranks, mips).
+class FoamBake {
+   public:
+    FoamBake() {
+        for (Texels& layer : layers_) layer.resize(std::size_t{n} * n);
+        image_.texels.resize(start_of(FoamImage::levels, 0));
+        const StageId rows = graph_.add(
+            {"foam rows", std::size_t{FoamImage::layers} * n, 16, {}, [this](std::size_t begin, std::size_t end) {
+                 for (std::size_t row = begin; row < end; ++row)
+                     fill_row(static_cast<int>(row) / n, static_cast<int>(row) % n);
+             }});
+        graph_.add({"foam levels", FoamImage::layers, 1, {rows}, [this](std::size_t begin, std::size_t end) {
+                        for (std::size_t layer = begin; layer < end; ++layer) make_levels(static_cast<int>(layer));
+                    }});
+    }
+
+    FoamImage run(Executor& executor) {
+        const std::unique_ptr<GraphRun> run = executor.prepare(graph_);
+        run->schedule();
+        run->complete();
+        return std::move(image_);
+    }
+
+   private:
+    void fill_row(int layer, int y) {
+        for (int x = 0; x < n; ++x) {
+            const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(n);
+            layers_[static_cast<std::size_t>(layer)][at(x, y)] = layer == FoamImage::bubbles ? bubbles_.texel(place)
+                                                                 : layer == FoamImage::lace  ? lace_.texel(place)
+                                                                                             : streaks_.texel(place);
+        }
+    }
+
+    void make_levels(int layer) {
+        Texels& texels = layers_[static_cast<std::size_t>(layer)];
+        if (layer == FoamImage::streaks)
+            rank(texels, &glm::vec4::w);
+        else
+            add_slopes(texels);
+        rank(texels, &glm::vec4::x);
+        for (int level = 0; level < FoamImage::levels; ++level) {
+            Texels shown = texels;
+            // Averages crowd around the middle, where a threshold would cover all or nothing.
+            if (level > 0) rank(shown, &glm::vec4::x);
+            std::uint8_t* to = &image_.texels[start_of(level, layer)];
+            for (const glm::vec4& texel : shown) {
+                *to++ = byte_of(texel.x);
+                *to++ = signed_byte_of(texel.y);
+                *to++ = signed_byte_of(texel.z);
+                *to++ = byte_of(texel.w);
+            }
+            texels = halved(texels, n >> level);
+        }
+    }
+
+    std::minstd_rand engine_{11};
+    Bubbles bubbles_{engine_};
+    Lace lace_{engine_};
+    Streaks streaks_{engine_};
+    std::array<Texels, FoamImage::layers> layers_;
+    FoamImage image_;
+    JobGraph graph_;
+};
+
+}  // namespace
+
+const std::uint8_t* FoamImage::level(int level) const { return &texels[start_of(level, 0)]; }
+
+const std::uint8_t* FoamImage::texel(int level, Layer layer, int x, int y) const {
+    return &texels[start_of(level, layer) + 4 * at(x, y, side >> level)];
+}
+
+FoamImage make_foam_image(Executor& executor) { return FoamBake().run(executor); }
+
+}  // namespace pelagic::gl

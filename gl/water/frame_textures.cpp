@@ -1,0 +1,157 @@
+#include "pelagic/gl/water/frame_textures.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/gl/errors.hpp"
+#include "pelagic/gl/gl_state_guard.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
+
+Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei cascades, int levels) {
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, cascades);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    return texture;
+}
+
+bool shows_foam(const Frame& frame) {
+    const auto has_no_foam = [](const Cascade& cascade) { return cascade.foam_r8.empty(); };
+    return std::none_of(frame.cascades.begin(), frame.cascades.end(), has_no_foam);
+}
+
+/// Why the textures can't take the frame; empty if they can.
+std::string invalid_value_of(const Frame& frame, int resolution, std::size_t cascades, bool is_mapped) {
+    if (frame.cascades.size() != cascades)
+        return "the frame has " + std::to_string(frame.cascades.size()) + " cascades, the renderer was made for " +
+               std::to_string(cascades) + " (RendererOptions::cascades)";
+    for (const Cascade& cascade : frame.cascades) {
+        if (cascade.resolution() != resolution)
+            return "the frame has cascades of " + std::to_string(cascade.resolution()) +
+                   " texels, the renderer was made for " + std::to_string(resolution) +
+                   " (RendererOptions::resolution)";
+        const bool is_elsewhere = cascade.displacement_rgba16f.empty();
+        const bool is_torn = is_elsewhere && !(cascade.slopes_rgba8.empty() && cascade.moments_rgba8.empty());
+        if (is_elsewhere && (!is_mapped || is_torn))
+            return "the frame's textures are in memory of the application's; map() gives such that upload() knows";
+        if (cascade.slopes_rgba8.empty() && !is_elsewhere)
+            return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
+    }
+    return {};
+}
+
+}  // namespace
+
+FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t cascades)
+    : gl_(gl), resolution_(resolution), cascades_(cascades), pixels_(gl, foam_offset() + foam_bytes()) {
+    const GlStateGuard keep(gl);
+    const int levels = mip_levels(resolution);
+    for (Set& set : sets_) {
+        set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
+        set.slopes = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
+        set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
+        set.foam = make_texture(gl, GL_R8, resolution, layers(), levels);
+    }
+}
+
+std::size_t FrameTextures::displacement_bytes() const {
+    return std::size_t{8} * resolution_ * resolution_ * cascades_;
+}
+
+std::size_t FrameTextures::chain_bytes() const {
+    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * cascades_;
+}
+
+/// Level by level, so that one call takes a level of all cascades.
+template <class Texel>
+void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Cascade::*map) const {
+    for (int level = 0; level < mip_levels(resolution_); ++level)
+        for (const Cascade& cascade : frame.cascades) {
+            const std::span<const Texel> texels = cascade.level_of(cascade.*map, level);
+            std::memcpy(to, texels.data(), texels.size_bytes());
+            to += texels.size_bytes();
+        }
+}
+
+/// All cascades' displacement, then their slopes, then their moments.
+void FrameTextures::fill(std::byte* to, const Frame& frame) const {
+    fill_chains(to + displacement_bytes(), frame, &Cascade::slopes_rgba8);
+    fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Cascade::moments_rgba8);
+    for (const Cascade& cascade : frame.cascades) {
+        std::memcpy(to, cascade.displacement_rgba16f.data(), cascade.displacement_rgba16f.size_bytes());
+        to += cascade.displacement_rgba16f.size_bytes();
+    }
+}
+
+void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes,
+                                 std::uintptr_t address) const {
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    for (int level = 0; level < mip_levels(resolution_); ++level) {
+        const int side = resolution_ >> level;
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), format, GL_UNSIGNED_BYTE,
+                          texels_at(address));
+        address += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * cascades_;
+    }
+}
+
+std::span<const TextureTargets> FrameTextures::map() {
+    if (pixels_.is_mapped()) return targets_;
+    const GlStateGuard keep(gl_);
+    std::byte* const start = pixels_.map();
+    targets_.assign(cascades_, {});
+    const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / cascades_;
+    for (std::size_t cascade = 0; cascade < cascades_; ++cascade) {
+        TextureTargets& to = targets_[cascade];
+        to.displacement_rgba16f = reinterpret_cast<std::uint16_t*>(start) + cascade * halves;
+        auto* texels = reinterpret_cast<std::uint32_t*>(start + displacement_bytes());
+        for (auto chain : {&TextureTargets::slopes_rgba8, &TextureTargets::moments_rgba8})
+            for (std::size_t level = 0; level < static_cast<std::size_t>(mip_levels(resolution_)); ++level) {
+                const std::size_t layer = std::size_t{1}
+                                          << 2 * (mip_levels(resolution_) - 1 - static_cast<int>(level));
+                (to.*chain)[level] = texels + cascade * layer;
+                texels += cascades_ * layer;
+            }
+    }
+    return targets_;
+}
+
+void FrameTextures::upload(const Frame& frame) {
+    if (const std::string reason = invalid_value_of(frame, resolution_, cascades_, pixels_.is_mapped());
+        !reason.empty())
+        throw std::invalid_argument(reason);
+    const GlStateGuard keep(gl_);
+    const bool is_there = frame.cascades.front().displacement_rgba16f.empty();
+    std::byte* const start = pixels_.map();
+    if (!is_there) fill(start, frame);
+    has_foam_ = shows_foam(frame);
+    if (has_foam_) fill_chains(start + foam_offset(), frame, &Cascade::foam_r8);
+    const std::uintptr_t texels = pixels_.hand_over();
+    set_ = 1 - set_;
+
+    const Stopwatch driver;
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
+    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
+                      texels_at(texels));
+    if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    upload_chain(slopes(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes());
+    upload_chain(moments(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes() + chain_bytes());
+    if (has_foam_) {
+        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        upload_chain(foam(), GL_RED, 1, texels + foam_offset());
+        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    }
+    pixels_.release();
+    driver_ms_ = driver.milliseconds();
+}
+
+}  // namespace pelagic::gl

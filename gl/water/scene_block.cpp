@@ -1,0 +1,250 @@
+// Everything that the shaders are told, computed in double and relative to the viewer.
+#include "pelagic/gl/water/scene_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+
+#include "pelagic/gl/water/foam_image.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double gravity_mps2 = 9.81;
+/// The sun seen from the earth: 16 minutes of arc.
+constexpr float sun_radius_rad = 0.00465f;
+
+/// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
+constexpr float detail_part = 0.75f;
+/// A cascade of ripples in texels of the finest cascade: its longest waves, a third of it, are as long as the sea's shortest.
+constexpr double detail_texels = 6;
+/// Layers have no period in common: their sizes stand in powers of the golden ratio.
+constexpr double golden = 1.6180339887;
+/// Where in the ripples each place looks follows a noise that repeats after so many cascades; scene.glsl has the same number.
+constexpr double ripple_noise_tiles = 13;
+constexpr double layer_turns_rad[2] = {0.21, -0.47};
+
+/// The horizon softens over this angle below it.
+constexpr double softened_horizon_rad = 0.15 * pi / 180;
+/// The noise that tells the copies of a cascade apart repeats after so many sides, which no whole number of cascades comes near.
+constexpr double noise_sides = 12 * golden;
+
+/// Of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
+constexpr float star_illuminance_lx = 2.54e-6f;
+
+double fraction(double value) { return value - std::floor(value); }
+
+/// Where the viewer is in a square that is turned and repeats, [0, 1).
+glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {fraction((c * at.x + s * at.y) / tile_m), fraction((c * at.y - s * at.x) / tile_m)};
+}
+
+void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+    // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
+    const double half_texel = 0.5 / facts.resolution;
+    for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
+        const CascadeFacts& cascade = facts.cascades[i];
+        const double side = cascade.grid.side_m;
+        const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
+        block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
+                                  cascade.grid.cosine / side, cascade.grid.sine / side};
+        const double noise_m = noise_sides * side;
+        block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
+        // A texel of that mip is as long as the longest waves.
+        const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
+        block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};
+        block.cascade_slope[i] = {cascade.ranges.slope, cascade.ranges.variance, cascade.slope_variance,
+                                  facts.has_foam ? cascade.foam_cover : 0};
+    }
+}
+
+void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+    const SeaState& sea = facts.sea;
+    const double texel_m = facts.texel_m(facts.finest_cascade());
+    const double loop = fraction(facts.time_s / sea.loop_period_s);
+    glm::dvec2 shifts[2], noise[2];
+    for (int layer = 0; layer < 2; ++layer) {
+        const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
+        const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
+        // Ripples travel as waves of a tenth of the cascade do in deep water; the way in a loop is whole cascades.
+        const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
+        const double repeats = std::round(speed * sea.loop_period_s / tile_m);
+        noise[layer] = place_in_square(viewer, angle, ripple_noise_tiles * tile_m);
+        shifts[layer] = place_in_square(viewer, angle, tile_m) - glm::dvec2(fraction(repeats * loop), 0);
+        block.detail_turn[static_cast<std::size_t>(layer)] = {std::cos(angle) / tile_m, std::sin(angle) / tile_m,
+                                                              std::cos(angle), std::sin(angle)};
+    }
+    block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
+    block.detail_noise = {glm::vec2(noise[0]), glm::vec2(noise[1])};
+    const glm::dvec4 cascades(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
+    block.noise_scale = glm::vec4(1.0 / cascades);
+    const glm::dvec2 turned(viewer.y, viewer.x);
+    const auto placed = [](glm::dvec2 at, double cascade) { return glm::vec2(place_in_square(at, 0, cascade)); };
+    block.gust_shift = {placed(viewer, cascades.z), placed(turned, cascades.w)};
+}
+
+/// Texel i of the world stands at i texels and is kept in column i mod N. The outermost ones are 0 and have neighbours on the other
+/// side only: dynamic_waves.cpp's sample() leaves them out, too.
+void place_dynamic_waves(SceneBlock& block, const DynamicWaveFacts& dynamic_waves, glm::dvec2 viewer) {
+    if (dynamic_waves.resolution == 0) return;
+    const double n = dynamic_waves.resolution;
+    const glm::dvec2 first(static_cast<double>(dynamic_waves.first_x), static_cast<double>(dynamic_waves.first_z));
+    const auto coordinate = [&](double metres) { return fraction((metres / dynamic_waves.texel_m + 0.5) / n); };
+    block.dynamic_waves_place = {coordinate(viewer.x), coordinate(viewer.y), 1 / (n * dynamic_waves.texel_m),
+                                 1 / dynamic_waves.texel_m};
+    block.dynamic_waves_extent = {glm::vec2((first + 0.5 * (n - 1)) * dynamic_waves.texel_m - viewer),
+                                  0.5 * (n - 3) * dynamic_waves.texel_m, 0};
+}
+
+/// The moon's disc and the stars.
+void place_night(SceneBlock& block, const SkyLight& sky) {
+    const float lit_part = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
+    block.moon = {sky.true_sun_direction, sky.key_is_moon ? std::max(lit_part, 0.01f) : 0};
+    // While the sun is less than 6 degrees down nobody sees stars.
+    constexpr float civil_twilight = -0.1045f;
+    const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
+    block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
+}
+
+/// Foam's structure drifts as foam does, along two directions of the world. In a loop that is whole cascades of the structure.
+class FoamDrift {
+   public:
+    explicit FoamDrift(const SeaFacts& facts)
+        : metres_a_loop_(glm::dvec2(facts.statistics.foam_drift_x_mps, facts.statistics.foam_drift_z_mps) *
+                         facts.sea.loop_period_s),
+          loop_(fraction(facts.time_s / facts.sea.loop_period_s)) {}
+
+    /// Where the viewer is in a structure that repeats after so many metres along a direction, [0, 1).
+    float place(glm::dvec2 viewer, glm::dvec2 direction, double tile_m) const {
+        const double repeats = std::round(glm::dot(metres_a_loop_, direction) / tile_m);
+        return static_cast<float>(fraction(glm::dot(viewer, direction) / tile_m - repeats * loop_));
+    }
+
+   private:
+    glm::dvec2 metres_a_loop_;
+    double loop_;
+};
+
+void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+    const SeaState& sea = facts.sea;
+    const FoamDrift drift(facts);
+    const glm::dvec2 x(1, 0), z(0, 1);
+    block.foam_shift = {drift.place(viewer, x, FoamSizes::bubbles_m), drift.place(viewer, z, FoamSizes::bubbles_m),
+                        drift.place(viewer, x, FoamSizes::lace_m), drift.place(viewer, z, FoamSizes::lace_m)};
+    const double c = std::cos(sea.wind_direction_rad), s = std::sin(sea.wind_direction_rad);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double along_m = FoamSizes::streaks_along_m[i], across_m = FoamSizes::streaks_across_m[i];
+        block.foam_streaks[i] = {1 / along_m, 1 / across_m, drift.place(viewer, {c, s}, along_m),
+                                 drift.place(viewer, {-s, c}, across_m)};
+    }
+    std::size_t cascades = 0;
+    for (std::size_t i = 0; i < facts.cascades.size(); ++i)
+        if (facts.has_foam && facts.cascades[i].makes_foam) cascades = i + 1;
+    // Windrows form above 3 m/s and are tight in a gale.
+    const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
+    constexpr double fresh_foam_m = 0.12;
+    block.foam_kind = {cascades, 0.5 - 0.2 * order, fresh_foam_m, order};
+}
+
+/// Texels stand where the shore says; a texture's have their middles half a texel further.
+void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm::dvec2 viewer) {
+    const glm::dvec2 texels(shore.columns, shore.rows);
+    const glm::dvec2 place = (viewer - shore.corner_m) / shore.texel_m + 0.5;
+    block.shore_place = {place / texels, 1.0 / (texels * shore.texel_m)};
+    block.shore_size = {texels, 1 / shore.texel_m,
+                        has_mips ? mip_levels(std::max(shore.columns, shore.rows)) - 1 : 0};
+}
+
+/// Mean of a cascade's foam, from a level whose texels are many enough to tell a thousandth.
+float cover_of(const Cascade& cascade) {
+    if (cascade.foam_r8.empty()) return 0;
+    const std::span<const std::uint8_t> bytes =
+        cascade.level_of(cascade.foam_r8, std::max(mip_levels(cascade.resolution()) - 5, 0));
+    return static_cast<float>(std::accumulate(bytes.begin(), bytes.end(), 0)) /
+           (255 * static_cast<float>(bytes.size()));
+}
+
+}  // namespace
+
+SeaFacts facts_of(const Frame& frame) {
+    SeaFacts facts{.sea = frame.sea,
+                   .statistics = frame.statistics,
+                   .resolution = frame.cascades[0].resolution(),
+                   .cascades = {},
+                   .time_s = frame.time_s,
+                   .dynamic_waves = {.resolution = frame.dynamic_waves.resolution,
+                                     .texel_m = frame.dynamic_waves.texel_m,
+                                     .first_x = frame.dynamic_waves.first_x,
+                                     .first_z = frame.dynamic_waves.first_z}};
+    // A finer cascade's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
+    // there are that it takes more of them (sim/cascade_plan.hpp).
+    double longest_wave_m = frame.cascades[0].grid.side_m;
+    for (const Cascade& cascade : frame.cascades) {
+        if (frame.sea.waves == WaveModel::analytic && !facts.cascades.empty())
+            longest_wave_m = std::max(longest_wave_m, cascade.grid.side_m / steps_of_few_waves);
+        facts.cascades.push_back({.grid = cascade.grid,
+                                  .ranges = cascade.slope_ranges,
+                                  .longest_wave_m = longest_wave_m,
+                                  .slope_variance = static_cast<float>(cascade.slope_variance),
+                                  .foam_cover = cover_of(cascade),
+                                  .makes_foam = cascade.makes_whitecaps()});
+        longest_wave_m = 3 * cascade.texel_m();
+    }
+    if (const ShoreSurface& shore = frame.shore)
+        facts.shore = {shore.columns, shore.rows, shore.texel_m, {shore.x_m, shore.z_m}};
+    return facts;
+}
+
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const WaterOptics& water,
+                          const SkyLight& sky) {
+    const SeaState& sea = facts.sea;
+    SceneBlock block;
+    const QuadtreeGrid& grid = input.list->grid;
+    const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
+    for (std::size_t i = 0; i < input.eyes.size(); ++i) {
+        const glm::dmat4 clip = glm::translate(input.eyes[i].clip_from_world, input.viewer_m);
+        block.clip_from_viewer[i] = glm::mat4(clip);
+        block.viewer_from_clip[i] = glm::mat4(glm::inverse(clip));
+        block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
+    }
+    const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
+    block.viewer = {input.draws_sky ? 1 : 0, 0, input.viewer_m.y, 0};
+    block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
+    block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
+    block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,
+                  facts.has_displacement_mips ? mip_levels(facts.resolution) - 1 : 0, 0};
+    block.skirt = {to_float((glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m - viewer), grid.side,
+                   grid.deepest_level};
+    block.sun = {sky.sun_direction, sun_radius_rad};
+    const float exposure = input.exposure.value_or(sky.exposure);
+    block.sun_irradiance = {sky.sun_irradiance, exposure};
+    block.sky_irradiance = {sky.sky_irradiance, sky.levels - 1};
+    const double height = std::max(1.5, std::abs(input.viewer_m.y));
+    block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
+    block.water_absorption = {water.absorption_per_m, sea.depth_m};
+    const float alpha = static_cast<float>(facts.statistics.roughness);
+    const float detail_square = detail_part * alpha * alpha;
+    block.water_backscattering = {water.backscattering_per_m, detail_square};
+    block.water_scattering = {water.scattering_per_m, 0};
+    const double wind = sea.wind_direction_rad;
+    block.waves = {std::max(0.05, facts.statistics.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
+    place_cascades(block, facts, viewer);
+    place_details(block, facts, viewer);
+    place_dynamic_waves(block, facts.dynamic_waves, viewer);
+    block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
+                         input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
+    place_night(block, sky);
+    place_foam(block, facts, viewer);
+    if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
+    if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, viewer);
+    return block;
+}
+
+}  // namespace pelagic::gl

@@ -1,0 +1,130 @@
+// The uniform block of gl/shaders/scene.glsl, which says what each value is. Layout std140: matrices and vec4 only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/water/small_water.hpp"
+#include "pelagic/gl/water/water_optics.hpp"
+#include "pelagic/sim/frame.hpp"
+
+namespace pelagic::gl {
+
+/// As many cascades as the shaders know.
+inline constexpr std::size_t max_cascades = 4;
+
+struct SceneBlock {
+    std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
+    std::array<glm::vec4, 2> eye{};
+    std::array<glm::vec4, max_cascades> cascade_place{}, cascade_scale{}, cascade_slope{}, tile_noise{};
+    glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
+    glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
+    glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
+    std::array<glm::vec4, 2> detail_turn{};
+    glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{};
+    // Below the surface.
+    glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
+    std::array<glm::vec4, 3> caustic_row{};
+    std::array<glm::vec4, 2> foam_streaks{};
+    glm::vec4 foam_kind{};
+    std::array<glm::vec4, 8> bump_grid{}, bump_place{};
+    std::array<glm::vec4, 2> bump_turn{};
+    glm::vec4 bump_kind{};
+    std::array<glm::vec4, 24> pond_wave{};
+    glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
+    glm::vec4 output_kind{};
+    glm::vec4 moon{}, stars{};
+    glm::vec4 shore_place{}, shore_size{};
+    glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
+};
+
+/// What stays of a cascade when its texels are in a texture.
+struct CascadeFacts {
+    CascadeGrid grid;
+    SlopeRanges ranges;
+    double longest_wave_m = 0;
+    float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
+    float foam_cover = 0;      ///< mean part of the sea under its foam, 0 where the frame has none
+    bool makes_foam = false;
+};
+
+/// What stays of a frame's shore when its texels are in textures.
+struct ShoreFacts {
+    int columns = 0, rows = 0;  ///< 0: none
+    double texel_m = 1;
+    glm::dvec2 corner_m{};
+};
+
+/// What stays of a dynamic-wave grid.
+struct DynamicWaveFacts {
+    int resolution = 0;  ///< 0: the frame has none
+    double texel_m = 0;
+    std::int64_t first_x = 0, first_z = 0;
+};
+
+/// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
+struct SeaFacts {
+    SeaState sea;
+    SeaStatistics statistics;
+    int resolution = 0;
+    std::vector<CascadeFacts> cascades;
+    double time_s = 0;
+    bool has_displacement_mips = false;
+    bool has_foam = false;
+    bool framebuffer_is_srgb = false;
+    bool writes_radiance = false;
+    Surface surface = Surface::open;
+    FlowExtent flow{};
+    ShoreFacts shore{};
+    bool shore_has_mips = false;
+    DynamicWaveFacts dynamic_waves{};
+
+    const CascadeFacts& finest_cascade() const { return cascades.back(); }
+    double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
+};
+
+/// The light of a baked sky, as sky.hpp has it.
+struct SkyLight {
+    int levels = 1;
+    glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
+    float exposure = 1;
+    float unit = 1;
+    bool key_is_moon = false;
+    glm::vec3 true_sun_direction{0, 1, 0};  ///< also where the key light is the moon
+};
+
+/// Of the frame alone.
+SeaFacts facts_of(const Frame& frame);
+
+/// What stays of a floor when its heights are in a texture.
+struct FloorFacts {
+    int columns = 0, rows = 0;  ///< 0: even
+    glm::dvec2 corner_m{};
+    double metres_a_texel = 1;
+    bool is_sand = true;
+    glm::vec3 albedo{};
+};
+
+/// And of caustics.
+struct CausticFacts {
+    double side_m = 0;  ///< 0: none were handed in
+    double cosine = 1, sine = 0, depth_m = 6;
+};
+
+/// Cells of the mesh that draws a floor; the far ones around them not counted.
+glm::ivec2 floor_cells(const FloorFacts& floor);
+
+struct DrawInput;
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
+/// Adds what the shaders are told of what lies below the surface.
+void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
+                 const CausticFacts& caustics);
+
+}  // namespace pelagic::gl

@@ -1,0 +1,62 @@
+#include "pelagic/gl/water/sea_programs.hpp"
+
+#include "pelagic/gl/gl_state_guard.hpp"
+
+namespace pelagic::gl {
+
+static_assert(unit_count == texture_units, "an application gets back what it had in each of them");
+
+std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
+    const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
+    std::string defines = "#define CASCADES " + number(variant.cascades) + "\n#define SHADING " +
+                          number(variant.shading) + "\n#define SURFACE " + number(variant.surface) +
+                          "\n#define BELOW " + number(variant.below) + "\n";
+    if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
+    if (variant.shore) defines += "#define SHORE\n";
+    if (variant.multiview) defines += "#define MULTIVIEW\n";
+    // No water answers beyond the patches.
+    const std::string of_patches = defines + (variant.dynamic_waves ? "#define DYNAMIC_WAVES\n" : "");
+    return {{{"sea.vert.glsl", "sea.frag.glsl", of_patches},
+             {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
+             {"sky.vert.glsl", "sky.frag.glsl", defines},
+             {"sea.vert.glsl", "wireframe.frag.glsl", of_patches},
+             {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
+}
+
+SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
+    : program(gl, files.vertex, files.fragment, files.defines) {
+    gl.UseProgram(program.name());
+    gl.UniformBlockBinding(program.name(), gl.GetUniformBlockIndex(program.name(), "Scene"), 0);
+    gl.Uniform1i(program.uniform("displacement"), displacement_unit);
+    gl.Uniform1i(program.uniform("slopes"), slopes_unit);
+    gl.Uniform1i(program.uniform("moments"), moments_unit);
+    gl.Uniform1i(program.uniform("detail"), detail_unit);
+    gl.Uniform1i(program.uniform("sky"), sky_unit);
+    gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
+    gl.Uniform1i(program.uniform("caustics"), caustics_unit);
+    gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
+    gl.Uniform1i(program.uniform("foam_maps"), foam_maps_unit);
+    gl.Uniform1i(program.uniform("flow"), flow_unit);
+    gl.Uniform1i(program.uniform("scene_radiance"), scene_radiance_unit);
+    gl.Uniform1i(program.uniform("scene_depth"), scene_depth_unit);
+    gl.Uniform1i(program.uniform("shore_parts"), shore_parts_unit);
+    gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
+    gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);
+    gl.Uniform1i(program.uniform("dynamic_waves_texels"), dynamic_waves_unit);
+    eye_index = program.uniform("eye_index");
+    brightness = program.uniform("brightness");
+}
+
+void SeaProgram::use(const Functions& gl, int eye) const {
+    gl.UseProgram(program.name());
+    if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
+}
+
+SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) {
+    const std::array<ProgramFiles, 5> files = sea_program_files(variant);
+    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (programs[i] != &floor || variant.below) *programs[i] = SeaProgram(gl, files[i]);
+}
+
+}  // namespace pelagic::gl

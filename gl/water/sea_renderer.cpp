@@ -1,0 +1,383 @@
+#include "pelagic/gl/water/sea_renderer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/gl/gl_state_guard.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water/detail_image.hpp"
+#include "pelagic/gl/water/dynamic_wave_textures.hpp"
+#include "pelagic/gl/water/foam_image.hpp"
+#include "pelagic/gl/water/patch_buffers.hpp"
+#include "pelagic/gl/water/scene_block.hpp"
+#include "pelagic/gl/water/sea_programs.hpp"
+#include "pelagic/gl/water/shore_textures.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+Texture make_detail_texture(const Functions& gl) {
+    const DetailImage image = make_detail_image();
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, DetailImage::levels, GL_RGBA8, DetailImage::side, DetailImage::side);
+    for (int level = 0; level < DetailImage::levels; ++level)
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, DetailImage::side >> level, DetailImage::side >> level, GL_RGBA,
+                         GL_UNSIGNED_BYTE, image.level(level));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+Texture make_foam_texture(const Functions& gl, Executor& executor) {
+    const FoamImage image = make_foam_image(executor);
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, FoamImage::levels, GL_RGBA8, FoamImage::side, FoamImage::side,
+                    FoamImage::layers);
+    for (int level = 0; level < FoamImage::levels; ++level)
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, FoamImage::side >> level, FoamImage::side >> level,
+                         FoamImage::layers, GL_RGBA, GL_UNSIGNED_BYTE, image.level(level));
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG8, map.side, map.side);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
+const RendererOptions& checked(const RendererOptions& options) {
+    if (options.cascades < 1 || options.cascades > max_cascades)
+        throw std::invalid_argument("RendererOptions::cascades is " + std::to_string(options.cascades) +
+                                    ", needs 1 to " + std::to_string(max_cascades));
+    return options;
+}
+
+}  // namespace
+
+struct SeaRenderer::State {
+    State(const Functions& functions, const RendererOptions& wanted)
+        : gl(functions),
+          options(checked(wanted)),
+          textures(functions, wanted.resolution, wanted.cascades),
+          dynamic_waves(functions),
+          shore(functions) {
+        const GlStateGuard keep(gl);
+        choose_programs({.dynamic_waves = options.dynamic_waves});
+        buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
+        detail = make_detail_texture(gl);
+        foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
+        if (options.surface == Surface::river) {
+            const FlowMap map = winding_channel();
+            flow = make_flow_texture(gl, map);
+            flow_extent = map.extent;
+        }
+        empty = VertexArray(gl);
+        scene = Buffer(gl);
+        gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
+        gl.BufferData(GL_UNIFORM_BUFFER, sizeof(SceneBlock), nullptr, GL_STREAM_DRAW);
+    }
+
+    void bind_textures(const ApplicationScene& application) {
+        const auto bind = [&](Unit unit, GLenum kind, GLuint name) {
+            gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+            gl.BindTexture(kind, name);
+        };
+        bind(displacement_unit, GL_TEXTURE_2D_ARRAY, textures.displacement());
+        bind(slopes_unit, GL_TEXTURE_2D_ARRAY, textures.slopes());
+        bind(moments_unit, GL_TEXTURE_2D_ARRAY, textures.moments());
+        bind(detail_unit, GL_TEXTURE_2D, detail.name());
+        bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
+        bind(floor_unit, GL_TEXTURE_2D, floor.name());
+        bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
+        bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
+        bind(foam_maps_unit, GL_TEXTURE_2D_ARRAY, textures.foam());
+        bind(flow_unit, GL_TEXTURE_2D, flow.name());
+        bind(scene_radiance_unit, GL_TEXTURE_2D, application.radiance);
+        bind(scene_depth_unit, GL_TEXTURE_2D, application.depth);
+        bind(shore_parts_unit, GL_TEXTURE_2D, shore.parts());
+        bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
+        bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
+        bind(dynamic_waves_unit, GL_TEXTURE_2D, dynamic_waves.texels());
+    }
+
+    void add(const PatchBuffers::Counts& counts) {
+        statistics.sea_calls += counts.calls;
+        statistics.triangles += counts.triangles;
+        statistics.draw_driver_ms += counts.driver_ms;
+    }
+
+    /// What a draw needs beyond the open sea. What nobody needs costs no pixel anything.
+    struct Extras {
+        bool below = false;  ///< a floor shows, or a lens is near the water
+        bool mirrors_scene = false;
+        bool dynamic_waves = false;
+        bool shore = false;
+    };
+
+    /// Programs with extras are compiled when they are first needed.
+    void choose_programs(const Extras& with) {
+        const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
+        std::unique_ptr<SeaPrograms>& chosen =
+            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.dynamic_waves)][index(with.shore)];
+        if (!chosen)
+            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.cascades = options.cascades,
+                                                                  .shading = options.shading,
+                                                                  .surface = options.surface,
+                                                                  .multiview = options.multiview,
+                                                                  .below = with.below,
+                                                                  .mirrors_scene = with.mirrors_scene,
+                                                                  .dynamic_waves = with.dynamic_waves,
+                                                                  .shore = with.shore});
+        programs = chosen.get();
+    }
+
+    /// Strips of a grid, made in the vertex shader. Seen from the air only where it may rise above the water.
+    void draw_floor(int eye) {
+        const glm::ivec2 cells = floor_cells(floor_facts);
+        programs->floor.use(gl, eye);
+        gl.BindVertexArray(empty.name());
+        const Stopwatch driver;
+        gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 3), cells.y + 2);
+        statistics.draw_driver_ms += driver.milliseconds();
+        ++statistics.floor_calls;
+    }
+
+    void draw_shaded(const DrawInput& input, int eye) {
+        if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
+        programs->patches.use(gl, eye);
+        add(buffers->draw_patches(*input.list, false));
+        programs->skirt.use(gl, eye);
+        add(buffers->draw_skirt(*input.list));
+        if (!input.draws_sky && !lens_is_wet) return;
+        // Behind the sea, where it did not draw: its triangle lies on the far plane.
+        programs->background.use(gl, eye);
+        gl.DepthMask(GL_FALSE);
+        gl.BindVertexArray(empty.name());
+        const Stopwatch driver;
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        statistics.draw_driver_ms += driver.milliseconds();
+        gl.DepthMask(GL_TRUE);
+        ++statistics.sky_calls;
+    }
+
+    /// Faces a little further away and nearly black, so that they hide the lines behind them.
+    void draw_wireframe(const DrawInput& input, int eye) {
+        programs->wireframe.use(gl, eye);
+        gl.Enable(GL_POLYGON_OFFSET_FILL);
+        gl.PolygonOffset(1, 1);
+        gl.Uniform1f(programs->wireframe.brightness, 0.06f);
+        add(buffers->draw_patches(*input.list, false));
+        gl.Disable(GL_POLYGON_OFFSET_FILL);
+        gl.Uniform1f(programs->wireframe.brightness, 0.9f);
+        add(buffers->draw_patches(*input.list, true));
+    }
+
+    const Functions& gl;
+    RendererOptions options;
+    FrameTextures textures;
+    DynamicWaveTextures dynamic_waves;
+    ShoreTextures shore;
+    SeaFacts facts;
+    /// By Extras: below, mirrors_scene, dynamic_waves, shore.
+    std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
+    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
+    std::unique_ptr<PatchBuffers> buffers;
+    Texture detail, foam, sky, floor, caustics, flow;
+    FloorFacts floor_facts;
+    CausticFacts caustic_facts;
+    bool lens_is_wet = false;
+    FlowExtent flow_extent;
+    int sky_face_size = 0;
+    SkyLight light;
+    WaterOptics water = water_optics(default_jerlov_type);
+    VertexArray empty;
+    Buffer scene;
+    DrawStatistics statistics;
+};
+
+SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : state_(new State(gl, options)) {}
+SeaRenderer::~SeaRenderer() = default;
+
+void SeaRenderer::set_flow(const FlowMap& map) {
+    if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
+    const GlStateGuard keep(state_->gl);
+    state_->flow = make_flow_texture(state_->gl, map);
+    state_->flow_extent = map.extent;
+}
+
+void SeaRenderer::set_sky(const Sky& sky) {
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    const GlStateGuard keep(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + sky_unit);
+    if (s.sky_face_size != sky.face_size) {
+        s.sky = Texture(gl);
+        gl.BindTexture(GL_TEXTURE_CUBE_MAP, s.sky.name());
+        gl.TexStorage2D(GL_TEXTURE_CUBE_MAP, sky.levels, GL_RGBA16F, sky.face_size, sky.face_size);
+        gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        s.sky_face_size = sky.face_size;
+    }
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, s.sky.name());
+    for (int level = 0; level < sky.levels; ++level)
+        for (int face = 0; face < 6; ++face)
+            gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
+                             sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
+                             sky.face(level, face).data());
+    s.light = {.levels = sky.levels,
+               .sun_direction = sky.sun_direction,
+               .sun_irradiance = sky.sun_irradiance,
+               .sky_irradiance = sky.sky_irradiance,
+               .haze_per_m = sky.haze_per_m,
+               .exposure = sky.exposure,
+               .unit = sky.unit,
+               .key_is_moon = sky.key_is_moon,
+               .true_sun_direction = sun_direction(sky.options)};
+}
+
+void SeaRenderer::set_patch_vertices(int patch_vertices) {
+    if (patch_vertices == state_->options.patch_vertices) return;
+    const GlStateGuard keep(state_->gl);
+    state_->buffers = std::make_unique<PatchBuffers>(state_->gl, patch_vertices);
+    state_->options.patch_vertices = patch_vertices;
+}
+
+void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
+
+void SeaRenderer::set_floor(const SeaFloor& floor) {
+    if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    s.floor_facts = {.columns = floor.columns,
+                     .rows = floor.rows,
+                     .corner_m = floor.corner_m,
+                     .metres_a_texel = floor.metres_a_texel,
+                     .is_sand = floor.is_sand,
+                     .albedo = floor.albedo};
+    s.floor.reset();
+    if (floor.is_even()) return;
+    const GlStateGuard keep(gl);
+    const FloorTexels texels = texels_of(floor);
+    s.floor = Texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + floor_unit);
+    gl.BindTexture(GL_TEXTURE_2D, s.floor.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, texels.levels, GL_R16F, floor.columns, floor.rows);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* level_halves = texels.halves.data();
+    for (int level = 0; level < texels.levels; ++level) {
+        const int columns = std::max(floor.columns >> level, 1), rows = std::max(floor.rows >> level, 1);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, columns, rows, GL_RED, GL_HALF_FLOAT, level_halves);
+        level_halves += static_cast<std::ptrdiff_t>(columns) * rows;
+    }
+}
+
+void SeaRenderer::set_caustics(const Caustics& caustics) {
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    const GlStateGuard keep(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + caustics_unit);
+    const bool is_first = s.caustics.name() == 0;
+    if (is_first) s.caustics = Texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, s.caustics.name());
+    if (is_first) {
+        gl.TexStorage2D(GL_TEXTURE_2D, Caustics::levels, GL_R16F, Caustics::side, Caustics::side);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    }
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* halves = caustics.halves.data();
+    for (int level = 0; level < Caustics::levels; ++level) {
+        const int side = Caustics::side >> level;
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side, side, GL_RED, GL_HALF_FLOAT, halves);
+        halves += side * side;
+    }
+    s.caustic_facts = {caustics.grid.side_m, caustics.grid.cosine, caustics.grid.sine, caustics.options.depth_m};
+}
+
+std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->textures.map(); }
+
+void SeaRenderer::upload(const Frame& frame) {
+    const Stopwatch all;
+    if (const std::string reason = state_->dynamic_waves.invalid_value_of(frame.dynamic_waves); !reason.empty())
+        throw std::invalid_argument(reason);
+    state_->textures.upload(frame);
+    state_->shore.upload(frame.shore);
+    state_->dynamic_waves.upload(frame.dynamic_waves);
+    state_->facts = facts_of(frame);
+    state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
+    state_->facts.has_foam = state_->textures.has_foam();
+    state_->facts.shore_has_mips = state_->shore.has_mips();
+    state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
+    state_->facts.surface = state_->options.surface;
+    state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
+    state_->statistics.upload_ms = all.milliseconds();
+    state_->statistics.upload_driver_ms =
+        state_->textures.last_driver_ms() + state_->dynamic_waves.last_driver_ms() + state_->shore.last_driver_ms();
+    state_->statistics.upload_bytes =
+        state_->textures.uploaded_bytes() + state_->dynamic_waves.uploaded_bytes() + state_->shore.uploaded_bytes();
+}
+
+const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
+    const Stopwatch all;
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
+    assert(s.sky_face_size > 0 && "set_sky() first");
+    assert(!s.facts.cascades.empty() && "upload() a frame first");
+    const GlStateGuard keep(gl);
+    DrawStatistics& statistics = s.statistics;
+    statistics.sea_calls = statistics.sky_calls = statistics.floor_calls = 0;
+    statistics.triangles = 0;
+    statistics.draw_driver_ms = 0;
+
+    s.facts.flow = s.flow_extent;
+    SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
+    place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
+    s.lens_is_wet = block.lens.w > 0;
+    const bool mirrors_scene = input.application_scene && input.eyes.size() == 1 && !s.options.multiview &&
+                               s.options.shading != Shading::headset;
+    s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
+                       .mirrors_scene = mirrors_scene,
+                       .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
+                       .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
+    gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
+    gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
+    statistics.instance_bytes = s.buffers->upload(*input.list);
+    s.bind_textures(mirrors_scene ? *input.application_scene : ApplicationScene{});
+    // The rest is as GlStateGuard begins. Crests that fold show their undersides: nothing is culled.
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
+
+    const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();
+    for (std::size_t eye = 0; eye < passes; ++eye) {
+        const Viewport& view = input.eyes[eye].viewport;
+        gl.Viewport(view.x, view.y, view.width, view.height);
+        if (input.mode == DrawMode::wireframe)
+            s.draw_wireframe(input, static_cast<int>(eye));
+        else
+            s.draw_shaded(input, static_cast<int>(eye));
+    }
+    statistics.draw_ms = all.milliseconds();
+    return statistics;
+}
+
+const FrameTextures& SeaRenderer::textures() const { return state_->textures; }
+const DrawStatistics& SeaRenderer::statistics() const { return state_->statistics; }
+
+}  // namespace pelagic::gl
