@@ -1,4 +1,4 @@
-// What is said of a value that can't be taken: "wind_speed_mps is -3, needs (0, 60]".
+// Error messages for values out of range: "wind_speed_mps is -3, needs (0, 60]".
 #pragma once
 
 #include <string>
@@ -11,10 +11,12 @@
 
 namespace pelagic {
 
-/// \param name      of the option or field
-/// \param value     a number, or a text as it was given
-/// \param accepted  a range or a list
-/// One line of at most max_line_bytes, whatever is in the parts.
+/// Returns "NAME is VALUE, needs ACCEPTED" on one line of at most max_line_bytes, escaped by
+/// one_line().
+///
+/// \param name      name of the option or field
+/// \param value     a number, or the text of the input
+/// \param accepted  accepted range or list of values
 template <class Value>
 std::string invalid_value_message(std::string_view name, const Value& value, std::string_view accepted) {
     std::string text(name);
@@ -26,7 +28,8 @@ std::string invalid_value_message(std::string_view name, const Value& value, std
     return one_line(text.append(", needs ").append(accepted));
 }
 
-/// Empty if every field accepts its value, else the invalid_value_message of the first that doesn't. The table's order is that of checks.
+/// Checks the fields in the order of the table. Returns the invalid_value_message() of the first
+/// field that does not accept its value, or an empty string.
 template <class Options, class Fields>
 std::string check_fields(const Options& options, const Fields& fields) {
     for (const NumericField<Options>& field : fields) {

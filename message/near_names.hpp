@@ -1,4 +1,4 @@
-// Names that somebody may have meant: what is said of one that there isn't.
+// Suggestions for misspelt names in error messages.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace pelagic {
 
-/// "a, b or c".
+/// Joins names as "a, b or c".
 inline std::string list_of(std::span<const std::string> names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -20,7 +20,7 @@ inline std::string list_of(std::span<const std::string> names) {
     return list;
 }
 
-/// Levenshtein's distance, one row of the table at a time.
+/// Returns the Levenshtein distance; only one row of its table is stored.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -36,13 +36,13 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// The name that `name` is most likely a slip for: at most half of its letters differ, and no more than 3. None if no name
-/// is so near.
+/// Returns the first of the names with the smallest edit distance to `name`. The distance is at
+/// most half of name's length and at most 3; otherwise returns no name.
 inline std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
     std::optional<std::string> nearest;
     std::size_t min = std::min<std::size_t>(3, name.size() / 2) + 1;
     for (const std::string& known : names) {
-        // A text of megabytes is no slip: what it is longer by is part of its distance.
+        // The difference in length bounds the distance from below, so long texts are skipped.
         if (name.size() >= known.size() + min) continue;
         const std::size_t distance = edit_distance(name, known);
         if (distance >= min) continue;
@@ -52,7 +52,7 @@ inline std::optional<std::string> near_name(std::string_view name, std::span<con
     return nearest;
 }
 
-/// " (the nearest is storm)", or nothing.
+/// Returns " (the nearest is storm)", or an empty string if near_name() finds no name.
 inline std::string nearest_hint(std::string_view name, std::span<const std::string> names) {
     const auto nearest = near_name(name, names);
     return nearest ? " (the nearest is " + *nearest + ")" : "";

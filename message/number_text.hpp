@@ -1,4 +1,4 @@
-// Numbers as text, the one place that writes them: messages, files and tables say what the number is, in every locale.
+// Locale-independent conversion of numbers to text for messages, files and tables.
 #pragma once
 
 #include <charconv>
@@ -9,8 +9,9 @@
 
 namespace pelagic {
 
-/// Appends the fewest digits that read back as the same number of that type. People read 100000 more easily than 1e+05,
-/// so exponents are for what is very large or very small; "nan", "inf" and "-inf" are written as such.
+/// Appends the shortest text that parses to exactly `value`. Magnitudes in [1e-4, 1e15) have no
+/// exponent: 100000 instead of 1e+05. Writes "nan", "inf" and "-inf" for values that are not
+/// finite.
 template <std::floating_point Number>
 void append_number(std::string& text, Number value) {
     char digits[64];
@@ -33,10 +34,11 @@ std::string number_text(Number value) {
     return text;
 }
 
-/// For people: `digits` that mean something, 1 to 17. rounded_text(7.65432, 4) is "7.654", of 1234567 "1235000".
+/// Rounds to significant digits: rounded_text(7.65432, 4) is "7.654", of 1234567 "1235000".
+/// \param digits  number of significant digits, 1 to 17
 inline std::string rounded_text(double value, int digits) {
     if (value == 0 || !std::isfinite(value)) return number_text(value);
-    // "1.2340e+02": the C++ library of Android can't read it back as a number, so its digits are put in their places.
+    // Android's C++ library cannot parse "1.2340e+02", so the digits are moved as text.
     char text[40];
     const auto end =
         std::to_chars(text, text + sizeof text, std::fabs(value), std::chars_format::scientific, digits - 1).ptr;

@@ -1,4 +1,4 @@
-// A struct of options as a table of its numbers: each one's name, where it lives and what it accepts.
+// Tables of the numeric fields of an options struct: name, member and accepted range.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,25 @@
 
 namespace pelagic {
 
-/// Which numbers from the least to the most.
+/// Restricts the accepted values in [min, max].
 enum class Among { all, above_min, even, powers_of_two };
 
 /// One numeric option of a struct.
 template <class Options>
 struct NumericField {
-    std::string_view name;  ///< as the member is called, unit included: "wind_speed_mps"
+    std::string_view name;  ///< name of the member, with its unit: "wind_speed_mps"
     std::variant<int Options::*, float Options::*, double Options::*, std::uint32_t Options::*> member;
     double min;
     double max;
-    std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
+    std::string_view accepted;  ///< text of the range: "(0, 60]", "a power of two from 16 to 2048"
     Among among = Among::all;
-    std::optional<double> also = {};  ///< one more number, which means something else: such as 0, chosen for you
+    /// One more accepted value with a special meaning, such as 0 for a default.
+    std::optional<double> also = {};
 
-    /// False for NaN and infinities.
+    /// Returns false for NaN and infinities.
     bool accepts(double value) const {
         if (also && value == *also) return true;
-        if (!(value >= min && value <= max)) return false;  // of NaN, too
+        if (!(value >= min && value <= max)) return false;  // also for NaN
         if (among == Among::all) return true;
         if (among == Among::above_min) return value > min;
         const auto whole = static_cast<long long>(value);

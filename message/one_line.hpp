@@ -1,4 +1,4 @@
-// Messages stay one line that a terminal shows as it is, whatever text from outside stands in them.
+// Escaping and truncation: a message that contains external text stays one printable line.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,20 @@
 
 namespace pelagic {
 
-/// Most bytes of one_line(): with the program's name before it, a message stays under 300.
+/// Maximum length of one_line() in bytes. With the program's name a message stays under 300 bytes.
 inline constexpr std::size_t max_line_bytes = 280;
 
-/// Control characters of ASCII and of Latin 1 (a terminal takes U+009B for an escape), and the two line separators.
+/// Returns true for control characters of ASCII and Latin-1 (terminals interpret U+009B as an
+/// escape sequence) and for the line separators U+2028 and U+2029. \pre `character` is one UTF-8
+/// character
 inline bool is_control_character(std::string_view character) {
     if (character.size() == 1) return static_cast<std::uint8_t>(character[0]) < 0x20 || character[0] == 0x7f;
     return (character[0] == '\xc2' && static_cast<std::uint8_t>(character[1]) < 0xa0) ||
            character == "\xe2\x80\xa8" || character == "\xe2\x80\xa9";
 }
 
-/// Calls write(characters) with the text piece by piece: control characters and bytes that are no UTF-8 as \n or \x1b. Needs
-/// no memory, for messages that say that there is none.
+/// Calls write(characters) for successive pieces of the text. Control characters and invalid UTF-8
+/// bytes are written as \n or \x1b. Allocates no memory, so that it can report std::bad_alloc.
 template <class Write>
 void write_escaped(std::string_view text, Write write) {
     constexpr std::string_view digits = "0123456789abcdef";
@@ -43,11 +45,11 @@ void write_escaped(std::string_view text, Write write) {
     }
 }
 
-/// The text escaped, and cut in its middle if it is long: what it begins with, "--wind-speed is ...", and what it ends
-/// with, "... needs (0, 60]", both say what to do. A line stays as it is.
+/// Escapes the text and, if it exceeds max_line_bytes, replaces its middle by " ... ". Keeps the
+/// beginning, "--wind-speed is ...", and the end, "... needs (0, 60]". Allocates no memory.
 ///
-/// \param line  room for max_line_bytes
-/// \return bytes written
+/// \param line  buffer of at least max_line_bytes
+/// \return number of bytes written
 inline std::size_t write_one_line(std::string_view text, char* line) {
     constexpr std::string_view gap = " ... ";
     constexpr std::size_t max_head = 140, max_tail = max_line_bytes - max_head - gap.size();
@@ -57,7 +59,7 @@ inline std::size_t write_one_line(std::string_view text, char* line) {
     std::size_t at = 0, length = 0;
     bool has_gap = false;
     write_escaped(text, [&](std::string_view piece) {
-        const auto put = [&](std::string_view part) { length += part.copy(line + length, part.size()); };
+        const auto put = [&](std::string_view bytes) { length += bytes.copy(line + length, bytes.size()); };
         const std::size_t begin = at;
         at += piece.size();
         if (all <= max_line_bytes || (at <= max_head && !has_gap) || begin + max_tail >= all) return put(piece);

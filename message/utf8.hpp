@@ -1,4 +1,4 @@
-// Which bytes are letters.
+// Validation of UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace pelagic {
 
-/// Bytes of the well-formed UTF-8 character that begins at `at`, 0 if none does. RFC 3629.
+/// Returns the length in bytes of the well-formed UTF-8 character at byte `at`, or 0 if the bytes
+/// there are malformed (RFC 3629). \pre at < text.size()
 inline std::size_t utf8_character_bytes(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(at);
