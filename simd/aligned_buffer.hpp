@@ -1,4 +1,4 @@
-// Memory that any instruction set can load from: aligned to a cache line, zeroed, its size fixed at construction.
+// Fixed-size, zeroed buffers aligned to 64 bytes, for aligned loads of every instruction set.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,9 @@ class AlignedBuffer {
     static constexpr std::size_t alignment = 64;
 
     AlignedBuffer() = default;
-    /// Throws std::bad_alloc if there is not so much memory, std::invalid_argument if the application's is not aligned.
+    /// Allocates `size` zeroed elements.
+    /// \throws std::bad_alloc         if the allocation fails
+    /// \throws std::invalid_argument  if the application's allocator returns unaligned memory
     explicit AlignedBuffer(std::size_t size, const Allocator& memory = {}) : memory_(memory), size_(size) {
         if (size == 0) return;
         data_ = static_cast<T*>(allocated());

@@ -1,20 +1,22 @@
-// Where large buffers come from, if not from operator new: an application's own heap, as plain functions so that C can give them.
+// Application-defined allocation of large buffers. Plain functions, so that C code can supply them.
 #pragma once
 
 #include <cstddef>
 
 namespace pelagic {
 
-/// Both functions or neither. They are called by whoever constructs, destroys or changes the sea of an ocean, never
-/// while a frame is computed.
+/// Allocation functions of the application. Set both functions or neither; if both are null,
+/// buffers use operator new. They are called on the thread that constructs, destroys or changes an
+/// ocean's sea, never while a frame is computed.
 struct Allocator {
-    void* user = nullptr;  ///< handed to both; outlives what was allocated
+    void* user = nullptr;  ///< passed to both functions; must outlive the allocated memory
 
-    /// `bytes`, which are more than 0, at a multiple of `alignment`, a power of two. Null or an exception means that there is
-    /// no such memory, and becomes std::bad_alloc.
+    /// Allocates memory. A null result or an exception is reported as std::bad_alloc.
+    /// \param bytes      size, more than 0
+    /// \param alignment  a power of two; the address must be a multiple of it
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) = nullptr;
 
-    /// Takes back what allocate() gave, with the same figures. Must not throw.
+    /// Frees memory that allocate() returned for this size and alignment. Must not throw.
     void (*release)(void* user, void* memory, std::size_t bytes, std::size_t alignment) = nullptr;
 };
 

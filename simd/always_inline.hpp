@@ -1,5 +1,6 @@
-// Kernels are made of small functions on registers. Left to itself the compiler makes calls of some of them, which
-// sends every register through memory. Instrumented for AddressSanitizer it may: inlined, a kernel compiles for minutes.
+// Forced inlining of the small register functions of kernels. A call passes every register through
+// memory. AddressSanitizer builds do not force inlining, because a kernel would compile for
+// minutes.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -8,9 +9,9 @@
 #define PELAGIC_FLATTEN inline
 #else
 #define PELAGIC_INLINE [[gnu::always_inline]] inline
-/// The same behind the parameters of a lambda.
+/// PELAGIC_INLINE for lambdas; stands after the parameters.
 #define PELAGIC_INLINE_LAMBDA __attribute__((always_inline))
-/// The same from the caller's side, for the loops around them: everything that they call becomes a part of them, xsimd's
-/// own functions too, some of which are calls on NEON.
+/// Inlines every function that the marked function calls, for the loops of kernels. Includes
+/// xsimd's functions, some of which are calls on NEON.
 #define PELAGIC_FLATTEN [[gnu::flatten]] inline
 #endif

@@ -1,5 +1,5 @@
-// Floats to bytes, four a lane, as the texels of RGBA8 textures lie: the processors' own packing, which cuts what is too
-// large on its way. Rounding is to nearest even.
+// Conversion of floats to bytes, four per lane, in the layout of RGBA8 texels. The saturating pack
+// instructions clamp out-of-range values. Rounding is to nearest even.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace pelagic::kernels {
 
-/// The words whose bytes are a, b, c and d, from the lowest up.
-/// \pre they are in [0, 255]
+/// Returns 32-bit words with the bytes a, b, c and d, from the lowest to the highest.
+/// \pre a, b, c and d are in [0, 255]
 #if defined(__AVX512BW__)
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
@@ -52,7 +52,8 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std:
 }
 #endif
 
-/// The bytes of a, b, c and d, from the lowest up, each rounded, cut to [-128, 127] and moved up by 128.
+/// Returns 32-bit words with the bytes of a, b, c and d, from the lowest to the highest. Each value
+/// is rounded, clamped to [-128, 127] and offset by 128.
 /// \pre magnitudes are below 2^31
 #if defined(__AVX512BW__)
 template <HasLanes<16> Arch>

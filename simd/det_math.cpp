@@ -8,7 +8,7 @@
 namespace pelagic::det {
 namespace {
 
-// ln 2 in two parts; the high one has 33 bits, so that its product with an exponent is exact.
+// ln 2 = ln2_high + ln2_low. ln2_high has 33 bits, so that its product with an exponent is exact.
 constexpr double ln2_high = 6.93147180369123816490e-01;
 constexpr double ln2_low = 1.90821492927058770002e-10;
 constexpr double log2_e = 1.44269504088896338700;
@@ -23,8 +23,8 @@ double two_to_the(int exponent) {
 
 }  // namespace
 
-// x = 2^e m with m in [sqrt(1/2), sqrt(2)); log m = 2 artanh(s), s = (m - 1)/(m + 1), |s| < 0.172, as a series in s^2:
-// eleven terms reach 2e-18.
+// x = 2^e m with m in [sqrt(1/2), sqrt(2)); log m = 2 artanh(s), s = (m - 1)/(m + 1), |s| < 0.172,
+// as a series in s^2: eleven terms have an error of 2e-18.
 double log(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     int exponent = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
@@ -41,7 +41,8 @@ double log(double x) {
     return exponent * ln2_high + (2 * s + tail);
 }
 
-// x = k ln 2 + r with |r| <= ln 2 / 2; e^r as a Taylor series: fourteen terms reach 4e-18.
+// x = k ln 2 + r with |r| <= ln 2 / 2; e^r as a Taylor series: fourteen terms have an error of
+// 4e-18.
 double exp(double x) {
     if (x > 709.78) return std::numeric_limits<double>::infinity();
     if (!(x > -708)) return 0;
@@ -50,26 +51,28 @@ double exp(double x) {
     double series = 1;
     for (int term = 14; term >= 2; --term) series = 1 + series * r / term;
     const double e_r = 1 + r * series;
-    // 2^1024 is no double: split the scale.
+    // 2^1024 is not a double, so the scale is applied in two factors.
     const int half = static_cast<int>(k) / 2;
     return e_r * two_to_the(half) * two_to_the(static_cast<int>(k) - half);
 }
 
 double pow(double x, double y) { return exp(y * log(x)); }
 
-// (1 - e)/(1 + e) with e = exp(-2x) loses digits for small x, where the odd Taylor series does not.
+// tanh x = (1 - e)/(1 + e), e = exp(-2x). The odd Taylor series replaces it for small x, where it
+// cancels.
 double tanh(double x) {
     if (x < 0.05) {
         const double z = x * x;
         return x *
                (1 + z * (-1.0 / 3 + z * (2.0 / 15 + z * (-17.0 / 315 + z * (62.0 / 2835 + z * (-1382.0 / 155925))))));
     }
-    if (x > 20) return 1;  // to the bit: e is below half of the last one
+    if (x > 20) return 1;  // exact: e is less than half a unit in the last place
     const double e = exp(-2 * x);
     return (1 - e) / (1 + e);
 }
 
-// The nearest quarter turn goes exactly, what is left is at most pi/4: Taylor series up to its 17th power.
+// Subtracts the nearest quarter turn exactly. The remainder is at most pi/4: Taylor series up to
+// its 17th power.
 SineCosine sine_cosine_of_turns(double turns) {
     const double quarters = std::floor(4 * turns + 0.5);
     const double angle = (turns - quarters * 0.25) * two_pi;

@@ -1,7 +1,7 @@
-// Division and square root as IEEE 754 has them, correctly rounded on every instruction set.
+// Division and square root, correctly rounded (IEEE 754) on every instruction set.
 //
-// xsimd 8.1 is exact on x86 but refines estimates for floats on 64-bit Arm, which has the exact instructions too. The
-// bits of a sea may depend on neither, so kernels use these two only.
+// xsimd 8.1 is exact on x86 but refines estimates for floats on 64-bit Arm, which has exact
+// instructions too. Kernels use only these two functions, so that results are bit-identical.
 #pragma once
 
 #include <xsimd/xsimd.hpp>

@@ -1,8 +1,8 @@
-// The floating-point environment that every job runs in.
+// The floating-point environment of jobs.
 //
-// Engines and audio libraries like to switch their threads to flush-to-zero or another rounding mode, and the threads
-// of an application's own executor may arrive like that. Either would change the sea's bits, so each job sets the IEEE 754
-// default (round to nearest even, denormals kept, no traps) and puts back what it found.
+// Game engines and audio libraries may set flush-to-zero or another rounding mode on their threads,
+// which an application's executor may use. Either mode would change results. Each job sets the IEEE
+// 754 default (round to nearest even, denormals kept, no traps) and restores the previous mode.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,8 @@
 
 namespace pelagic {
 
+/// Sets the IEEE 754 default environment of the calling thread; the destructor restores the
+/// previous one.
 class DefaultFloatEnvironment {
    public:
     DefaultFloatEnvironment() : found_(read()) {
@@ -29,7 +31,8 @@ class DefaultFloatEnvironment {
    private:
 #if defined(__x86_64__)
     using Word = std::uint32_t;
-    static constexpr Word standard = 0x1F80;  // MXCSR at reset: all exceptions masked, nothing else set
+    // MXCSR at reset: all exceptions masked, nothing else set.
+    static constexpr Word standard = 0x1F80;
     static Word read() { return _mm_getcsr() & ~Word{0x3F}; }  // without the sticky exception flags
     static void write(Word word) { _mm_setcsr(word); }
 #elif defined(__aarch64__)
@@ -43,7 +46,7 @@ class DefaultFloatEnvironment {
     static void write(Word word) { __asm__ __volatile__("msr fpcr, %0" : : "r"(word)); }
 #elif defined(__wasm__)
     using Word = std::uint32_t;
-    static constexpr Word standard = 0;  // WebAssembly has no other
+    static constexpr Word standard = 0;  // WebAssembly has no other mode
     static Word read() { return standard; }
     static void write(Word) {}
 #endif

@@ -1,6 +1,6 @@
-// Float to IEEE 754 half, round to nearest even: the hardware's conversion (F16C, AVX-512, NEON), which gives the same
-// bits everywhere, and integer operations for SSE4.2 and WebAssembly, which have none. Magnitudes above 65504 plus half a step become
-// infinity. NaN does not occur in a sea.
+// Conversion of floats to IEEE 754 halves, round to nearest even. F16C, AVX-512 and NEON convert in
+// hardware, with identical results. SSE4.2 and WebAssembly have no such instruction and use integer
+// operations. Magnitudes above 65504 plus half a step become infinity. Inputs are never NaN.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,12 @@ namespace pelagic::kernels {
 
 #if defined(__AVX512F__)
 
-/// Four halves a lane, side by side: a, b, c, d of lane 0, then of lane 1, ... `out` is aligned to 64 bytes.
+/// Stores four interleaved halves per lane: a, b, c, d of lane 0, then of lane 1, ...
+/// \param out  aligned to 64 bytes; receives 4 W halves
 template <HasLanes<16> Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
-    // 32-bit words of a and b, and of c and d, one a lane; then the words of a lane side by side.
+    // Packs a and b, and c and d, into one 32-bit word per lane, then interleaves the words.
     const auto words = [](__m512 low, __m512 high) {
         const __m512i low_bits = _mm512_cvtepu16_epi32(_mm512_cvtps_ph(low, _MM_FROUND_TO_NEAREST_INT));
         const __m512i high_bits = _mm512_cvtepu16_epi32(_mm512_cvtps_ph(high, _MM_FROUND_TO_NEAREST_INT));
@@ -51,11 +52,13 @@ PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float
 #endif
 #if defined(__SSE4_2__)
 
-/// The magnitude of a float as the bits of a half, which is more than infinity's if the float is too large for one.
+/// Returns the magnitude of a float as the bits of a half. The result exceeds infinity's bits if
+/// the float is too large for a half.
 ///
-/// A power of two is added that is 2^13 times the float's own, or times 2^-14 for smaller ones: in the sum stand ten bits of the
-/// mantissa, rounded by the hardware, and the hidden one, below the exponent. A half's bits are the mantissa, hidden bit and all,
-/// plus 2^10 times the exponent from 2^-14 up; so the sum's low 16 bits and 2^3 times its high 16 bits only want a constant.
+/// Adds 2^13 times the float's power of two, which is raised to 2^-14 for smaller floats. The sum
+/// holds the hidden bit and ten mantissa bits, rounded by the hardware, below the exponent. A
+/// half's bits are the mantissa with its hidden bit plus 2^10 times the exponent from 2^-14 up. The
+/// result therefore is the sum's low 16 bits plus 2^3 times its high 16 bits less a constant.
 template <HasLanes<4> Arch>
 PELAGIC_INLINE __m128i half_magnitude(__m128i bits) {
     const __m128i magnitude = _mm_and_si128(bits, _mm_set1_epi32(0x7FFFFFFF));
@@ -66,7 +69,8 @@ PELAGIC_INLINE __m128i half_magnitude(__m128i bits) {
     return _mm_sub_epi32(_mm_madd_epi16(sum, _mm_set1_epi32((8 << 16) | 1)), _mm_set1_epi32((113 + 13) << 10));
 }
 
-/// Halves of a, then of b. The packs cut what is too large, and leave a float's sign where it was.
+/// Returns the halves of a, then of b. The saturating packs clamp large magnitudes and keep the
+/// sign bit.
 template <HasLanes<4> Arch>
 PELAGIC_INLINE __m128i halves_of(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b) {
     const __m128i a_bits = _mm_castps_si128(a), b_bits = _mm_castps_si128(b);
@@ -91,7 +95,8 @@ template <class Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
     const auto halves = [](float32x4_t v) { return vreinterpret_u16_f16(vcvt_f16_f32(v)); };
-    // Named, because clang's vst4_u16 is a macro, to which these commas would be between its own arguments.
+    // A named variable, because clang's vst4_u16 is a macro and would split the initializer at its
+    // commas.
     const uint16x4x4_t texels = {{halves(a), halves(b), halves(c), halves(d)}};
     vst4_u16(out, texels);
 }

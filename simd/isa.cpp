@@ -25,8 +25,8 @@ std::string names_here() {
 }
 
 #if defined(__x86_64__)
-// Half conversions came a processor generation before AVX2, but are a feature of their own, which clang 14's
-// __builtin_cpu_supports() doesn't know.
+// F16C is a CPUID feature separate from AVX2, and clang 14's __builtin_cpu_supports() does not
+// accept it.
 bool has_f16c() {
     unsigned a = 0, b = 0, c = 0, d = 0;
     return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;

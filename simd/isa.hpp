@@ -1,4 +1,5 @@
-// The instruction sets that kernels exist for, and which of them this CPU runs.
+// The instruction sets that kernels are compiled for, and detection of those that this CPU
+// supports.
 #pragma once
 
 #include <optional>
@@ -9,18 +10,24 @@ namespace pelagic {
 
 enum class Isa { sse4_2, avx2, avx512, neon, wasm128 };
 
-/// "sse4.2", "avx2", "avx512", "neon" or "wasm128", as the command line spells it.
+/// Returns the name on the command line: "sse4.2", "avx2", "avx512", "neon" or "wasm128".
 std::string_view name_of(Isa);
+
+/// Returns the instruction set with this name, if there is one.
 std::optional<Isa> isa_named(std::string_view name);
 
-/// True if this build has kernels for `isa` and this CPU (and its operating system) can run them.
+/// Returns true if this build has kernels for `isa`, and this CPU and its operating system support
+/// it.
 bool runs_here(Isa isa);
 
-/// Every instruction set that runs here, weakest first. All give the same bits.
+/// Returns every instruction set for which runs_here() is true, weakest first. Results are
+/// bit-identical on all of them.
 std::vector<Isa> isas_here();
 
-/// The instruction set to use: `wanted` if given, else the environment variable PELAGIC_ISA, else the strongest
-/// that runs here. Throws std::invalid_argument with one clear line if the wish can't be met.
+/// Chooses the instruction set: `wanted` if set, else the environment variable PELAGIC_ISA, else
+/// the strongest one for which runs_here() is true.
+/// \throws std::invalid_argument  if this CPU does not support the chosen one; the message is one
+/// line
 Isa choose_isa(std::optional<Isa> wanted = {});
 
 }  // namespace pelagic

@@ -1,7 +1,8 @@
-// Which of several versions of a piece an instruction set takes.
+// Selection of a function's version by instruction set.
 //
-// By the lanes of Arch, never by what the compiler may use: an application that builds everything with -march=native compiles the
-// SSE4.2 kernels too with AVX-512 switched on. The macros around a version only say that its instructions can be named.
+// The lane count of Arch selects a version, never the compiler's target macros: an application
+// built with -march=native compiles the SSE4.2 kernels with AVX-512 enabled. A macro around a
+// version only guards that the compiler accepts its intrinsics.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,8 @@
 
 namespace pelagic::kernels {
 
-/// A register of Arch holds `count` floats: 4 for SSE4.2, NEON and WebAssembly, 8 for AVX2, 16 for AVX-512.
+/// True if a register of Arch holds `count` floats: 4 for SSE4.2, NEON and WebAssembly, 8 for AVX2,
+/// 16 for AVX-512.
 template <class Arch, std::size_t count>
 concept HasLanes = xsimd::batch<float, Arch>::size == count;
 

@@ -1,4 +1,5 @@
-// Lanes and their neighbours: sums of pairs, and rows moved by one lane or two. xsimd 8.1 has neither.
+// Operations on neighbouring lanes: sums of pairs, and shifts of rows by one or two lanes. xsimd
+// 8.1 has neither.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace pelagic::kernels {
 
-/// Lane i of the result is even lane 2i plus odd lane 2i + 1 of `low` and `high` seen as one row of 2 W.
+/// Returns in lane i the sum of lanes 2i and 2i + 1 of `low` and `high`, concatenated to 2 W lanes.
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
@@ -23,7 +24,7 @@ template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
     const __m256 evens = _mm256_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0));
     const __m256 odds = _mm256_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1));
-    // Each half of the sum holds two of `low` and two of `high`.
+    // Each 128-bit half of the sum holds two sums of `low` and two of `high`.
     const __m256d sums = _mm256_castps_pd(_mm256_add_ps(evens, odds));
     return _mm256_castpd_ps(_mm256_permute4x64_pd(sums, _MM_SHUFFLE(3, 1, 2, 0)));
 }
@@ -37,20 +38,21 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
 #else
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
-    const float32x4x2_t parts = vuzpq_f32(low, high);
-    return vaddq_f32(parts.val[0], parts.val[1]);
+    const float32x4x2_t evens_odds = vuzpq_f32(low, high);
+    return vaddq_f32(evens_odds.val[0], evens_odds.val[1]);
 }
 #endif
 
-/// What two registers side by side share for moving lanes from one into the other. On AVX2 it takes an instruction to make, and
-/// serves the register on its left as well as the one on its right; elsewhere it is the two themselves.
+/// The operand that shifts lanes between two neighbouring registers. On AVX2 it is the middle of
+/// the two, made by one instruction, and serves both registers. Elsewhere it is the two registers.
 template <class Arch>
 struct Seam {
     xsimd::batch<float, Arch> left, right;
 };
 
-/// The lanes of `here` moved by `count`, 1 or 2, with what is missing from the end of what stands left of it: lane i is
-/// lane i - count. And the other way: lane i is lane i + count of `here`, the last ones the first of what stands right of it.
+/// lanes_before() returns lane i - count of `here` in lane i, and fills the first lanes from the
+/// end of the register on its left. lanes_behind() returns lane i + count, and fills the last lanes
+/// from the beginning of the register on its right. \tparam count  1 or 2
 #if defined(__AVX512F__)
 template <int count, HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
@@ -64,7 +66,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> 
 }
 #endif
 #if defined(__AVX2__)
-/// The last four lanes of the left one and the first four of the right one.
+/// The last four lanes of the left register and the first four of the right register.
 template <HasLanes<8> Arch>
 struct Seam<Arch> {
     __m256i middle;
@@ -102,7 +104,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> 
 }
 #endif
 
-/// For those that look at one side only.
+/// Returns lanes_behind() for callers that shift in one direction only.
 template <int count, class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
                                                       xsimd::batch<float, Arch> behind) {

@@ -1,4 +1,4 @@
-// A register seen as one of another type. xsimd 8.1's bitwise_cast is a call on NEON.
+// Reinterpretation of a register as another type. xsimd 8.1's bitwise_cast is a call on NEON.
 #pragma once
 
 #include <xsimd/xsimd.hpp>

@@ -1,5 +1,5 @@
-// A register times one of four numbers in memory, the same for every lane. SSE4.2 has no load that fills a register with
-// one number, but a shuffle that reads memory, and NEON multiplies by a lane of another register.
+// Multiplication of a register by one of four floats in memory. SSE4.2 has no broadcast load, but a
+// shuffle with a memory operand. NEON multiplies by a lane of another register.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -9,7 +9,7 @@
 
 namespace pelagic::kernels {
 
-/// v times four[lane]. `four` is aligned to 16 bytes.
+/// Returns v times four[lane]. \pre `four` is aligned to 16 bytes
 template <int lane, class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> times_lane(xsimd::batch<float, Arch> v, const float* four) {
     using V = xsimd::batch<float, Arch>;

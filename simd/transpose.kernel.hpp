@@ -1,4 +1,4 @@
-// Turns W rows of W floats about their diagonal on the way from memory, which xsimd 8.1 can't.
+// Loads that transpose W rows of W floats, which xsimd 8.1 lacks.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,9 @@
 
 namespace pelagic::kernels {
 
-/// columns[c] lane r becomes from[r * stride + c]. Rows are aligned to a register. Four lanes: SSE and NEON.
+/// Loads from[r * stride + c] into lane r of columns[c]. This version is for four lanes: SSE and
+/// NEON.
+/// \pre rows are aligned to the size of a register
 template <class Arch>
 PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd::batch<float, Arch> (&columns)[4]) {
 #if defined(__SSE4_2__)
@@ -27,8 +29,8 @@ PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd
 }
 
 #if defined(__AVX__)
-/// Eight lanes. Rows r and r + 4 are loaded as halves of one register, which spares the shuffles that would exchange
-/// halves; then four rows at a time within each half.
+/// Version for eight lanes. Loads rows r and r + 4 as halves of one register, which avoids shuffles
+/// between halves, then transposes four rows within each half.
 template <class Arch>
 PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd::batch<float, Arch> (&columns)[8]) {
     for (std::size_t half = 0; half < 2; ++half) {
@@ -48,7 +50,7 @@ PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd
 #endif
 
 #if defined(__AVX512F__)
-/// Sixteen lanes: fours within each quarter, then the quarters.
+/// Version for sixteen lanes: transposes 4 x 4 blocks within each quarter, then the quarters.
 template <class Arch>
 PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd::batch<float, Arch> (&columns)[16]) {
     __m512 fours[16];

@@ -1,8 +1,10 @@
-// SSE4.2's intrinsics in WebAssembly, included before all else in its kernels (cmake/isa.cmake).
+// SSE4.2 intrinsics for WebAssembly. WebAssembly kernels include this header first
+// (cmake/isa.cmake).
 //
-// Emscripten 3.1.6 has most of them as one instruction. Those that it puts together lane by lane are replaced here, with the same
-// results for every number: conversions of floats within the range of int32, and minima and maxima, where `pmin(b, a)` is
-// a < b ? a : b as SSE has it, zeros and NaN included.
+// Emscripten 3.1.6 compiles most intrinsics to one instruction. This header replaces those that
+// Emscripten emulates lane by lane. Results are identical: conversions of floats within the range
+// of int32; minima and maxima, where `pmin(b, a)` is a < b ? a : b as in SSE, zeros and NaN
+// included.
 #pragma once
 
 #include <nmmintrin.h>
@@ -12,11 +14,10 @@
 
 namespace pelagic::kernels {
 
-/// \pre within (-2^31, 2^31)
+/// Converts to integers, truncating. \pre v is within (-2^31, 2^31)
 PELAGIC_INLINE __m128i wasm_truncated(__m128 v) { return static_cast<__m128i>(wasm_i32x4_trunc_sat_f32x4(v)); }
 
-/// To nearest even.
-/// \pre within (-2^31, 2^31)
+/// Converts to integers, rounding to nearest even. \pre v is within (-2^31, 2^31)
 PELAGIC_INLINE __m128i wasm_rounded(__m128 v) { return wasm_truncated(static_cast<__m128>(wasm_f32x4_nearest(v))); }
 
 PELAGIC_INLINE __m128 wasm_min(__m128 a, __m128 b) { return static_cast<__m128>(wasm_f32x4_pmin(b, a)); }

@@ -1,4 +1,5 @@
-// Four neighbours in a row of floats from each of W places: one load instead of four, then turned about.
+// Loads of four consecutive floats at each of W indices: one load instead of four, then a
+// transpose.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +11,13 @@
 
 namespace pelagic::kernels {
 
-/// A quarter is four lanes of a register, and the whole of one on SSE and NEON. Below, what quarters need:
+/// A quarter is four lanes of a register; a register of SSE and NEON is one quarter. Functions for
+/// each register size:
 ///
-/// fours_loaded   quarter q is plane[places[4 q] ...]
-/// lane_in_all    each quarter filled with its lane k
-/// lanes_rotated   lane j of a quarter is its lane lanes[j] % 4
-/// fours_rotated   rows of four quarters become columns
+/// fours_loaded    loads plane[places[4 q] ...] into quarter q
+/// lane_in_all     fills each quarter with its lane k
+/// lanes_rotated   puts lane lanes[j] % 4 of a quarter into its lane j
+/// fours_rotated   transposes the 4 x 4 block of each quarter
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
