@@ -1,4 +1,4 @@
-// A change whose waves come one after the other, in bands of frequency.
+// A sea-state transition whose waves arrive in bands of frequency, the longest first.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,10 @@ class Arrival {
     /// \pre change.swell_from_m > 0, and a forecast with it passes check()
     explicit Arrival(const SeaChange& change);
 
-    /// Bands beyond come with the last one of these.
+    /// Returns the number of bands with their own delay. Higher bands arrive with the last one.
     std::size_t bands() const { return delays_s_.size(); }
-    /// s of a band's waves, so long after the change begins.
+    /// Returns the weight of the new sea for a band's waves, in [0, 1].
+    /// \param since_s  seconds since the change began
     double part(std::size_t band, double since_s) const {
         return eased_part(since_s - delays_s_[std::min(band, bands() - 1)], over_s_);
     }
@@ -28,7 +29,8 @@ class Arrival {
     std::vector<double> delays_s_;
 };
 
-/// What a cascade's waves add to the sea meanwhile: each band blends by itself, so that the figures are those of the waves.
+/// Returns a cascade's statistics while waves arrive: each band is blended with its own weight.
+/// \param since_s  seconds since the change began
 LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& after, const Arrival& arrival,
                        double since_s);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// A wave as a cascade has it.
+/// A wave on the grid of a cascade.
 struct Held {
     std::size_t cascade;
     GridIndex at;
@@ -30,12 +30,13 @@ struct Held {
 
 }  // namespace
 
-// A wave's angle at texel (i, j) is that of m i / N turns and that of the rest. The cosines and sines of the first are a table of each
-// wave, and those of the second come from one of N parts of a turn, so no texel asks for a sine.
+// A wave's angle at texel (i, j) is the sum of a = m i / N turns and of the angle b at the row's
+// first texel. The cosines and sines of a are a table of each wave. Those of b come from a table of
+// N fractions of a turn, so no sine is computed per texel.
 struct GerstnerInput::State {
-    explicit State(AnalyticSea waves) : asked(std::move(waves)) {}
+    explicit State(AnalyticSea waves) : pending(std::move(waves)) {}
 
-    void make_room(std::size_t resolution) {
+    void resize_tables(std::size_t resolution) {
         circle.resize(resolution);
         for (std::size_t i = 0; i < resolution; ++i)
             circle[i] = det::sine_cosine_of_turns(static_cast<double>(i) / static_cast<double>(resolution));
@@ -44,13 +45,13 @@ struct GerstnerInput::State {
         held.reserve(max_waves);
     }
 
-    /// The waves that are asked for, as the cascades can have them.
+    /// Moves the pending waves to the grids of the cascades.
     void hold(const InputMoment& moment) {
         if (circle.size() != static_cast<std::size_t>(moment.resolution))
-            make_room(static_cast<std::size_t>(moment.resolution));
+            resize_tables(static_cast<std::size_t>(moment.resolution));
         held.clear();
-        choppiness = asked.choppiness;
-        for (const AnalyticWave& wave : asked.waves) {
+        choppiness = pending.choppiness;
+        for (const AnalyticWave& wave : pending.waves) {
             const auto cascade = input_cascade_of(1 / wave.wavelength_m, moment);
             if (!cascade || wave.amplitude_m == 0) continue;
             const CascadeGrid& grid = moment.grids[*cascade];
@@ -74,8 +75,9 @@ struct GerstnerInput::State {
         }
     }
 
-    const det::SineCosine& part_of_turn(std::int64_t parts) const {
-        return circle[static_cast<std::size_t>(parts) & (circle.size() - 1)];
+    /// Returns the sine and cosine of `steps` / N turns.
+    const det::SineCosine& turn_fraction(std::int64_t steps) const {
+        return circle[static_cast<std::size_t>(steps) & (circle.size() - 1)];
     }
 
     void make_columns(std::size_t wave, int m) {
@@ -83,18 +85,19 @@ struct GerstnerInput::State {
         const std::size_t n = circle.size();
         float* const cosines = columns.data() + 2 * n * wave;
         for (std::size_t i = 0; i < n; ++i) {
-            const auto [sine, cosine] = part_of_turn(static_cast<std::int64_t>(i) * m);
+            const auto [sine, cosine] = turn_fraction(static_cast<std::int64_t>(i) * m);
             cosines[i] = static_cast<float>(cosine);
             cosines[n + i] = static_cast<float>(sine);
         }
         columns_of[wave] = m;
     }
 
-    /// h = A cos(a + b) and D = -choppiness A k/|k| sin(a + b), where b is a's wave's angle at the row's first texel.
+    /// Returns the factors of a row: h = A cos(a + b) and D = -choppiness A k/|k| sin(a + b), where
+    /// b is the wave's angle at the row's first texel.
     GridWaveRow row_of(std::size_t wave, std::size_t place, std::size_t row) const {
         const Held& of = held[wave];
         const det::SineCosine& start = starts[place][wave];
-        const det::SineCosine& down = part_of_turn(static_cast<std::int64_t>(row) * of.at.n);
+        const det::SineCosine& down = turn_fraction(static_cast<std::int64_t>(row) * of.at.n);
         const double height = of.wave.amplitude_m;
         const double cosine = start.cosine * down.cosine - start.sine * down.sine;
         const double sine = start.sine * down.cosine + start.cosine * down.sine;
@@ -108,7 +111,8 @@ struct GerstnerInput::State {
                             static_cast<float>(-z * cosine)}};
     }
 
-    /// In time: angles fall by w a second, and so cos becomes w sin, and sin -w cos.
+    /// Returns the derivative in time. An angle falls by w rad/s, so the derivative of the cosine is
+    /// w sin, and the derivative of the sine is -w cos.
     static GridWaveRow derivative_of(const GridWaveRow& row, double frequency_hz) {
         const float omega = static_cast<float>(two_pi * frequency_hz);
         GridWaveRow derivative = row;
@@ -119,13 +123,13 @@ struct GerstnerInput::State {
         return derivative;
     }
 
-    AnalyticSea asked;  ///< from the next frame on
+    AnalyticSea pending;  ///< applied by the next frame
     std::vector<Held> held;
     double choppiness = 0;
-    std::vector<det::SineCosine> circle;    ///< of N parts of a turn
-    AlignedBuffer<float> columns;           ///< of each wave N cosines and N sines
-    std::array<int, max_waves> columns_of;  ///< which m
-    /// Of each wave's angle at texel (0, 0), by the moment's place.
+    std::vector<det::SineCosine> circle;    ///< of i / N turns
+    AlignedBuffer<float> columns;           ///< N cosines and N sines for each wave
+    std::array<int, max_waves> columns_of;  ///< m of each wave's columns
+    /// Sine and cosine of each wave's angle at texel (0, 0), by InputMoment::place.
     std::array<std::array<det::SineCosine, max_waves>, 2> starts;
 };
 
@@ -139,7 +143,7 @@ void GerstnerInput::set(const AnalyticSea& waves) {
     const DefaultFloatEnvironment environment;
     if (!waves.waves.empty())
         if (const std::string reason = check(waves); !reason.empty()) throw std::invalid_argument(reason);
-    state_->asked = waves;
+    state_->pending = waves;
 }
 
 PlaneWaves GerstnerInput::held() const {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// As bands of a stack end.
+/// Texels in a wave at the end of a cascade's band, in a stack and in a single cascade.
 constexpr double texels_a_wave = 3, texels_of_one_cascade = 2;
 
 }  // namespace
@@ -37,8 +37,8 @@ std::uint32_t input_harmonic(double turns_per_m, double loop_period_s) {
 }
 
 double input_turns(double phase_turns, std::uint32_t harmonic, std::uint32_t loop_turns) {
-    const std::uint64_t gone = std::uint64_t{harmonic * loop_turns} << 32;
-    return static_cast<double>(static_cast<std::int64_t>(turned(1, phase_turns) - gone)) * 0x1p-64;
+    const std::uint64_t elapsed = std::uint64_t{harmonic * loop_turns} << 32;
+    return static_cast<double>(static_cast<std::int64_t>(turned(1, phase_turns) - elapsed)) * 0x1p-64;
 }
 
 }  // namespace pelagic

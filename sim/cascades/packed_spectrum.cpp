@@ -22,24 +22,25 @@ PackedWave packed(const OppositeWaves& waves) {
             static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
 }
 
-/// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the cascade
+/// Returns the response of the paper's central differences (equation 45) to a wave number, 1/m.
+/// \param periods  of the wave along a side of the cascade
 double central_difference(const CascadePlan& cascade, int periods) {
     const double texel_m = cascade.grid.side_m / cascade.resolution;
     return det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution).sine / texel_m;
 }
 
-/// What a cascade's texture shows of a wave's derivative along an axis of the cascade.
+/// Derivative of a wave along an axis of the cascade, as the cascade's texture represents it.
 struct ShownSlope {
     double derivative;  ///< 1/m, at texels
-    double filter;      ///< what a bilinear filter leaves of the mean square between them
+    double filter;      ///< factor on the mean square from bilinear filtering between texels
 };
 
-/// \param periods  of the wave in a side of the cascade
+/// \param periods  of the wave along a side of the cascade
 ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
-    if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // texels count as they are
+    if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // unfiltered
     const double texel_m = cascade.grid.side_m / cascade.resolution;
     const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution);
-    // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
+    // Differences of stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
     const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
     return {2 * (near + far) / texel_m, (2 + cosine) / 3};
 }
@@ -78,21 +79,21 @@ StatisticsByBand& StatisticsByBand::operator+=(const StatisticsByBand& other) {
     return *this;
 }
 
-LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part) {
-    if (part == 0) return before;
-    if (part == 1) return after;
+LineStatistics between(const LineStatistics& before, const LineStatistics& after, double weight) {
+    if (weight == 0) return before;
+    if (weight == 1) return after;
     LineStatistics sum;
-    const auto add = [&](const LineStatistics& of, double weight) {
-        sum += {.height_variance = of.height_variance * weight,
-                .mean_square_slope = of.mean_square_slope * weight,
-                .mean_square_convergence = of.mean_square_convergence * weight,
-                .slopes = of.slopes * weight,
-                .folding = of.folding * weight,
-                .stokes_x = of.stokes_x * weight,
-                .stokes_z = of.stokes_z * weight};
+    const auto add = [&](const LineStatistics& of, double factor) {
+        sum += {.height_variance = of.height_variance * factor,
+                .mean_square_slope = of.mean_square_slope * factor,
+                .mean_square_convergence = of.mean_square_convergence * factor,
+                .slopes = of.slopes * factor,
+                .folding = of.folding * factor,
+                .stokes_x = of.stokes_x * factor,
+                .stokes_z = of.stokes_z * factor};
     };
-    add(before, 1 - part);
-    add(after, part);
+    add(before, 1 - weight);
+    add(after, weight);
     return sum;
 }
 
@@ -104,7 +105,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const int n = static_cast<int>(line);
     const double spacing = cascade.spacing();
     const ShownSlope shown_z = shown_slope(cascade, n);
-    // Of a frame of one cascade stage `gradients` makes the Jacobians, banded or not.
+    // In a frame of one cascade, stage `gradients` computes the Jacobians, banded or not.
     const bool folds_as_shown = !cascade.is_banded() || cascades_of(sea) > 1;
     const auto fold_derivative = [&](const ShownSlope& shown, int periods) {
         return folds_as_shown ? shown.derivative : central_difference(cascade, periods);
@@ -112,7 +113,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const double fold_z = fold_derivative(shown_z, n);
     const WindDrift usual = usual_foam_drift(sea);
     const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
-    const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
+    const double mirrors = n == 0 ? 1 : 2;  // line 0 is its own mirror
     LineStatistics all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
     std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
@@ -121,7 +122,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
         for (int s = 0; s < radix; ++s, wave += wave_quantities * out.lanes, harmonic += out.lanes) {
             const int position = pair.plus + s * (resolution / radix);
             const int m = position < resolution / 2 ? position : position - resolution;
-            if (!waves.holds(m, n)) continue;  // all zeros
+            if (!waves.holds(m, n)) continue;  // amplitude 0
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
             const double frequency = angular_frequency(k, waves.water());
@@ -141,7 +142,8 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
                 statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
                 const double sign = signed_m == m ? 1 : -1;
-                // Foam that drifts meets waves the slower, the more it runs with them.
+                // Frequency in the frame of drifting foam: foam that moves with a wave meets it
+                // less often.
                 const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
                 const auto square_rate = [](const Wave& of, double met_frequency) {
                     return std::norm(of.amplitude) * met_frequency * met_frequency;

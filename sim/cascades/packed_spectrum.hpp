@@ -1,8 +1,10 @@
-// Stage `spectrum`: the waves at t = 0, packed so that moving them in time is one rotation (VR Ocean, 3.2.5 to 3.4.3).
+// Stage `spectrum`: computes the waves at t = 0 and packs them so that one rotation evolves a wave
+// to time t (VR Ocean, 3.2.5 to 3.4.3).
 //
-// With h0(k) = a + ib and conj(h0(-k)) = c + id, equation 22 packs S' = (a + c, b + d, b - d, c - a), and
+// With h0(k) = a + ib and conj(h0(-k)) = c + id, equation 22 packs
+//   S' = (a + c, b + d, b - d, c - a),  and
 //   h(k, t) = S'_xy cos(phase) + S'_zw sin(phase) = h0(k) e^{-i phase} + conj(h0(-k)) e^{+i phase}.
-// Only kz in [0, N/2) is kept: the other half plane is its mirror, because the sea is real.
+// Only kz in [0, N/2) is stored. Heights are real, so the other half plane is its mirror image.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +21,11 @@
 
 namespace pelagic {
 
-/// The packed half plane, in the order in which the first transform takes it: for each of plan.pairs(), one pair of
-/// waves for each input of the group `plus`. Groups that are their own negatives hold every wave as a `plus`; a pair's
-/// `minus` is then zero.
+/// Packed half plane, in the order in which the first transform reads it: for each of plan.pairs(),
+/// one pair of waves for each input of the group `plus`. A group that is its own negative holds
+/// every wave as a `plus`, and the pair's `minus` is zero.
 struct PackedSpectrum {
-    /// \param lanes  of the instruction set that reads it, Kernels::lanes
+    /// \param lanes  SIMD lanes of the instruction set that reads the spectrum (Kernels::lanes)
     PackedSpectrum(const FftPlan& plan, std::size_t lanes, const Allocator& memory = {});
 
     std::size_t block_floats() const { return pairs * wave_quantities * lanes; }
@@ -36,35 +38,36 @@ struct PackedSpectrum {
     std::size_t bytes() const { return waves.bytes() + harmonics.bytes(); }
 
     std::size_t lanes;
-    std::size_t pairs;                       ///< of waves in one block of lines
+    std::size_t pairs;                       ///< pairs of waves in one block of lines
     AlignedBuffer<float> waves;              ///< [line block][pair][WaveQuantity][lane]
-    AlignedBuffer<std::uint32_t> harmonics;  ///< [line block][pair][lane], periods in one loop
+    AlignedBuffer<std::uint32_t> harmonics;  ///< [line block][pair][lane], periods in a loop
 };
 
-/// What the waves of a line and of its mirror add to the sea.
+/// Contribution of a line's waves, and of its mirror's, to the statistics of the sea. All except
+/// `folding` are means over all seeds.
 struct LineStatistics {
-    double height_variance = 0;    ///< m^2, the mean over all seeds
-    double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
-    double mean_square_convergence =
-        0;                ///< (Dx,x + Dz,z)^2 of the waves themselves at choppiness 1, the mean over all seeds
-    SlopeMoments slopes;  ///< as the cascade shows them, the mean over all seeds, along the cascade's own axes
-    FoldMoments folding;  ///< of the waves that this seed drew
-    double stokes_x = 0,
-           stokes_z = 0;  ///< Stokes' drift at the surface along the cascade's own axes, m/s, the mean over all seeds
+    double height_variance = 0;    ///< m^2
+    double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves, not of the textures
+    /// (Dx,x + Dz,z)^2 of the waves, not of the textures, at choppiness 1.
+    double mean_square_convergence = 0;
+    SlopeMoments slopes;  ///< of the cascade's textures, along the axes of the cascade
+    FoldMoments folding;  ///< of the waves drawn with this sea's seed
+    /// Stokes drift at the surface along the axes of the cascade, m/s.
+    double stokes_x = 0, stokes_z = 0;
 
     LineStatistics& operator+=(const LineStatistics& other);
 };
 
-/// The same by bands of frequency (harmonic_band()).
+/// LineStatistics for each frequency band (harmonic_band()).
 class StatisticsByBand {
    public:
-    /// Room for a band is made.
+    /// Returns a band's statistics; adds the band if it is missing.
     LineStatistics& operator[](std::size_t band);
     StatisticsByBand& operator+=(const StatisticsByBand& other);
 
     std::size_t first() const { return first_; }
     std::size_t end() const { return first_ + statistics_.size(); }
-    /// None where there is nothing.
+    /// Returns a band's statistics, or zeros if it is missing.
     LineStatistics at(std::size_t band) const {
         return band < first() || band >= end() ? LineStatistics() : statistics_[band - first_];
     }
@@ -76,11 +79,14 @@ class StatisticsByBand {
     std::vector<LineStatistics> statistics_;
 };
 
-/// What they are while one sea turns into another: all are sums over energies. The one or the other, bit for bit, where `part`
-/// is 0 or 1.
-LineStatistics between(const LineStatistics& before, const LineStatistics& after, double part);
+/// Returns the statistics during a sea-state transition: linear blends, because each is a sum over
+/// energies. The result is bit-identical to `before` for weight 0 and to `after` for weight 1.
+/// \param weight  of `after`, in [0, 1]
+LineStatistics between(const LineStatistics& before, const LineStatistics& after, double weight);
 
-/// Fills one line, 0 <= line < line_count(). Lines are independent. \param by_band  gets the same figures, if there is one
+/// Fills one line and returns its statistics. Lines are independent and may be baked in parallel.
+/// \param line     in [0, line_count())
+/// \param by_band  receives the line's statistics by frequency band; may be null
 LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan,
                                   std::size_t line, PackedSpectrum& out, StatisticsByBand* by_band = nullptr);
 

@@ -1,4 +1,4 @@
-// The two computations of a cascade that may be in flight at once: a frame's, and a foam tick's.
+// The two computations of a cascade that may be in flight together: of a frame, and of a foam tick.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace pelagic {
 
-/// A tick's displacement is stored where the frame's will be: a frame's stages run after those of its tick.
+/// Both passes write displacement to one buffer, so a frame's stages run after those of its tick.
 enum class Pass { tick, frame };
 inline constexpr std::size_t passes = 2;
 

@@ -15,15 +15,16 @@
 namespace pelagic {
 namespace {
 
-/// Texels that go through the kernel at once.
-constexpr std::size_t row_part = 256;
+/// Texels in one call of the kernel.
+constexpr std::size_t chunk_texels = 256;
 
-/// Rows a job: one takes as long as all of a spectrum's columns.
+/// Rows in a job. One row takes as long as all columns of a spectral cascade.
 constexpr std::size_t rows_a_job = 4;
 
-/// What the kernel says of a part of a row. Heights alone are half the work.
-struct RowPart {
-    alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, vertical_velocity, slope_variance;
+/// Outputs of the kernel for one chunk of a row. Computing heights only takes half the time.
+struct RowChunk {
+    alignas(64) std::array<float, chunk_texels> height, normal_x, normal_y, normal_z, vertical_velocity,
+        slope_variance;
 
     PondAnswers answers(bool with_velocities) {
         if (!with_velocities) return {.height = height.data()};
@@ -32,17 +33,18 @@ struct RowPart {
     }
 };
 
-/// Writes floats of a row, from column `first` on, into one component of a surface's blocks.
+/// Writes `count` floats of a row, from column `first` on, to one component of a surface's blocks.
 void store_row(const float* values, std::size_t count, std::size_t first, float* component, std::size_t lanes,
                std::size_t block_floats) {
     for (std::size_t i = 0; i < count; i += lanes)
         std::memcpy(component + (first + i) / lanes * block_floats, values + i, lanes * sizeof(float));
 }
 
-/// The turns of an octave at the origin: its phase less harmonic times fraction, exact.
+/// Returns an octave's phase at the origin, in turns: its initial phase minus harmonic * fraction.
+/// The result is exact.
 double start_of(const GridOctave& octave, LoopFraction fraction) {
-    const std::uint64_t gone = std::uint64_t{octave.harmonic * fraction.turns} << 32;
-    return static_cast<double>(static_cast<std::int64_t>(turned(1, octave.octave.phase_turns) - gone)) * 0x1p-64;
+    const std::uint64_t elapsed = std::uint64_t{octave.harmonic * fraction.turns} << 32;
+    return static_cast<double>(static_cast<std::int64_t>(turned(1, octave.octave.phase_turns) - elapsed)) * 0x1p-64;
 }
 
 }  // namespace
@@ -56,7 +58,8 @@ Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& e
       resolution_(slots.resolution()),
       row_bounds_(static_cast<std::size_t>(resolution_)) {
     for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
-    for (std::vector<double>& starts : starts_.values) starts.reserve(max_analytic_waves);  // frames allocate nothing
+    // Reserved, so that frames do not allocate.
+    for (std::vector<double>& starts : starts_.values) starts.reserve(max_analytic_waves);
 }
 
 FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
@@ -87,13 +90,13 @@ void Pond::fill_row(Pass pass, std::size_t row) {
         return planes.data() + (row * surface_components + of) * lanes_;
     };
     const bool with_velocities = has_velocities_ && pass == Pass::frame;
-    const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, row_part);
-    std::array<double, row_part> z;
-    std::array<float, row_part> footprint;
+    const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, chunk_texels);
+    std::array<double, chunk_texels> z;
+    std::array<float, chunk_texels> footprint;
     z.fill(static_cast<double>(row));
     footprint.fill(static_cast<float>(waves_.plan.grid.side_m / resolution_));
-    static constexpr std::array<float, row_part> none{};
-    RowPart part;
+    static constexpr std::array<float, chunk_texels> none{};
+    RowChunk chunk;
     RowBounds bounds{3.4e38f, -3.4e38f};
     for (std::size_t first = 0; first < n; first += count) {
         kernels_.pond({.octaves = waves_.terms.data(),
@@ -103,21 +106,21 @@ void Pond::fill_row(Pass pass, std::size_t row) {
                        .x = columns_.data() + first,
                        .z = z.data(),
                        .footprint = footprint.data(),
-                       .out = part.answers(with_velocities)});
+                       .out = chunk.answers(with_velocities)});
         const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
             store_row(values, count, first, component(planes, of), lanes_, block_floats);
         };
-        store(part.height.data(), buffers.surface, surface_height);
+        store(chunk.height.data(), buffers.surface, surface_height);
         store(none.data(), buffers.surface, surface_dx);
         store(none.data(), buffers.surface, surface_dz);
         if (with_velocities) {
-            store(part.vertical_velocity.data(), buffers.velocity, surface_height);
+            store(chunk.vertical_velocity.data(), buffers.velocity, surface_height);
             store(none.data(), buffers.velocity, surface_dx);
             store(none.data(), buffers.velocity, surface_dz);
         }
         for (std::size_t i = 0; i < count; ++i) {
-            bounds.min = std::min(bounds.min, part.height[i]);
-            bounds.max = std::max(bounds.max, part.height[i]);
+            bounds.min = std::min(bounds.min, chunk.height[i]);
+            bounds.max = std::max(bounds.max, chunk.height[i]);
         }
     }
     row_bounds_[row] = bounds;
@@ -132,7 +135,7 @@ FrameBounds Pond::end_frame() {
 void Pond::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = stage_name("spectrum", cascade_),
                .count = 1,
-               .body = for_each_item([](std::size_t) {}),  // begin_spectrum() is quicker than a job
+               .body = for_each_item([](std::size_t) {}),  // begin_spectrum() computes the octaves
                .stack_bytes = stack_margin});
 }
 
@@ -156,7 +159,7 @@ Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
 
 LineStatistics Pond::statistics_of(const Waves& waves) {
     const double texel_m = waves.plan.grid.side_m / waves.plan.resolution;
-    const auto difference = [&](int periods) {  // what central differences over texels make of a wave number
+    const auto difference = [&](int periods) {  // response of central differences to a wave number
         return det::sine_cosine_of_turns(static_cast<double>(periods) / waves.plan.resolution).sine / texel_m;
     };
     LineStatistics statistics;

@@ -1,9 +1,10 @@
-// Octaves of exp(sin - 1) on the grid of one cascade (analytic/pond_waves.hpp, sim/spectrum/wave_list.hpp): a stage that
-// sums them at each texel. Octaves that move those after them are no sum of waves that a transform could make.
+// Procedural pond waves on the grid of one cascade: octaves of exp(sin - 1)
+// (analytic/pond_waves.hpp, sim/spectrum/wave_list.hpp). One stage sums them at each texel. No
+// Fourier transform can compute them, because each octave displaces the octaves after it.
 //
 //   spectrum (on demand) -> octaves
 //
-// Nothing moves horizontally. Velocities are those of the surface, straight up and down.
+// Horizontal displacements are 0. Velocities are vertical: the derivatives of the heights in time.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +22,7 @@ namespace pelagic {
 
 class Pond final : public SeaSource {
    public:
-    /// \param cascade  which of the slots' cascades it fills
+    /// \param cascade  index of the cascade in the slots that the source fills
     Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras);
     Pond(const Pond&) = delete;  // stages point into it
     Pond& operator=(const Pond&) = delete;
@@ -33,7 +34,7 @@ class Pond final : public SeaSource {
 
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
-    /// It has one sea at a time: Forecast lets none of its kind turn into another.
+    /// Replaces the waves. A pond holds one sea, because a Forecast of ponds has no changes.
     LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
     const CascadeGrid& grid() const override { return waves_.plan.grid; }
     void drop_spectrum() override { bake_.reset(); }
@@ -41,7 +42,8 @@ class Pond final : public SeaSource {
     void forget_seas() override {}
 
    private:
-    /// The octaves of a sea, as the kernel takes them with texels for metres: so a place's turns are exact, and texel N is texel 0.
+    /// The octaves of a sea, with positions in texels instead of metres. Phases at texels are
+    /// therefore exact, and texel N equals texel 0.
     struct Waves {
         CascadePlan plan;
         double loop_period_s = 1;
@@ -63,9 +65,10 @@ class Pond final : public SeaSource {
     int resolution_;
     std::vector<double> columns_;  ///< 0, 1, ..., N - 1
 
-    Waves waves_;  ///< of the frames to come
+    Waves waves_;  ///< of the next frames
     std::optional<Waves> bake_, staged_;
-    OfEachPass<std::vector<double>> starts_;  ///< of each octave, turns in [-1/2, 1/2)
+    /// Phase of each octave at the origin, turns in [-1/2, 1/2).
+    OfEachPass<std::vector<double>> starts_;
     std::vector<RowBounds> row_bounds_;
 };
 

@@ -38,23 +38,25 @@ std::string check(const Ripple& ripple) {
 }
 
 struct RippleInput::State {
-    Ripple asked;  ///< from the next frame on
+    Ripple pending;  ///< applied by the next frame
     Ripple shown;
     Held held;
     std::uint32_t harmonic = 0;
-    double middle_row = 0, texel_m = 1;
-    AlignedBuffer<float> along_squared;     ///< of each column, m^2
-    std::array<std::uint32_t, 2> starts{};  ///< turns in the middle, by the moment's place
+    double centre_row = 0, texel_m = 1;
+    /// Squared distance of each column from the nearest image of the centre, m^2.
+    AlignedBuffer<float> along_squared;
+    std::array<std::uint32_t, 2> starts{};  ///< phase at the centre, by InputMoment::place
 
-    /// From a texel to the nearest of all that repeat a place, along one axis, squared.
-    float squared_way(double texel, double middle) const {
-        const double n = static_cast<double>(along_squared.size()), way = texel - middle;
-        const double nearest = (way - n * std::floor(way / n + 0.5)) * texel_m;
+    /// Returns the squared distance, m^2, along one axis from a texel to the nearest periodic image
+    /// of the centre.
+    float squared_distance(double texel, double centre) const {
+        const double n = static_cast<double>(along_squared.size()), offset = texel - centre;
+        const double nearest = (offset - n * std::floor(offset / n + 0.5)) * texel_m;
         return static_cast<float>(nearest * nearest);
     }
 
     void hold(const InputMoment& moment) {
-        shown = asked;
+        shown = pending;
         held = {};
         const auto cascade = input_cascade_of(1 / shown.wavelength_m, moment);
         if (!cascade || shown.amplitude_m == 0) return;
@@ -67,8 +69,9 @@ struct RippleInput::State {
         if (along_squared.size() != n) along_squared = AlignedBuffer<float>(n);
         texel_m = grid.side_m / moment.resolution;
         const auto [along, across] = grid.in_cascade(shown.x_m, shown.z_m);
-        middle_row = across / texel_m;
-        for (std::size_t i = 0; i < n; ++i) along_squared[i] = squared_way(static_cast<double>(i), along / texel_m);
+        centre_row = across / texel_m;
+        for (std::size_t i = 0; i < n; ++i)
+            along_squared[i] = squared_distance(static_cast<double>(i), along / texel_m);
     }
 };
 
@@ -78,7 +81,7 @@ RippleInput::~RippleInput() = default;
 
 void RippleInput::set(const Ripple& ripple) {
     if (const std::string reason = check(ripple); !reason.empty()) throw std::invalid_argument(reason);
-    state_->asked = ripple;
+    state_->pending = ripple;
 }
 
 RippleInput::Held RippleInput::held() const { return state_->held; }
@@ -93,8 +96,10 @@ bool RippleInput::adds_to(std::size_t cascade) const {
     return state_->held.reach_m > 0 && state_->held.cascade == cascade;
 }
 
-// The wave's own slope, at most k A; that of its fall from the middle, A / L at most, for q >= L / 2; and that of the fade, whose
-// (1 - u^2)^2 falls by 16 / (6 sqrt 3) = 1.54 of the reach at most.
+// The sum of three bounds, with R the reach:
+//   slope of the wave:                 k A
+//   slope of the decay sqrt(L / 2 / q): A / L, because q >= L / 2
+//   slope of the fade (1 - u^2)^2:      16 / (6 sqrt 3) A / R = 1.54 A / R
 double RippleInput::largest_slope(std::size_t cascade) const {
     if (!adds_to(cascade)) return 0;
     const Ripple& ripple = state_->shown;
@@ -107,7 +112,7 @@ void RippleInput::add(const InputRows& rows) const {
     const double reach_squared = state_->held.reach_m * state_->held.reach_m;
     for (std::size_t row = 0; row < rows.row_count; ++row) {
         const float across_squared =
-            state_->squared_way(static_cast<double>(rows.first_row + row), state_->middle_row);
+            state_->squared_distance(static_cast<double>(rows.first_row + row), state_->centre_row);
         if (static_cast<double>(across_squared) >= reach_squared) continue;
         kernels.add_ripple(
             {.along_squared = state_->along_squared.data(),

@@ -13,14 +13,14 @@
 namespace pelagic {
 namespace {
 
-/// Stages `evolve+rows` and, with less, `columns+finalize`.
+/// Stack of stage `evolve+rows`; an upper bound for stage `columns+finalize`.
 std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
 
 constexpr double two_pi = 6.28318530717958647693;
 
-// Lines a job: a wind change should not hold up frames.
+// Lines in a job: few, so that baking a spectrum does not delay frames.
 constexpr std::size_t spectrum_batch = 2;
 
 }  // namespace
@@ -71,7 +71,7 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
     return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
 }
 
-// The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
+// The time derivative of a sum of waves is a sum of waves, and uses the transforms of the surface.
 StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(cascade_).velocity.data(); };
@@ -99,8 +99,8 @@ const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) cons
     return **found;
 }
 
-SpectralCascade::Look SpectralCascade::look_of(const LineStatistics& statistics, double choppiness,
-                                               double whitecap_cover) const {
+SpectralCascade::TextureRanges SpectralCascade::texture_ranges_of(const LineStatistics& statistics, double choppiness,
+                                                                  double whitecap_cover) const {
     return {whitecap_cover > 0 ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover,
                                                     TickClock(loop_period_s_).tick_s())
                                : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
@@ -112,14 +112,14 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
     shown.before = &before;
     shown.after = &after;
-    shown.part = static_cast<float>(moment.part);
+    shown.weight = static_cast<float>(moment.part);
     shown.choppiness = static_cast<float>(before.choppiness);
     shown.cosine = static_cast<float>(grid_.cosine);
     shown.sine = static_cast<float>(grid_.sine);
     shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
-    shown.parts.clear();
-    Look look = before.look;
+    shown.band_weights.clear();
+    TextureRanges ranges = before.texture_ranges;
     if (!moment.is_steady()) {
         if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
         const auto between_both = [&](double of_before, double of_after) {
@@ -130,16 +130,16 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
         LineStatistics statistics = between(before.statistics, after.statistics, moment.part);
         if (moment.arrival) {
             for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
-                shown.parts.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
+                shown.band_weights.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
             statistics = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
         }
-        look = look_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
+        ranges = texture_ranges_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
     }
-    shown.is_blend = shown.part != 0 || !shown.parts.empty();
+    shown.is_blend = shown.weight != 0 || !shown.band_weights.empty();
     cascade.grid = grid_;
-    cascade.whitecap_jacobian = look.whitecaps.jacobian;
-    cascade.whitecap_ramp = look.whitecaps.ramp;
-    cascade.slope_ranges = look.slope_ranges;
+    cascade.whitecap_jacobian = ranges.whitecaps.jacobian;
+    cascade.whitecap_ramp = ranges.whitecaps.ramp;
+    cascade.slope_ranges = ranges.slope_ranges;
     shown.is_idle = pass == Pass::tick && !cascade.makes_whitecaps();
 }
 
@@ -173,9 +173,9 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t p
     const SeaState& sea = bake_->sea;
     grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;
-    const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
+    const TextureRanges ranges = texture_ranges_of(all, sea.choppiness, bake_->whitecap_cover);
     seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,
-                               std::move(by_band), look});
+                               std::move(by_band), ranges});
     bake_.reset();
     return all;
 }
@@ -186,32 +186,32 @@ void SpectralCascade::spectrum(std::size_t line) {
         bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum, &bake_->lines_by_band[line]);
 }
 
-/// What evolves the block of lines next reads of it.
+/// Blends the waves of a block of lines for the evolve kernel, if the pass blends two seas.
 void SpectralCascade::blend(Pass pass, std::size_t line_block) {
     Shown& shown = shown_[pass];
     if (!shown.is_blend) return;
     const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
     float* const out = shown.blended.data() + line_block * before.block_floats();
-    if (shown.parts.empty())
+    if (shown.band_weights.empty())
         kernels_.blend_waves({.before = before.block(line_block),
                               .after = after.block(line_block),
                               .pairs = before.pairs,
-                              .part = shown.part,
+                              .part = shown.weight,
                               .out = out});
     else
         kernels_.blend_arriving_waves({.before = before.block(line_block),
                                        .after = after.block(line_block),
                                        .harmonics = before.block_harmonics(line_block),
                                        .pairs = before.pairs,
-                                       .parts = shown.parts.data(),
-                                       .last_band = static_cast<std::int32_t>(shown.parts.size()) - 1,
+                                       .parts = shown.band_weights.data(),
+                                       .last_band = static_cast<std::int32_t>(shown.band_weights.size()) - 1,
                                        .out = out});
 }
 
 EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
     const std::size_t first_line = line_block * kernels_.lanes;
     const Shown& shown = shown_[pass];
-    const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
+    const PackedSpectrum& spectrum = shown.before->spectrum;  // harmonics of both are equal
     return {.waves = !shown.is_blend ? spectrum.block(line_block)
                                      : shown.blended.data() + line_block * spectrum.block_floats(),
             .harmonics = spectrum.block_harmonics(line_block),

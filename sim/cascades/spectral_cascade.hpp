@@ -1,9 +1,10 @@
-// Waves of a spectrum on the grid of one cascade: the stages that turn the spectrum into displacement.
+// Waves of a spectrum on the grid of one cascade: the stages that transform it to displacement.
 //
 //   spectrum (on demand) -> evolve+rows -> columns+finalize
 //
-// If wanted, evolve+rows and columns+finalize once more for velocities. Stages that can hand each other their data while it
-// is in a near cache are one job. Everything between spectrum and outputs lives on the stack or in the outputs themselves.
+// With velocities, evolve+rows and columns+finalize run a second time. Stages whose intermediate
+// data fits a near cache are fused into one job. Intermediate data is on the stack or in the
+// outputs.
 #pragma once
 
 #include <array>
@@ -27,12 +28,12 @@ namespace pelagic {
 
 class SpectralCascade final : public SeaSource {
    public:
-    /// \param cascade  which of the slots' cascades it fills
+    /// \param cascade  index of the cascade in the slots that the source fills
     SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
     SpectralCascade(const SpectralCascade&) = delete;  // stages point into it
     SpectralCascade& operator=(const SpectralCascade&) = delete;
 
-    /// Velocities are the frame's alone.
+    /// Velocities are computed for frames only, not for ticks.
     FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
     void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) override;
     FrameBounds end_frame() override;
@@ -63,12 +64,12 @@ class SpectralCascade final : public SeaSource {
     FftPlan plan_;
     FftTables fft_;
 
-    /// How the cascade's textures are to be read.
-    struct Look {
+    /// Thresholds and ranges with which the cascade's textures are read.
+    struct TextureRanges {
         WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
         SlopeRanges slope_ranges;
     };
-    Look look_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const;
+    TextureRanges texture_ranges_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const;
 
     /// The waves of a sea.
     struct Waves {
@@ -77,25 +78,27 @@ class SpectralCascade final : public SeaSource {
         PackedSpectrum spectrum;
         LineStatistics statistics;
         StatisticsByBand by_band;
-        Look look;
+        TextureRanges texture_ranges;
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SpectrumCache::places> seas_;
-    CascadeGrid grid_;          ///< of frames to come, and so is
-    double loop_period_s_ = 1;  ///< this: a pass in flight has its own
+    CascadeGrid grid_;          ///< of the next frames; a pass in flight has a copy in its Cascade
+    double loop_period_s_ = 1;  ///< of the next frames
 
-    /// What a pass evaluates.
+    /// Inputs of a pass.
     struct Shown {
         const Waves *before = nullptr, *after = nullptr;
-        bool is_blend = false;     ///< else `before` alone
-        float part = 0;            ///< of all waves, or
-        std::vector<float> parts;  ///< of each band while a swell from afar comes; else empty
-        bool is_idle = false;      ///< ticks are for whitecaps alone
+        bool is_blend = false;  ///< false: only `before` is used
+        float weight = 0;       ///< of `after`, if all waves have one weight
+        /// Weight of `after` for each band while swell arrives from a distance; empty otherwise.
+        std::vector<float> band_weights;
+        bool is_idle = false;  ///< the pass is a tick, and the cascade makes no whitecaps
         float choppiness = 0;
-        float cosine = 1, sine = 0;  ///< of the grid
-        float first_frequency = 0;   ///< of the loop, radians a second
+        float cosine = 1, sine = 0;  ///< of the grid's rotation
+        float first_frequency = 0;   ///< 2 pi / loop period, rad/s
         LoopFraction fraction;
-        AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
+        /// Laid out as PackedSpectrum::waves; empty until a transition.
+        AlignedBuffer<float> blended;
     };
     OfEachPass<Shown> shown_;
 
@@ -105,8 +108,8 @@ class SpectralCascade final : public SeaSource {
         double whitecap_cover;
         CascadePlan plan;
         std::unique_ptr<std::once_flag> has_begun;
-        std::optional<CascadeWaves>
-            waves;  ///< by the first line that is baked: they take longer than a frame has time for
+        /// Computed by the first line that is baked, because it takes longer than a frame may.
+        std::optional<CascadeWaves> waves;
         PackedSpectrum spectrum;
         std::vector<LineStatistics> lines;
         std::vector<StatisticsByBand> lines_by_band;
@@ -114,7 +117,7 @@ class SpectralCascade final : public SeaSource {
     std::optional<Bake> bake_, staged_;
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
-    std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
+    std::vector<PartBounds> velocity_bounds_;  ///< written by the kernel and not read
 };
 
 }  // namespace pelagic

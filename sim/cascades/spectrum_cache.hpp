@@ -1,4 +1,5 @@
-// Which seas' waves are at hand: a few places, of which the one goes first that was not needed for longest.
+// Numbers of the seas whose baked waves are in memory: a few places, replaced in
+// least-recently-used order.
 #pragma once
 
 #include <array>
@@ -13,10 +14,11 @@ namespace pelagic {
 
 class SpectrumCache {
    public:
-    /// Two seas for the tick in flight, two for the frame, which may lie in another change, and one that is put there meanwhile.
+    /// Two seas for the tick in flight, two for the frame (which may be in another transition), and
+    /// one that is put during the run.
     static constexpr std::size_t places = 2 * passes + 1;
 
-    /// Where a sea's waves are; none if they have to be baked.
+    /// Returns the place of a sea's waves; empty if they are not in the cache.
     std::optional<std::size_t> find(std::size_t number) const {
         for (std::size_t place = 0; place < places; ++place)
             if (held_[place] && held_[place]->number == number) return place;
@@ -24,7 +26,7 @@ class SpectrumCache {
     }
     bool holds(std::size_t number) const { return find(number).has_value(); }
 
-    /// The next run of the pass takes these; what an earlier one took may go.
+    /// Marks the seas that the next run of the pass reads, and releases those of its last run.
     void need(Pass pass, std::size_t before, std::size_t after) {
         needed_[pass] = {before, after};
         ++now_;
@@ -32,11 +34,12 @@ class SpectrumCache {
             if (const auto place = find(number)) held_[*place]->used = now_;
     }
 
-    /// Whatever was taken is done.
+    /// Releases the seas of all passes.
     void need_nothing() { needed_ = nothing; }
     bool needs_any() const { return needed_.values != nothing.values; }
 
-    /// A place for a sea that the cache doesn't hold. What was there is given up; no pass needs it.
+    /// Returns a place for a sea, and evicts the sea that was in it.
+    /// \pre the cache does not hold the sea, and some place holds no sea that a pass needs
     std::size_t put(std::size_t number) {
         std::size_t best = places;
         std::uint64_t oldest = ~std::uint64_t{0};

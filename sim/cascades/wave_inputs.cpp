@@ -15,11 +15,11 @@
 namespace pelagic {
 namespace {
 
-/// What a job adds at a time, whatever the cascade's size: the rows of its fields lie on the stack.
+/// Texels that a job adds, for any resolution; the rows of its fields are on the stack.
 constexpr std::size_t texels_a_job = 2048;
 constexpr double largest_slopes = 100;
 
-/// Derivatives at texels overstate waves by this at most, those of five texels (SlopesJob's weights).
+/// Upper bound of the five-texel derivative divided by the true one (SlopesJob's weights).
 constexpr double overstated = 1.22;
 
 /// Rows of dx, height and dz, or of their derivatives, before they are added.
@@ -27,12 +27,12 @@ struct Rows {
     alignas(64) std::array<std::array<float, texels_a_job>, input_fields> fields;
 };
 
-/// Of inputs' own functions nothing is known.
+/// Stack of a job; the margin covers the inputs' own functions, whose stack is unknown.
 constexpr std::size_t inputs_stack_bytes = 2 * sizeof(Rows) + stack_margin;
 
 std::string name_of_input(std::size_t number) { return "inputs[" + std::to_string(number) + "]"; }
 
-/// The field and the value for which add_rows() returned false.
+/// Throws for the first field and value for which Kernels::add_rows() returned false.
 [[noreturn]] void reject_rows(std::size_t number, const Rows& rows, std::size_t texels,
                               const std::array<const char*, input_fields>& names) {
     for (std::size_t field = 0; field < input_fields; ++field)
@@ -97,7 +97,8 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
         steeper += overstated * slope;
         adds = 1;
     }
-    // A tick is for foam alone, and its source leaves nothing where there is none.
+    // A tick computes foam only, and its source computes no surface for a cascade without
+    // whitecaps.
     if (pass == Pass::tick && !at.makes_whitecaps()) adds = 0;
     at.slope_ranges.slope += static_cast<float>(steeper);
     at.slope_ranges.variance += static_cast<float>(steeper * steeper);
@@ -157,13 +158,13 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
 }
 
 FrameBounds WaveInputs::bounds(std::size_t cascade) const {
-    const PartBounds* const parts = bounds_.data() + cascade * jobs();
-    PartBounds all = *parts;
+    const PartBounds* const job_bounds = bounds_.data() + cascade * jobs();
+    PartBounds all = *job_bounds;
     for (std::size_t job = 1; job < jobs(); ++job) {
-        all.height_min = std::min(all.height_min, parts[job].height_min);
-        all.height_max = std::max(all.height_max, parts[job].height_max);
-        all.horizontal_x_max = std::max(all.horizontal_x_max, parts[job].horizontal_x_max);
-        all.horizontal_z_max = std::max(all.horizontal_z_max, parts[job].horizontal_z_max);
+        all.height_min = std::min(all.height_min, job_bounds[job].height_min);
+        all.height_max = std::max(all.height_max, job_bounds[job].height_max);
+        all.horizontal_x_max = std::max(all.horizontal_x_max, job_bounds[job].horizontal_x_max);
+        all.horizontal_z_max = std::max(all.horizontal_z_max, job_bounds[job].horizontal_z_max);
     }
     return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
 }

@@ -1,5 +1,6 @@
-// What applications add to the waves of the cascades (sim/wave_input.hpp): the stage `inputs` of each cascade, between its source and what follows
-// from the surface. Without inputs there is no such stage.
+// Stage `inputs`: adds wave inputs of the application (sim/wave_input.hpp) to each cascade. The
+// stage runs after the cascade's source and before the stages that read the surface. Without
+// inputs, no stage is added.
 #pragma once
 
 #include <cstddef>
@@ -19,28 +20,31 @@ class WaveInputs {
    public:
     using List = std::vector<std::shared_ptr<WaveInput>>;
 
-    /// Throws std::invalid_argument if one is null.
+    /// \throws std::invalid_argument if an input is null
     WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocities);
     WaveInputs(const WaveInputs&) = delete;  // stages point into it
     WaveInputs& operator=(const WaveInputs&) = delete;
 
     bool empty() const { return inputs_.empty(); }
 
-    /// Adds the stage of a cascade's pass, which adds to what its source leaves in the slot. Returns the one after which the surface
-    /// stands: without inputs the source's own.
+    /// Adds the stage that adds the inputs to the displacement in the slot. Returns the stage after
+    /// which the surface is complete: without inputs, filled.displacement.
     StageId add_stage(JobGraph& graph, Pass pass, std::size_t cascade, const FilledBy& filled);
 
-    /// What the next run of the pass's stages adds. First the grids, as the sources have begun the cascades; last what becomes of
-    /// each cascade, whose slopes are as steep as both.
+    /// Set up the next run of the pass's stages. Call set_grid() for each cascade, after its source
+    /// has begun; then begin(); then begin_cascade() for each cascade. begin_cascade() widens the
+    /// cascade's slope ranges so that they hold the sum of the source's and the inputs' slopes.
+    /// \throws std::invalid_argument (begin_cascade) if an input's largest_slope is out of range
     void set_grid(Pass pass, std::size_t cascade, const CascadeGrid& grid) { grids_[pass][cascade] = grid; }
     void begin(Pass pass, double time_s, double time_in_loop_s, double loop_period_s);
     void begin_cascade(Pass pass, std::size_t cascade, Cascade& at);
 
-    /// Of the last run of frames: something was added to the cascade, and these are the extremes of the sum.
+    /// Returns whether the last frame's run added waves to the cascade.
     bool adds_to(std::size_t cascade) const { return adds_[Pass::frame][cascade] != 0; }
+    /// Returns the extremes of the sum. \pre adds_to(cascade)
     FrameBounds bounds(std::size_t cascade) const;
 
-    std::size_t bytes() const;  ///< without the inputs themselves
+    std::size_t bytes() const;  ///< excludes the memory of the inputs
 
    private:
     std::size_t rows_a_job() const;
@@ -53,8 +57,8 @@ class WaveInputs {
     bool has_velocities_;
     OfEachPass<InputMoment> moments_;
     OfEachPass<std::vector<CascadeGrid>> grids_;
-    OfEachPass<std::vector<std::uint8_t>> adds_;  ///< to the cascade
-    std::vector<PartBounds> bounds_;              ///< of each job of each cascade's frame
+    OfEachPass<std::vector<std::uint8_t>> adds_;  ///< by cascade; 1: an input adds to it
+    std::vector<PartBounds> bounds_;              ///< [cascade][job], of the frame
 };
 
 }  // namespace pelagic

@@ -11,10 +11,11 @@
 namespace pelagic {
 namespace {
 
-/// A sea is baked so long before frames need it: hundreds of frames, each of which leaves the threads some time.
+/// Time before its first use at which baking a sea starts. It spans hundreds of frames, in whose
+/// idle time the sea is baked.
 constexpr double bake_ahead_s = 10;
 
-/// A live ocean's: the sea that a frame in flight or a tick before it may still show.
+/// Changes kept by add(): their seas cover a frame in flight and the ticks before it.
 constexpr std::size_t remembered_changes = 2;
 
 int white_cascades_of(const std::vector<CascadePlan>& plans) {
@@ -101,13 +102,15 @@ Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
     return *this;
 }
 
-Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, double part) {
-    const auto blend = [&](double Sums::*number) { return (1 - part) * (before.*number) + part * (after.*number); };
+Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, double weight) {
+    const auto blend = [&](double Sums::*number) {
+        return (1 - weight) * (before.*number) + weight * (after.*number);
+    };
     Sums sums{.height_variance = blend(&Sums::height_variance),
-              .slopes = before.slopes * (1 - part),
+              .slopes = before.slopes * (1 - weight),
               .drift_x_mps = blend(&Sums::drift_x_mps),
               .drift_z_mps = blend(&Sums::drift_z_mps)};
-    sums.slopes += after.slopes * part;
+    sums.slopes += after.slopes * weight;
     return sums;
 }
 
@@ -116,7 +119,8 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
     return {statistics.height_variance, statistics.slopes.in_world(grid), stokes.along, stokes.across};
 }
 
-/// Each band's waves by their own part; the wind has that of the swell's peak, as in sea_at().
+/// Blends each band with its own weight, and the wind with the weight of the swell's peak (as
+/// sea_at()).
 Weather::Sums Weather::arriving(const Baked& before, const Baked& after, const SeaMoment& moment) {
     Sums sums = Sums::between(before.wind, after.wind, moment.part);
     for (std::size_t band = 0; band < std::max(before.by_band.size(), after.by_band.size()); ++band) {

@@ -1,6 +1,6 @@
-// Which sea there is when, and whose waves are at hand: a forecast, and what its seas make of the sources.
+// The forecast of an ocean, and the baked waves and statistics of its seas.
 //
-// Seas are numbered for the life of an ocean, so that one that is forgotten is never taken for another.
+// Each sea has a number that is unique for the life of the ocean.
 #pragma once
 
 #include <array>
@@ -27,83 +27,89 @@ class Weather {
     /// \pre check(forecast) is empty
     explicit Weather(const Forecast& forecast);
 
-    /// That of frames to come. Says how long peaks may be, too.
+    /// Returns the forecast of the next frames, with largest_peak_m set.
     const Forecast& forecast() const { return next_.forecast; }
 
-    /// A frame in flight keeps the forecast that it was scheduled in, until need_nothing(). \pre check(with(change)) is empty
+    /// Appends a change. A frame in flight keeps its forecast until need_nothing().
+    /// \pre check(with(change)) is empty
     void add(const SeaChange& change);
-    /// The forecast after one more change; it remembers two. `first_number` counts what it forgets.
+    /// Returns the forecast with one more change. It keeps two changes: a third replaces the first.
+    /// \param first_number  incremented if a change is dropped; may be null
     Forecast with(const SeaChange& change, std::size_t* first_number = nullptr) const;
 
-    /// Before that the weather is forgotten with the next change; no time if nothing is.
+    /// Returns the end of the change that the next add() drops, in seconds: no frame before it can
+    /// be computed afterwards. Returns -infinity if add() drops none.
     double end_of_forgotten_by_next() const;
 
-    /// Of ticks as of frames.
+    /// Returns the two seas and the weight at a time, for frames and for ticks.
     SeaMoment moment_at(double time_s) const;
     SeaState sea_at(const SeaMoment& moment) const;
-    /// \pre the moment's seas are at hand
+    /// \pre has() is true for both seas of the moment
     SeaStatistics statistics_at(const SeaMoment& moment) const;
 
-    /// The next run of the pass takes what the moment needs.
+    /// Marks the moment's seas as needed by the next run of the pass.
     void need(Pass pass, const SeaMoment& moment) { cache_.need(pass, moment.before, moment.after); }
-    /// No frame is in flight.
+    /// Releases the seas and the forecast of the last frame. \pre no frame is in flight
     void need_nothing() {
         cache_.need_nothing();
         in_flight_.reset();
     }
     std::size_t number_of_last() const { return next_.first_number + next_.forecast.changes.size(); }
     bool has(std::size_t number) const { return cache_.holds(number); }
-    /// A sea that is not at hand, and that frames around this one will need.
+    /// Returns a sea that frames near this time need and that is not baked; empty if none is.
     std::optional<std::size_t> wanted_soon(double time_s) const;
 
-    /// What the next run of the sources' stages `spectrum` bakes: a sea of the forecast, which adopt() puts at hand, or
+    /// Sets the next run of the stages `spectrum` to bake a sea of the forecast.
     void begin(std::size_t number, Sources sources);
+    /// Stores the sea that was baked after begin(), for use by frames.
     void adopt(Sources sources);
-    /// the only sea of another weather, which starts with restart(). Until then frames show this one, and seas of it may be baked
-    /// once the other's spectrum is set aside.
+    /// Sets the next run of the stages `spectrum` to bake the only sea of a new forecast. Until
+    /// restart(), frames use the current forecast. Its seas can be baked after the sources have
+    /// staged the new spectrum (SeaSource::stage_spectrum()).
     void begin_other(const SeaState& sea, Sources sources);
+    /// Replaces the forecast with the one of begin_other().
     void restart(Sources sources);
 
    private:
-    /// What all cascades of a sea add up to.
+    /// Sums over the cascades of a sea.
     struct Sums {
         double height_variance = 0;
         SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
 
         Sums& operator+=(const Sums& other);
-        static Sums between(const Sums& before, const Sums& after, double part);
-        /// The drift is Stokes'.
+        static Sums between(const Sums& before, const Sums& after, double weight);
+        /// Returns the sums of one cascade, with the Stokes drift as the drift.
         static Sums of(const LineStatistics& statistics, const CascadeGrid& grid);
     };
     struct Baked {
-        Sums sums;
-        Sums wind;                  ///< what the wind adds to them
-        std::vector<Sums> by_band;  ///< what waves add to them, by bands of frequency
-        SeaStatistics statistics;   ///< of this sea alone
+        Sums sums;                  ///< of wind and waves
+        Sums wind;                  ///< contribution of the wind
+        std::vector<Sums> by_band;  ///< contribution of the waves, by frequency band
+        SeaStatistics statistics;   ///< of this sea, outside transitions
     };
-    /// Another weather, whose sea is being baked.
+    /// New forecast, whose sea is being baked.
     struct Other {
         Forecast forecast;
         WaveReach reach;
         std::vector<CascadePlan> plans;
     };
 
-    /// A forecast, and what follows from it.
+    /// A forecast and the data derived from it.
     struct Outlook {
         Forecast forecast;
-        /// Of each sea: to find one out takes longer than a frame has time for.
+        /// By sea. Kept, because computing a plan takes longer than a frame may.
         std::vector<std::vector<CascadePlan>> plans = {};
-        /// Of each change; none: all of its waves come together.
+        /// By change; empty if all of its waves change together.
         std::vector<std::optional<Arrival>> arrivals = {};
         std::size_t first_number = 0;  ///< of forecast.first
 
         const SeaState& sea(std::size_t number) const { return forecast.sea(number - first_number); }
         void find_arrivals();
     };
-    /// That of the frame in flight, or of the next one.
+    /// Returns the outlook of the frame in flight, or else of the next frame.
     const Outlook& now() const { return in_flight_ ? *in_flight_ : next_; }
-    /// One that knows the sea.
+    /// Returns an outlook that contains the sea.
     const Outlook& outlook_of(std::size_t number) const { return number < next_.first_number ? now() : next_; }
     const SeaState& sea(std::size_t number) const { return outlook_of(number).sea(number); }
     static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
@@ -111,8 +117,9 @@ class Weather {
     void begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources);
 
     WaveReach reach_;
-    Outlook next_;                      ///< of frames to come
-    std::optional<Outlook> in_flight_;  ///< of the frame in flight, if changes were added since it was scheduled
+    Outlook next_;  ///< of the next frames
+    /// Of the frame in flight, if changes were added since it was scheduled.
+    std::optional<Outlook> in_flight_;
     SpectrumCache cache_;
     std::array<Baked, SpectrumCache::places> baked_;
     std::size_t baked_number_ = 0;
