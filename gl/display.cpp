@@ -10,11 +10,12 @@
 namespace pelagic::gl {
 namespace {
 
-/// Each half as large as the one before: the coarsest spreads light over a fifth of the image's height.
+/// Maximum number of bloom levels. Each level has half the sides of the previous one. The coarsest
+/// level spreads light over a fifth of the image's height.
 constexpr int max_levels = 6;
 constexpr int min_side = 4;
 
-TexturePart part_of(const RadianceTexture& level, const TexturePart& image, int halvings) {
+TexturePart used_region(const RadianceTexture& level, const TexturePart& image, int halvings) {
     const auto halved = [&](int side) { return std::max(1, (side + (1 << halvings) - 1) >> halvings); };
     return {level.texture.name(), halved(image.width), halved(image.height), level.width, level.height};
 }
@@ -36,38 +37,38 @@ struct Display::State {
         fine.clear();
         spread.clear();
         for (int i = 1; i <= max_levels && (std::min(width, height) >> i) >= min_side; ++i) {
-            // Rounded up: a part of the texture must find room at every level.
+            // Rounded up, so that a smaller image in the texture fits at every level.
             const int w = (width + (1 << i) - 1) >> i, h = (height + (1 << i) - 1) >> i;
             fine.emplace_back(gl, w, h);
             spread.emplace_back(gl, w, h);
         }
     }
 
-    void draw_into(const RadianceTexture& target, const TexturePart& part, const ImagePass& pass) {
+    void draw_into(const RadianceTexture& target, const TexturePart& region, const ImagePass& pass) {
         gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        gl.Viewport(0, 0, part.width, part.height);
+        gl.Viewport(0, 0, region.width, region.height);
         pass.draw();
     }
 
-    /// The image's light, spread: the mean of all levels.
+    /// Returns the spread light of the image: the mean of all levels.
     TexturePart bloom(const TexturePart& image) {
-        std::vector<TexturePart> parts;
+        std::vector<TexturePart> regions;
         TexturePart finer = image;
         down.use();
         for (std::size_t i = 0; i < fine.size(); ++i) {
-            parts.push_back(part_of(fine[i], image, static_cast<int>(i) + 1));
+            regions.push_back(used_region(fine[i], image, static_cast<int>(i) + 1));
             down.read("finer", 0, finer);
-            draw_into(fine[i], parts[i], down);
-            finer = parts[i];
+            draw_into(fine[i], regions[i], down);
+            finer = regions[i];
         }
         up.use();
-        TexturePart coarser = parts.back();
+        TexturePart coarser = regions.back();
         for (std::size_t i = fine.size() - 1; i-- > 0;) {
-            up.read("level", 0, parts[i]);
+            up.read("level", 0, regions[i]);
             up.read("coarser", 1, coarser);
             const auto levels_below = static_cast<float>(fine.size() - 1 - i);
             up.set("coarser_part", levels_below / (levels_below + 1));
-            coarser = part_of(spread[i], image, static_cast<int>(i) + 1);
+            coarser = used_region(spread[i], image, static_cast<int>(i) + 1);
             draw_into(spread[i], coarser, up);
         }
         return coarser;
@@ -93,7 +94,7 @@ void Display::show(const TexturePart& radiance, const Look& look, const Viewport
     const GlStateGuard keep(s.gl);
     const GlTargetsGuard targets(s.gl);
     s.gl.BindVertexArray(s.empty.name());
-    // Without bloom the shader does not look at it.
+    // Without bloom the shader does not sample this texture.
     TexturePart spread = radiance;
     float bloom = 0;
     if (look.bloom > 0) {

@@ -1,9 +1,11 @@
-// From radiance to the screen, as a camera does it: bloom, exposure, the tone curve, sRGB, dithering. One full-screen pass, and
-// a few small ones where there is bloom. An application that tone-maps in the sea's own pass (RendererOptions::writes) does not need it.
+// Converts radiance to a displayable image: bloom, exposure, tone curve, sRGB encoding, dithering.
+// The conversion is one full-screen pass. Bloom adds a few passes at lower resolution.
+// An application that tone-maps in the sea's own pass (RendererOptions::writes) does not need it.
 //
-//   target.bind();                                                   // a RenderTarget that holds radiance
+//   target.bind();  // a RenderTarget that holds radiance
 //   renderer.draw({..., .exposure = exposure, .weighs_samples = true});
-//   display.show(target.resolved(), {.exposure = exposure}, {0, 0, width, height});  // into the application's framebuffer
+//   // Draws into the application's framebuffer.
+//   display.show(target.resolved(), {.exposure = exposure}, {0, 0, width, height});
 #pragma once
 
 #include <memory>
@@ -15,21 +17,25 @@
 namespace pelagic::gl {
 
 struct Look {
-    float exposure = 1;  ///< what radiance is multiplied with
-    float luminance_of_unit = sun_illuminance_lx;
-    float bloom = 0;  ///< part of each pixel's light that is spread around it, [0, 1]; what is spread is not lost
-    bool framebuffer_is_srgb = false;
+    float exposure = 1;                            ///< factor that multiplies the radiance
+    float luminance_of_unit = sun_illuminance_lx;  ///< luminance of a radiance of 1, cd/m^2
+    /// Fraction of each pixel's light that is spread over its surroundings, [0, 1]. The total light
+    /// is conserved.
+    float bloom = 0;
+    bool framebuffer_is_srgb = false;  ///< if false, the shader encodes sRGB and dithers
 };
 
 class Display {
    public:
-    /// \param gl  outlives it. Throws GlError if the driver refuses a shader or can't draw half floats.
+    /// \param gl  must outlive this object
+    /// \throws GlError if the driver rejects a shader or cannot render to half floats
     explicit Display(const Functions& gl);
     ~Display();
     Display(const Display&) = delete;
     Display& operator=(const Display&) = delete;
 
-    /// Into that part of the bound framebuffer, enlarged or made smaller to fill it. GL state is afterwards what it was.
+    /// Draws the image into the viewport `to` of the bound framebuffer, scaled to fill that
+    /// viewport. Restores all GL state that it changes.
     void show(const TexturePart& radiance, const Look& look, const Viewport& to);
 
    private:

@@ -1,16 +1,18 @@
-// How the front end fails: one line that says what is missing and what would bring it.
+// Exceptions of the OpenGL front end. The message is one line: what is missing, and a remedy.
 #pragma once
 
 #include <stdexcept>
 
 namespace pelagic::gl {
 
-/// No library, no driver, too small a driver, or a shader that it refuses. The sea itself does not need any of them.
+/// Thrown if the GL library or the driver is missing, the driver lacks a feature, or the driver
+/// rejects a shader. The simulation does not depend on OpenGL.
 struct GlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The driver took the context away. Destroy every object of it, the renderer too, and build them in a new context.
+/// Thrown if the driver has reset the context. Destroy every object of that context, including the
+/// renderer, and create them again in a new context.
 struct ContextLost : GlError {
     using GlError::GlError;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float middle_grey = 0.18f;
 constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
-constexpr float bright_part = 0.02f, shown_bright = 0.9f, max_protection_stops = 1.5f;
+constexpr float bright_fraction = 0.02f, shown_bright = 0.9f, max_protection_stops = 1.5f;
 constexpr float shown_median = 0.065f;
 constexpr float darkest_cd_m2 = 1e-5f;
 
@@ -61,15 +61,16 @@ float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
     const float log_average = means.empty() ? min : static_cast<float>(sum / static_cast<double>(means.size()));
     const float luminance = std::exp2(log_average) * luminance_of_unit;
     const float by_average = std::log2(night_darkening(luminance)) - log_average;
-    float stops = by_average;  // of the exposure, where EV is that of a grey card of luminance 1
+    float stops = by_average;  // exposure in stops, relative to a grey card of luminance 1
     if (!means.empty()) {
         const auto bright =
-            means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_part));
+            means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_fraction));
         std::nth_element(means.begin(), bright, means.end());
         const float by_highlights = std::log2(film_input_of(shown_bright) / film_input_of(middle_grey)) - *bright;
         const auto median = logarithms.begin() + static_cast<std::ptrdiff_t>(logarithms.size() / 2);
         std::nth_element(logarithms.begin(), median, logarithms.end());
-        // By day this is 0.065; the night's part of middle grey is its part here, too.
+        // The median is shown as at least 0.065 by day; night_darkening() reduces this limit at
+        // night.
         const float by_median =
             std::log2(night_darkening(luminance) * film_input_of(shown_median) / film_input_of(middle_grey)) -
             *median;
@@ -84,8 +85,8 @@ void FollowedExposure::follow(float metered, double passed_s) {
         return;
     }
     const double time_constant_s = metered > *ev_ ? to_brighter_s : to_darker_s;
-    const auto left = static_cast<float>(std::exp(-std::max(passed_s, 0.0) / time_constant_s));
-    *ev_ = metered + (*ev_ - metered) * left;
+    const auto remaining = static_cast<float>(std::exp(-std::max(passed_s, 0.0) / time_constant_s));
+    *ev_ = metered + (*ev_ - metered) * remaining;
 }
 
 }  // namespace pelagic::gl

@@ -36,7 +36,7 @@ Functions load_functions(GetProcAddress get) {
         load(get, "glGetGraphicsResetStatusEXT", gl.GetGraphicsResetStatus);
     if (has_extension(gl, "GL_OVR_multiview2"))
         load(get, "glFramebufferTextureMultiviewOVR", gl.FramebufferTextureMultiviewOVR);
-    // Emscripten's "OpenGL ES 3.0 (WebGL 2.0 (...))".
+    // Emscripten's version text is "OpenGL ES 3.0 (WebGL 2.0 (...))".
     const bool is_webgl = text.find("WebGL") != std::string::npos;
     if (!is_webgl) {
         load(get, "glMapBufferRange", gl.MapBufferRange);
@@ -44,7 +44,7 @@ Functions load_functions(GetProcAddress get) {
     }
     gl.maps_buffers = gl.MapBufferRange && gl.UnmapBuffer;
     gl.can_disable_primitive_restart = !is_webgl;
-    // ES 3.2 has it without an extension, and drivers of 3.2 list it all the same.
+    // ES 3.2 needs no extension for this feature, but its drivers list the extension nevertheless.
     gl.renders_to_half_floats =
         has_extension(gl, "GL_EXT_color_buffer_half_float") || has_extension(gl, "GL_EXT_color_buffer_float");
     return gl;

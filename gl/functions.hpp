@@ -1,5 +1,5 @@
-// OpenGL ES 3.0 as a table of functions, loaded at run time: a program that links Pelagic starts on a machine without
-// any GL, and an application with a loader of its own passes that one.
+// Table of OpenGL ES 3.0 functions, loaded at run time. A program that links Pelagic therefore
+// starts on a machine without OpenGL. An application with its own loader passes that loader.
 #pragma once
 
 #include <GLES3/gl3.h>
@@ -10,7 +10,7 @@
 
 namespace pelagic::gl {
 
-/// What the front end calls, and nothing else.
+/// Lists the functions that the front end calls.
 // clang-format off
 #define PELAGIC_GL_FUNCTIONS(X)                                                                                 \
     X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer)      \
@@ -31,7 +31,8 @@ namespace pelagic::gl {
     X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
-/// Looks a function up by its whole name ("glClear"): eglGetProcAddress, SDL_GL_GetProcAddress, ...
+/// Returns a function's address by its full name ("glClear"), for example eglGetProcAddress or
+/// SDL_GL_GetProcAddress.
 using GetProcAddress = void* (*)(const char* name);
 
 struct Functions {
@@ -43,23 +44,28 @@ struct Functions {
     decltype(&glMapBufferRange) MapBufferRange = nullptr;
     decltype(&glUnmapBuffer) UnmapBuffer = nullptr;
 
-    // Extensions, null where the driver has none.
+    // Extensions. Null if the driver does not support them.
     PFNGLDEBUGMESSAGECALLBACKKHRPROC DebugMessageCallbackKHR = nullptr;
     PFNGLGETGRAPHICSRESETSTATUSEXTPROC GetGraphicsResetStatus = nullptr;
     PFNGLFRAMEBUFFERTEXTUREMULTIVIEWOVRPROC FramebufferTextureMultiviewOVR = nullptr;
 
-    bool renders_to_half_floats = false;  ///< so that it can build the displacement's mips
-    /// Buffers can be mapped, and fences waited for. In WebGL neither can be: it orders what passes through buffers by itself.
+    bool renders_to_half_floats = false;  ///< required to generate the displacement's mips
+    /// True if buffers can be mapped and fences can be waited for. False in WebGL, which
+    /// synchronises buffer transfers itself.
     bool maps_buffers = true;
-    bool can_disable_primitive_restart = true;  ///< not in WebGL, where the largest index always restarts
+    /// False in WebGL, where the largest index always restarts a primitive.
+    bool can_disable_primitive_restart = true;
 };
 
-/// Loads the table for the context that is current on this thread. Throws GlError if it is older than ES 3.0.
+/// Loads the table for the context that is current on this thread.
+/// \throws GlError if no context is current, the context is older than ES 3.0, or a function is
+/// missing
 Functions load_functions(GetProcAddress get);
 
 bool has_extension(const Functions& gl, std::string_view name);
 
-/// Throws ContextLost if the driver reset the context.
+/// Checks for a reset, if the driver supports the query.
+/// \throws ContextLost if the driver has reset the context
 void check_context(const Functions& gl);
 
 }  // namespace pelagic::gl

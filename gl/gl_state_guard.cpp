@@ -21,7 +21,7 @@ GlStateGuard::GlStateGuard(const Functions& gl) : gl_(gl) {
     gl.DepthRangef(0, 1);
     gl.DepthMask(GL_TRUE);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (std::size_t i = 0; i < switches_there_are().size(); ++i) {
+    for (std::size_t i = 0; i < supported_switches().size(); ++i) {
         switched_[i] = gl.IsEnabled(switches[i]);
         gl.Disable(switches[i]);
     }
@@ -39,11 +39,12 @@ GlStateGuard::GlStateGuard(const Functions& gl) : gl_(gl) {
         gl.GetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &units_[i].array);
         gl.GetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &units_[i].cube);
         gl.GetIntegerv(GL_SAMPLER_BINDING, &units_[i].sampler);
-        // A sampler of the application's would override how our textures are filtered.
+        // A bound sampler object of the application would override the filtering of the sea's
+        // textures.
         gl.BindSampler(static_cast<GLuint>(i), 0);
     }
     gl.ActiveTexture(GL_TEXTURE0);
-    // Index buffers belong to the array that is bound.
+    // Binding an index buffer changes the bound vertex array; unbind the application's array.
     gl.BindVertexArray(0);
 }
 
@@ -59,7 +60,7 @@ GlStateGuard::~GlStateGuard() {
     for (std::size_t i = 0; i < unpacking.size(); ++i) gl_.PixelStorei(unpacking[i], unpacking_[i]);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpack_buffer_));
 
-    for (std::size_t i = 0; i < switches_there_are().size(); ++i) {
+    for (std::size_t i = 0; i < supported_switches().size(); ++i) {
         if (switched_[i])
             gl_.Enable(switches[i]);
         else
@@ -72,7 +73,7 @@ GlStateGuard::~GlStateGuard() {
     gl_.DepthFunc(static_cast<GLenum>(depth_func_));
     gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
 
-    // A size of 0 is a buffer that was bound whole.
+    // A size of 0 means that the whole buffer was bound.
     if (first_uniform_size_ == 0)
         gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, static_cast<GLuint>(first_uniform_buffer_));
     else

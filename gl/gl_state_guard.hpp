@@ -1,6 +1,7 @@
-// All GL state that the front end changes, or that an application may have left in its way. A scope begins with OpenGL's own
-// defaults and ends with what the application had. This is the only place that knows either. In WebGL "what the application had" is nothing
-// where a page's own script bound an object, which has no name here.
+// Saves and restores the GL state that the front end changes, and the state that affects its
+// drawing. The constructor saves the application's state and sets OpenGL's defaults. The destructor
+// restores the saved state. In WebGL, an object that the page's own script bound has no name in
+// this module; its binding is restored as 0.
 #pragma once
 
 #include <array>
@@ -10,9 +11,11 @@
 
 namespace pelagic::gl {
 
-/// Texture units that the sea's shaders use, from 0 on.
+/// Number of texture units that the sea's shaders use, from unit 0.
 inline constexpr int texture_units = 16;
 
+/// Saves GL state on construction and restores it on destruction, except for framebuffer bindings
+/// (GlTargetsGuard). \pre the context is current during both
 class GlStateGuard {
    public:
     explicit GlStateGuard(const Functions& gl);
@@ -21,7 +24,8 @@ class GlStateGuard {
     GlStateGuard& operator=(const GlStateGuard&) = delete;
 
    private:
-    /// Off at the start of a scope, where there is such a switch: the last one only Functions::can_disable_primitive_restart.
+    /// Capabilities that the constructor disables. The last one exists only if
+    /// Functions::can_disable_primitive_restart.
     static constexpr std::array<GLenum, 10> switches = {GL_DEPTH_TEST,
                                                         GL_CULL_FACE,
                                                         GL_BLEND,
@@ -32,11 +36,11 @@ class GlStateGuard {
                                                         GL_SAMPLE_COVERAGE,
                                                         GL_RASTERIZER_DISCARD,
                                                         GL_PRIMITIVE_RESTART_FIXED_INDEX};
-    /// 0 at the start of a scope, and the alignment 4.
+    /// Pixel-unpack parameters. The constructor sets the alignment to 4 and the others to 0.
     static constexpr std::array<GLenum, 6> unpacking = {GL_UNPACK_ALIGNMENT,    GL_UNPACK_ROW_LENGTH,
                                                         GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS,
                                                         GL_UNPACK_SKIP_ROWS,    GL_UNPACK_SKIP_IMAGES};
-    std::span<const GLenum> switches_there_are() const {
+    std::span<const GLenum> supported_switches() const {
         return {switches.data(), switches.size() - (gl_.can_disable_primitive_restart ? 0 : 1)};
     }
 
@@ -58,14 +62,15 @@ class GlStateGuard {
     std::array<Unit, texture_units> units_;
 };
 
-/// The framebuffers that the display pass changes, and where pixels are read to. \pre a GlStateGuard stands around it
+/// Saves and restores the framebuffer bindings and the pixel-pack state.
+/// \pre a GlStateGuard exists in an enclosing scope
 class GlTargetsGuard {
    public:
     explicit GlTargetsGuard(const Functions& gl);
     ~GlTargetsGuard();
     GlTargetsGuard(const GlTargetsGuard&) = delete;
     GlTargetsGuard& operator=(const GlTargetsGuard&) = delete;
-    /// Draws go there again, where the application's did.
+    /// Binds the application's draw framebuffer again.
     void bind_drawn() const { gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_)); }
 
    private:

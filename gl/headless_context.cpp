@@ -13,7 +13,7 @@
 namespace pelagic::gl {
 namespace {
 
-// libEGL is opened, not linked, so that exports run on a server that has none.
+// Functions of libEGL, which is loaded at run time: exports run on a server without libEGL.
 struct Egl {
     void* library = nullptr;
     decltype(&eglGetProcAddress) get_proc_address = nullptr;
@@ -58,11 +58,11 @@ struct Egl {
 };
 
 bool lists(const char* extensions, std::string_view name) {
-    std::string_view rest = extensions ? extensions : "";
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find(' '), rest.size());
-        if (rest.substr(0, end) == name) return true;
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+    std::string_view remaining = extensions ? extensions : "";
+    while (!remaining.empty()) {
+        const std::size_t end = std::min(remaining.find(' '), remaining.size());
+        if (remaining.substr(0, end) == name) return true;
+        remaining.remove_prefix(std::min(end + 1, remaining.size()));
     }
     return false;
 }
@@ -108,7 +108,8 @@ struct HeadlessContext::State {
     Functions functions;
     std::vector<std::string> messages;
 
-    // The display is not terminated: it is one for the process, and others may use it.
+    // The display is not terminated, because the process shares one display and other code may use
+    // it.
     ~State() {
         if (context == EGL_NO_CONTEXT) return;
         egl.make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -124,20 +125,20 @@ HeadlessContext::HeadlessContext(HeadlessOptions options) : state_(new State) {
         throw GlError(std::string("the EGL driver can't draw without a surface; ") + driver_package);
     egl.bind_api(EGL_OPENGL_ES_API);
 
-    const EGLint config_wishes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint configs = 0;
-    if (!egl.choose_config(state_->display, config_wishes, &config, 1, &configs) || configs == 0)
+    if (!egl.choose_config(state_->display, config_attributes, &config, 1, &configs) || configs == 0)
         fail(egl, "the EGL driver has no OpenGL ES 3", driver_package);
 
-    std::vector<EGLint> wishes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0};
-    if (options.debug) wishes.insert(wishes.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
-    // So that a reset is reported instead of going unnoticed.
+    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0};
+    if (options.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
+    // Requests reset notification, so that check_context() can detect a reset.
     if (lists(extensions, "EGL_EXT_create_context_robustness"))
-        wishes.insert(wishes.end(),
-                      {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT});
-    wishes.push_back(EGL_NONE);
-    state_->context = egl.create_context(state_->display, config, EGL_NO_CONTEXT, wishes.data());
+        attributes.insert(attributes.end(),
+                          {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+    attributes.push_back(EGL_NONE);
+    state_->context = egl.create_context(state_->display, config, EGL_NO_CONTEXT, attributes.data());
     if (state_->context == EGL_NO_CONTEXT) fail(egl, "the EGL driver makes no OpenGL ES 3.0 context", driver_package);
     make_current();
 

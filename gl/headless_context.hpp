@@ -1,5 +1,5 @@
-// An OpenGL ES 3.0 context without a window, through EGL: what images and tests are made with. An application that draws into
-// a window has a context of its own and does not need this.
+// An OpenGL ES 3.0 context without a window, created through EGL, for rendered images and tests.
+// An application that draws into a window has its own context and does not need this class.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,28 @@
 namespace pelagic::gl {
 
 struct HeadlessOptions {
-    bool debug = false;  ///< collects the driver's messages (KHR_debug), at some cost
+    bool debug = false;  ///< collects the driver's messages (KHR_debug); drawing is slower
 };
 
 class HeadlessContext {
    public:
-    /// Makes a context and makes it current on this thread. EGL surfaceless first, which Mesa's software driver
-    /// offers on any machine, then the default display. Throws GlError: what is missing, and the Debian package.
+    /// Creates a context and makes it current on this thread. Tries EGL surfaceless first, which
+    /// Mesa's software driver supports on any machine, then the default display.
+    /// \throws GlError with the missing component and its Debian package
     explicit HeadlessContext(HeadlessOptions options = {});
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
+    /// Makes the context current on this thread. \throws GlError if EGL refuses
     void make_current();
     const Functions& functions() const;
-    std::string renderer_name() const;  ///< as the driver calls itself
+    std::string renderer_name() const;  ///< GL_RENDERER
 
-    /// With HeadlessOptions::debug: every error, warning and note about performance since the start.
+    /// Returns the driver's errors, warnings and performance messages since construction. Empty
+    /// without HeadlessOptions::debug.
     const std::vector<std::string>& messages() const;
-    bool has_debug() const;  ///< the driver reports messages
+    bool has_debug() const;  ///< true if the driver supports KHR_debug
 
    private:
     struct State;

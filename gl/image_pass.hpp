@@ -1,4 +1,4 @@
-// A shader over a whole image: what the display pass and the light meter are made of.
+// Draws a fragment shader over a whole image. The display pass and the light meter use it.
 #pragma once
 
 #include "pelagic/gl/program.hpp"
@@ -8,17 +8,20 @@ namespace pelagic::gl {
 
 class ImagePass {
    public:
-    /// Throws GlError. Leaves its program in use.
+    /// Compiles the program and leaves it in use. \throws GlError if the driver rejects the shader
     ImagePass(const Functions& gl, std::string_view fragment_file);
 
     void use() const { gl_.UseProgram(program_.name()); }
-    /// To be used first. The shader's `NAME` reads the image through that unit, `NAME_used` says which part.
+    /// Binds an image to a texture unit and sets two uniforms: the sampler `NAME`, and `NAME_used`,
+    /// the used fraction of the texture and the size of a texel. \pre use() was called
     void read(const char* name, GLint unit, const TexturePart& image) const;
     void set(const char* name, float x, float y, float z, float w) const {
         gl_.Uniform4f(program_.uniform(name), x, y, z, w);
     }
     void set(const char* name, float value) const { gl_.Uniform1f(program_.uniform(name), value); }
-    /// Over the viewport. \pre an empty vertex array is bound, tests are off
+    /// Draws over the viewport.
+    /// \pre use() was called, an empty vertex array is bound, and depth and stencil tests are
+    /// disabled
     void draw() const { gl_.DrawArrays(GL_TRIANGLES, 0, 3); }
 
    private:
@@ -26,8 +29,9 @@ class ImagePass {
     Program program_;
 };
 
-/// A texture of half floats to draw into, filtered linearly.
+/// A half-float RGBA texture with linear filtering, and a framebuffer to draw into it.
 struct RadianceTexture {
+    /// \throws GlError if the driver cannot render to half floats or is out of memory
     RadianceTexture(const Functions& gl, int width, int height);
 
     Texture texture;

@@ -31,7 +31,7 @@ struct LightMeter::State {
         if (fence) gl.DeleteSync(fence);
     }
 
-    /// The cells are in the framebuffer that is bound afterwards.
+    /// Draws the cells into the target and leaves its framebuffer bound.
     void draw(const TexturePart& radiance) {
         gl.BindVertexArray(empty.name());
         gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());

@@ -1,4 +1,4 @@
-// A camera's light meter: what an image's parts are lit like, from the GPU.
+// A camera's light meter: computes the luminance of the cells of an image on the GPU.
 #pragma once
 
 #include <memory>
@@ -14,18 +14,22 @@ class LightMeter {
    public:
     static constexpr int columns = 128, rows = 72;
 
-    /// \param gl  outlives it. Throws GlError.
+    /// \param gl  must outlive this object
+    /// \throws GlError if the driver rejects a shader or cannot render to half floats
     explicit LightMeter(const Functions& gl);
     ~LightMeter();
     LightMeter(const LightMeter&) = delete;
     LightMeter& operator=(const LightMeter&) = delete;
 
-    /// columns x rows cells. Waits for the GPU. GL state is afterwards what it was, here and below.
+    /// Measures columns x rows cells. Waits for the GPU. Restores the GL state.
     std::vector<MeteredCell> measure(const TexturePart& radiance);
 
-    /// Does not wait: what it sees is there some frames later. Nothing happens while something is under way.
+    /// Starts a measurement without waiting; its result is available some frames later. Has no
+    /// effect while a measurement is in progress. Restores the GL state.
     void start(const TexturePart& radiance);
-    /// Once, when the GPU has it.
+    /// Returns the cells of a completed measurement, once. Returns nothing if no measurement was
+    /// started or the GPU has not completed it. Restores the GL state.
+    /// \pre Functions::maps_buffers
     std::optional<std::vector<MeteredCell>> finished();
 
    private:

@@ -1,5 +1,5 @@
-// GL names that delete themselves. A context must be current when one is made and when it goes; the table of functions
-// must outlive it.
+// Owners of GL object names, which delete the GL object on destruction. The context must be current
+// on construction and destruction. The function table must outlive the object.
 #pragma once
 
 #include <utility>

@@ -33,7 +33,7 @@ std::byte* PixelRing::map_buffer(PixelBuffer& pixels) {
         pixels.done = nullptr;
     }
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
-    // The fence has said that nobody reads it.
+    // The fence has been signalled, so the GPU no longer reads the buffer.
     void* const start =
         gl_.MapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes_),
                            GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT);

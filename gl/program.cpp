@@ -7,7 +7,7 @@
 namespace pelagic::gl {
 namespace {
 
-/// The file with its includes, each taken where it stands.
+/// Returns the file with each include line replaced by the included file.
 std::string expanded(std::string_view file) {
     std::string_view text = shader_text(file);
     if (text.empty()) throw GlError("no shader " + std::string(file) + " in this build");
@@ -57,7 +57,7 @@ Program::Program(const Functions& gl, std::string_view vertex_file, std::string_
     gl.AttachShader(name_, vertex);
     gl.AttachShader(name_, fragment);
     gl.LinkProgram(name_);
-    // They go with the program.
+    // GL deletes the attached shaders together with the program.
     gl.DeleteShader(vertex);
     gl.DeleteShader(fragment);
     GLint good = GL_FALSE;

@@ -1,4 +1,4 @@
-// Shader programs from the files in gl/shaders/, which are part of the library.
+// Shader programs from the files in gl/shaders/, which are embedded in the library.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace pelagic::gl {
 
-/// The text of gl/shaders/<file>; empty if there is none.
+/// Returns the text of gl/shaders/<file>, or an empty text if the file does not exist.
 std::string_view shader_text(std::string_view file);
 
-/// What the driver compiles: version, `defines` and the file with its includes. Throws GlError if there is no such file.
+/// Returns the source that the driver compiles: version, `defines`, and the file with its includes.
+/// \throws GlError if the file does not exist
 std::string shader_source(std::string_view file, const std::string& defines = "");
 
-/// A linked program. Lines `#include "file"` in a shader take another file of the same folder in.
+/// A linked program. A line `#include "file"` in a shader inserts another file of gl/shaders/.
 class Program {
    public:
     Program() = default;
-    /// \param defines  lines that follow #version, "#define STEREO\n" for one
-    /// Throws GlError with the driver's log.
+    /// \param defines  lines that follow #version, for example "#define STEREO\n"
+    /// \throws GlError with the driver's log if the driver cannot compile or link the program
     Program(const Functions& gl, std::string_view vertex_file, std::string_view fragment_file,
             const std::string& defines = "");
     ~Program();

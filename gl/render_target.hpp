@@ -1,4 +1,4 @@
-// An image without a window: colour and depth in memory, smoothed edges, and reading it back.
+// An offscreen image: multisampled colour and depth, resolve, and readback.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,37 @@
 
 namespace pelagic::gl {
 
-/// What a pixel holds: a colour for the screen in bytes, or radiance in half floats.
+/// Content of a pixel: a display colour in bytes (RGBA8), or radiance in half floats (RGBA16F).
 enum class PixelKind { screen, radiance };
 
-/// An image in the lower left part of a texture.
+/// An image in the lower left corner of a texture. Sizes are in texels.
 struct TexturePart {
     GLuint texture = 0;
-    int width = 0, height = 0;  ///< of the image
+    int width = 0, height = 0;  ///< size of the image
     int texture_width = 0, texture_height = 0;
 };
 
 class RenderTarget {
    public:
-    /// \param samples  for each pixel; less where the driver has fewer. Throws GlError if the size is too large for it, or if
-    /// it can't draw half floats.
+    /// \param samples  samples per pixel, limited to the driver's maximum
+    /// \throws GlError if the size exceeds the driver's limit, the driver cannot render to half
+    /// floats, or the driver is out of memory
     RenderTarget(const Functions& gl, int width, int height, int samples, PixelKind kind = PixelKind::screen);
 
-    /// Draws go here from now on.
+    /// Binds the framebuffer and sets the viewport to the whole target.
     void bind();
-    /// What was drawn into the lower left part, samples averaged, as a texture with linear filtering, until the next call. Draws go
-    /// here again afterwards.
+    /// Averages the samples of the lower left width x height pixels into a texture with linear
+    /// filtering. The texture is valid until the next call. Binds this target again.
     TexturePart resolved(int width, int height);
     TexturePart resolved() { return resolved(width_, height_); }
-    /// Copies the lower left part of a target of bytes into the window's framebuffer, enlarged smoothly to its lower left
-    /// part of that size. Draws go to the window afterwards.
+    /// Copies the lower left width x height pixels to the lower left window_width x window_height
+    /// pixels of framebuffer 0, with linear filtering. Binds framebuffer 0.
+    /// \pre the target's PixelKind is screen
     void show(int width, int height, int window_width, int window_height);
-    /// RGBA8, the upper row first. Waits for the GPU.
+    /// Reads all pixels, RGBA8, top row first. Waits for the GPU. \pre the PixelKind is screen
     std::vector<std::uint8_t> read();
-    /// RGBA, linear, the upper row first, of a target that holds radiance. Waits for the GPU.
+    /// Reads all pixels, linear RGBA, top row first. Waits for the GPU. \pre the PixelKind is
+    /// radiance
     std::vector<float> read_radiance();
 
     int width() const { return width_; }

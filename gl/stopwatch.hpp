@@ -1,4 +1,5 @@
-// Where the application's time goes: its own work, and calls in which a driver may copy pixels or transform vertices.
+// Measures elapsed time: of the application's work, or of calls in which a driver may copy pixels
+// or transform vertices.
 #pragma once
 
 #include <chrono>
@@ -7,6 +8,7 @@ namespace pelagic::gl {
 
 class Stopwatch {
    public:
+    /// Returns the time since construction.
     double milliseconds() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
 
    private:

@@ -1,4 +1,4 @@
-// Who looks at the sea: one eye or two, and what the images are made of.
+// Views of the sea: one eye or two, each with its projection and viewport.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -8,26 +8,28 @@
 
 namespace pelagic::gl {
 
-/// Part of the framebuffer, in pixels from its lower left corner.
+/// A rectangle of the framebuffer, in pixels from its lower left corner.
 struct Viewport {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
 struct Eye {
-    /// Clip from world coordinates; any projection of OpenGL's convention. Its far plane should be infinite, else it
-    /// cuts the sea before the horizon.
+    /// Matrix from world to clip coordinates; any projection with OpenGL's conventions. The far
+    /// plane should be infinite, because a finite one clips the sea before the horizon.
     glm::dmat4 clip_from_world{1};
     glm::dvec3 position_m{};
     Viewport viewport;
 };
 
-/// The camera's eye, with an infinite far plane.
+/// Returns the camera's eye, with an infinite far plane.
 Eye eye_of(const Camera& camera, const Viewport& viewport);
 
-/// Two parallel eyes, `apart_m` from each other, beside one another in the framebuffer.
 struct EyePair {
     Eye left, right;
 };
+/// Returns two parallel eyes side by side in the framebuffer.
+/// \param both  viewport of both eyes; each eye gets one half of the width
+/// \param apart_m  distance between the eyes, m
 EyePair eyes_of(const Camera& camera, const Viewport& both, double apart_m);
 
 }  // namespace pelagic::gl
