@@ -1,12 +1,16 @@
-// Graphs on an application's own job system, which knows two things: a parallel loop, and "do this soon".
+// Executor on an application's job system, which offers a parallel loop and, optionally, submission
+// of tasks.
 //
-// A submitted task and complete() both offer to do the run's work; whoever comes first does it, and the other one
-// returns or waits. So an application that is slow to start a task never holds up a frame, and a task that comes late finds
-// nothing to do, or begins the next run, which is as welcome.
+// The submitted task and complete() compete for the work of a run. The first one does it; the other
+// one returns or waits. An application that starts a task late therefore never delays a frame. A
+// late task finds nothing to do, or begins the next run, which is correct too.
 //
-// Applications make mistakes, and here they would be somebody else's memory. So each block is done once, however often and
-// whenever it is called; what a loop leaves undone is done by us; no exception of a job gets into the application's frames; and
-// tasks don't hold a pointer but the number of their run, which leads nowhere once that is gone.
+// Errors of the application must not corrupt memory:
+// - Each block runs once, whenever and however often the application calls it.
+// - close() runs the blocks that the application's loop omitted.
+// - No exception of a job propagates into the application's code.
+// - Tasks hold the number of their run instead of a pointer; the number of a destroyed run is not
+// found.
 #include <atomic>
 #include <cassert>
 #include <cstdint>
@@ -25,10 +29,10 @@
 namespace pelagic {
 namespace {
 
-/// The blocks of one stage as the application's loop sees them.
+/// The blocks of one stage, which the application's loop calls.
 class ApplicationLoop {
    public:
-    /// Closed: until open() every block counts as taken.
+    /// Constructs a closed loop: every block counts as taken until open().
     ApplicationLoop(const Stage& stage, RunFailure& failure)
         : stage_(stage),
           failure_(failure),
@@ -44,7 +48,8 @@ class ApplicationLoop {
         for (std::atomic<bool>& taken : taken_) taken = false;
     }
 
-    /// Does what the application left undone and waits for what is still being done. False if there was any.
+    /// Runs the blocks that the application omitted and waits for blocks that are still running.
+    /// Returns true if the application had run all blocks.
     bool close() {
         const bool application_did_all = done_ == blocks();
         for (std::size_t block = 0; block < blocks(); ++block) do_once(block);
@@ -52,7 +57,7 @@ class ApplicationLoop {
         return application_did_all;
     }
 
-    /// What the application's loop calls.
+    /// The callback that the application's loop calls.
     static void job(void* loop, std::size_t block) { static_cast<ApplicationLoop*>(loop)->do_once(block); }
 
    private:
@@ -72,7 +77,7 @@ class ApplicationLoop {
     std::atomic<std::uint32_t> done_;
 };
 
-/// What a run and its tasks share: it lives until the last of them is gone.
+/// State that a run and its tasks share. The last of them destroys it.
 class ApplicationWork {
    public:
     ApplicationWork(const JobGraph& graph, const ApplicationJobs& jobs) : jobs_(jobs) {
@@ -81,17 +86,18 @@ class ApplicationWork {
             loops_.push_back(std::make_unique<ApplicationLoop>(stage, failure_));
     }
 
-    /// \param number  what run_task() knows it by
+    /// \param number  the number by which run_task() finds this run
     void schedule(std::uintptr_t number) {
         state_ = waiting;
         if (!jobs_.submit) return;
-        // Kept until complete(): the task may have been taken in spite of the exception.
+        // A failure is stored until complete(), because a task may run in spite of the exception.
         call("submit", [&] { jobs_.submit(jobs_.user, &run_task, reinterpret_cast<void*>(number)); });
     }
 
     void finish() {
         begin_if_waiting();
-        // No mutex: wake_all() is the last that a worker does with the state, and it holds on to this object.
+        // No mutex is needed: wake_all() is a worker's last access to the state, and the worker
+        // holds a reference to this object.
         for (std::uint32_t now = state_; now != done; now = state_) wait_while(state_, now);
     }
 
@@ -134,12 +140,13 @@ class ApplicationWork {
 
     const ApplicationJobs jobs_;
     RunFailure failure_;
-    /// One a stage, in order; they refer to the graph, and only who began a run touches them, for which the run waits.
+    /// One loop per stage, in order. They refer to the graph. Only the thread that began a run uses
+    /// them, and the run waits for that thread.
     std::vector<std::unique_ptr<ApplicationLoop>> loops_;
     std::atomic<std::uint32_t> state_ = done;
 };
 
-/// The runs that there are, by a number that no other ever has.
+/// All existing runs by number. Numbers are never reused.
 class LiveRuns {
    public:
     std::uintptr_t add(const std::shared_ptr<ApplicationWork>& work) {
@@ -151,7 +158,7 @@ class LiveRuns {
         const std::lock_guard lock(mutex_);
         runs_.erase(number);
     }
-    /// None if it is gone.
+    /// Returns null if the run has been destroyed.
     std::shared_ptr<ApplicationWork> find(std::uintptr_t number) {
         const std::lock_guard lock(mutex_);
         const auto found = runs_.find(number);
@@ -164,7 +171,7 @@ class LiveRuns {
     std::map<std::uintptr_t, std::shared_ptr<ApplicationWork>> runs_;
 };
 
-/// Never destroyed: tasks may come at any time.
+/// Returns the process-wide registry, which is never destroyed because tasks may run at any time.
 LiveRuns& live_runs() {
     static LiveRuns& runs = *new LiveRuns;
     return runs;

@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-/// To the nanosecond.
+/// Returns microseconds with three decimals.
 std::string microseconds(TraceClock::duration time) {
     char text[64];
     const double value = std::chrono::duration<double, std::micro>(time).count();
@@ -32,7 +32,8 @@ std::string quoted(std::string_view text) {
     return quoted + '"';
 }
 
-/// Where `value` stands in the list, at its end if it is new. A trace has few names and threads.
+/// Returns the index of `value` in the list and appends a new value. The search is linear, because
+/// a trace has few names and threads.
 template <class List, class Value>
 std::uint32_t index_in(List& list, const Value& value) {
     const auto found = std::find(list.begin(), list.end(), value);
@@ -41,7 +42,7 @@ std::uint32_t index_in(List& list, const Value& value) {
     return index;
 }
 
-/// Tracks count from 1: viewers give 0 a meaning of its own.
+/// Tracks count from 1, because viewers give track 0 a special meaning.
 std::string track(std::uint32_t thread) { return R"("pid":1,"tid":)" + number_text(thread + 1); }
 
 std::string metadata(const char* key, std::uint32_t thread, const std::string& name) {
@@ -96,7 +97,7 @@ void ChromeTrace::write(std::ostream& out) const {
                 << event(kept, 'X', kept.start) << R"(,"dur":)" << microseconds(kept.end - kept.start) << "}";
             continue;
         }
-        // The number in the list is an identity that no other pair has.
+        // The index in the list is a unique identifier of the pair of events.
         const std::string id = R"(,"id":)" + number_text(i + 1) + "}";
         out << ",\n" << event(kept, 'b', kept.start) << id << ",\n" << event(kept, 'e', kept.end) << id;
     }

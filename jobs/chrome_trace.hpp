@@ -1,5 +1,5 @@
-// A trace for people to look at: spans kept in memory, written as Chrome's trace JSON, which ui.perfetto.dev and
-// chrome://tracing open.
+// Recording of trace spans in memory and export as Chrome trace JSON, for ui.perfetto.dev and
+// chrome://tracing.
 //
 //   const auto trace = std::make_shared<ChromeTrace>();
 //   Ocean ocean({}, {.trace = trace});
@@ -20,33 +20,35 @@
 
 namespace pelagic {
 
-/// A span costs 0.12 microseconds, half of that the two looks at the clock (Zen 3). May be shared by several oceans.
-/// Recording a name or a thread for the first time allocates; out of memory, that ends the program.
+/// A trace sink that stores spans in memory. Several oceans may share one. A span costs 0.12
+/// microseconds, half of which are the two clock reads (Zen 3). The first span of a name or a
+/// thread allocates memory; if that fails, the program ends.
 class ChromeTrace final : public TraceSink {
    public:
-    /// The room for 64 bytes a span is reserved at once, so that recording never moves it; most systems only hand it
-    /// out where it is used. A million is about 15 thousand frames of N = 256, and as much as a viewer is
-    /// comfortable with.
+    /// Memory of 64 bytes per span is reserved at construction, so that recording never
+    /// reallocates. Most systems commit pages only when they are used. A million spans are about
+    /// 15,000 frames of N = 256; viewers become slow beyond that.
     static constexpr std::size_t default_max_spans = 1'000'000;
 
-    /// Times are counted from here, and the calling thread is named the application.
-    /// \param max_spans  later ones are counted, but not kept
+    /// Times are relative to the construction. The calling thread is named "application".
+    /// \param max_spans  maximum number of stored spans; further spans are counted, but not stored
     explicit ChromeTrace(std::size_t max_spans = default_max_spans);
 
     void work(const TraceSpan& span) noexcept override;
     void in_flight(const TraceSpan& span) noexcept override;
 
-    std::size_t left_out() const;  ///< spans that came when the room was full
+    /// Returns the number of spans that were not stored.
+    std::size_t left_out() const;
 
-    /// Writes what there is by now: a complete event ("ph": "X") for each span of work on the track of its thread, a
-    /// pair of asynchronous ones ("b", "e") for each in flight, and the names of the threads. Holds up who wants to
-    /// record meanwhile.
+    /// Writes the spans stored so far. Each span of work becomes a complete event ("ph": "X") on
+    /// the track of its thread, each span in flight a pair of asynchronous events ("b", "e"). Also
+    /// writes the names of the threads. Threads that record at the same time wait.
     void write(std::ostream& out) const;
 
    private:
     struct Kept {
-        std::uint32_t name;    ///< in names_
-        std::uint32_t thread;  ///< in threads_, or not_on_a_thread
+        std::uint32_t name;    ///< index in names_
+        std::uint32_t thread;  ///< index in threads_, or not_on_a_thread
         const char* category;
         std::array<TraceArg, 2> args;
         TraceClock::time_point start, end;

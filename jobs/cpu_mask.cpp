@@ -28,7 +28,7 @@ int checked_cpus(std::uint64_t cpu_mask) {
 }
 
 void keep_this_thread_on(std::uint64_t cpu_mask) {
-    // A CPU may be taken away after the check.
+    // The process may lose CPUs after the check, so an error is ignored.
     if (cpu_mask != 0) keep_this_thread_on_cpus(cpu_mask);
 }
 

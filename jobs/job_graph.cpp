@@ -25,7 +25,7 @@ StageId JobGraph::add(Stage stage) {
 }
 
 std::size_t block_count(const Stage& stage) {
-    // Not (count + batch - 1) / batch: the sum wraps for a batch that means "all in one block".
+    // (count + batch - 1) / batch would overflow for the largest batch, which means one block.
     return stage.count / stage.batch + (stage.count % stage.batch != 0);
 }
 

@@ -22,7 +22,7 @@ namespace pelagic {
 
 #if defined(PELAGIC_HAS_PTHREADS)
 
-// The C++ library's threads have no say in their stacks.
+// std::thread has no parameter for the stack size, so POSIX threads are used.
 struct JobThread::Handle {
     Handle(std::function<void()> wanted, std::size_t stack_bytes) : work(std::move(wanted)) {
         pthread_attr_t attributes;
@@ -69,20 +69,19 @@ void need_threads(int count, std::size_t stack_bytes) {
     std::atomic<std::uint32_t> is_released = 0;
     std::vector<JobThread> threads;
     threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
-    std::error_code invalid_value_message;
+    std::error_code failure;
     try {
         for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(is_released, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
-        invalid_value_message = error.code();
+        failure = error.code();
     }
     const std::size_t given = threads.size() + 1;
     is_released = 1;
     wake_all(is_released);
     for (JobThread& thread : threads) thread.join();
-    if (invalid_value_message)
+    if (failure)
         throw std::system_error(
-            invalid_value_message,
-            number_text(count) + " threads are wanted, and the system gives " + number_text(given));
+            failure, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
 }
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// A thread whose stack is as large as jobs need, whatever the system's default is: `ulimit -s 64` makes that 64 KiB.
+// Threads with a stack large enough for jobs, independent of the system's default (`ulimit -s`).
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,13 @@
 
 namespace pelagic {
 
-/// Room for any job: the largest takes 0.8 MiB (docs/architecture.md, Memory).
+/// Stack size for any job. The largest job uses 0.8 MiB (docs/architecture.md, Memory).
 inline constexpr std::size_t job_stack_bytes = std::size_t{2} << 20;
 
 class JobThread {
    public:
-    /// Calls `work` on a new thread. Throws std::system_error if the system has none to give.
+    /// Calls `work` on a new thread.
+    /// \throws std::system_error  if the system does not create the thread
     explicit JobThread(std::function<void()> work, std::size_t stack_bytes = job_stack_bytes);
     JobThread(JobThread&&) noexcept;
     ~JobThread();  ///< \pre joined
@@ -24,8 +25,9 @@ class JobThread {
     std::unique_ptr<Handle> handle_;
 };
 
-/// Throws std::system_error, "8 threads are wanted, and the system gives 3: ...", unless `count` more threads with such
-/// stacks can run at once, the calling one included. For libraries that end the program where a thread is refused.
+/// Checks that `count` threads with such stacks, including the calling thread, can run at once.
+/// Call it before a library that ends the program if it cannot create a thread.
+/// \throws std::system_error  "8 threads are wanted, and the system gives 3: ..."
 void need_threads(int count, std::size_t stack_bytes);
 
 }  // namespace pelagic

@@ -1,5 +1,6 @@
-// What jobs ask of the operating system beyond the C++ library. Each system's answers stand in a file of its own, of which
-// jobs/CMakeLists.txt takes one: platform_linux.cpp (Android too), platform_macos.cpp, platform_windows.cpp, platform_unknown.cpp.
+// Operating system functions for jobs that the C++ library lacks. jobs/CMakeLists.txt selects one
+// implementation: platform_linux.cpp (Android too), platform_macos.cpp, platform_windows.cpp or
+// platform_unknown.cpp.
 #pragma once
 
 #include <atomic>
@@ -8,31 +9,33 @@
 
 namespace pelagic {
 
-/// Addresses [begin, end); empty where the system doesn't say.
+/// The addresses [begin, end) of a stack; empty if the system does not provide them.
 struct Stack {
     std::uintptr_t begin = 0, end = 0;
 };
 
-/// What the calling thread was given when it began, without pages that guard its end.
+/// Returns the stack of the calling thread without its guard pages.
 Stack stack_of_this_thread();
 
-/// The smallest stack that a thread may ask for.
+/// Returns the minimum stack size of a thread.
 std::size_t min_stack_bytes();
 
-/// Whether threads can be kept on chosen CPUs.
+/// Returns true if the system can restrict threads to CPUs.
 bool has_cpu_masks();
 
-/// Which of the first 64 CPUs this process may use, a bit each; all where the system doesn't say. \pre has_cpu_masks()
+/// Returns a bit for each of the first 64 CPUs that this process may use, or all bits if the system
+/// does not provide the mask. \pre has_cpu_masks()
 std::uint64_t cpus_of_this_process();
 
-/// Keeps the calling thread on these of the CPUs that its process may use. Where none of them is left it runs wherever it may.
-/// \pre has_cpu_masks()
+/// Restricts the calling thread to the CPUs of the mask that its process may use. Has no effect if
+/// the process may use none of them. \pre has_cpu_masks()
 void keep_this_thread_on_cpus(std::uint64_t mask);
 
-/// What std::atomic's wait() and notify_all() promise: returns once the word is found to be another, and whoever changes it wakes
-/// those that wait for that. The wait() of g++ 12's library looks before it takes its lock where it knows no futex, as on
-/// Windows, and so misses a change that comes between.
+/// Replacement of std::atomic's wait(): blocks until `word` differs from `value`. A thread that
+/// changes `word` must call wake_all() afterwards. Without a futex, as on Windows, the wait() of
+/// libstdc++ 12 compares the word before it takes its lock, and misses a change in between.
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value);
+/// Wakes all threads that wait for a change of `word`.
 void wake_all(std::atomic<std::uint32_t>& word);
 
 }  // namespace pelagic

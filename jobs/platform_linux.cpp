@@ -1,5 +1,5 @@
-// Linux and Android. sched_setaffinity with thread 0, the calling one, works on both; Android's C library has no
-// pthread_setaffinity_np before API level 36.
+// Linux and Android. Both support sched_setaffinity with thread 0, the calling thread. Android's C
+// library has no pthread_setaffinity_np before API level 36.
 #include <limits.h>
 #include <pthread.h>
 #include <sched.h>
@@ -18,7 +18,7 @@ Stack stack_of_this_thread() {
     const bool is_known = pthread_attr_getstack(&attributes, &begin, &bytes) == 0;
     pthread_attr_getguardsize(&attributes, &guard);
     pthread_attr_destroy(&attributes);
-    // Older C libraries count the guard page among the stack.
+    // Older C libraries include the guard page in the stack.
     const auto first = reinterpret_cast<std::uintptr_t>(begin);
     return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
 }
@@ -30,7 +30,8 @@ bool has_cpu_masks() { return true; }
 std::uint64_t cpus_of_this_process() {
     cpu_set_t here;
     CPU_ZERO(&here);
-    if (sched_getaffinity(0, sizeof here, &here) != 0) return ~std::uint64_t{0};  // more CPUs than cpu_set_t has
+    // Fails if the system has more CPUs than cpu_set_t.
+    if (sched_getaffinity(0, sizeof here, &here) != 0) return ~std::uint64_t{0};
     std::uint64_t mask = 0;
     for (int cpu = 0; cpu < 64; ++cpu)
         if (CPU_ISSET(cpu, &here)) mask |= std::uint64_t{1} << cpu;

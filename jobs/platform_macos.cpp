@@ -1,4 +1,4 @@
-// macOS, which has no masks of CPUs.
+// macOS, which has no CPU masks.
 #include <limits.h>
 #include <pthread.h>
 

@@ -1,4 +1,4 @@
-// Systems that are not asked: WebAssembly, and those that nobody has tried.
+// Fallback for WebAssembly and for systems without an implementation.
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {

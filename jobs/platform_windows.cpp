@@ -1,4 +1,5 @@
-// Windows 8 and later, which say where a thread's stack lies. Masks are those of the process's first group of 64 CPUs.
+// Windows 8 and later, which provide the limits of a thread's stack. Masks refer to the process's
+// first group of 64 CPUs.
 #include <windows.h>
 
 #include "pelagic/jobs/platform.hpp"
@@ -6,18 +7,19 @@
 namespace pelagic {
 namespace {
 
-// The guard page, and what the system keeps behind it to tell of an overflow.
+// The guard page and the pages behind it that the system reserves to report a stack overflow.
 constexpr std::uintptr_t kept_bytes = 16 << 10;
 
-/// Where threads wait for words whose addresses fall together. The system's own WaitOnAddress stands in no DLL that all programs load.
-struct WaitingRoom {
+/// Wait queue of the words whose addresses share a hash. Windows' WaitOnAddress is not used,
+/// because no DLL that every program loads exports it.
+struct WaitQueue {
     SRWLOCK lock = SRWLOCK_INIT;
     CONDITION_VARIABLE changed = CONDITION_VARIABLE_INIT;
 };
 
-WaitingRoom& room_of(const std::atomic<std::uint32_t>& word) {
-    static WaitingRoom rooms[16];
-    return rooms[reinterpret_cast<std::uintptr_t>(&word) / 64 % 16];
+WaitQueue& queue_of(const std::atomic<std::uint32_t>& word) {
+    static WaitQueue queues[16];
+    return queues[reinterpret_cast<std::uintptr_t>(&word) / 64 % 16];
 }
 
 }  // namespace
@@ -40,23 +42,24 @@ std::uint64_t cpus_of_this_process() {
 }
 
 void keep_this_thread_on_cpus(std::uint64_t mask) {
-    // A mask with a CPU that the process may not use is refused as a whole.
+    // Windows rejects a mask that contains a CPU that the process may not use.
     SetThreadAffinityMask(GetCurrentThread(), mask & cpus_of_this_process());
 }
 
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) {
-    WaitingRoom& room = room_of(word);
-    AcquireSRWLockExclusive(&room.lock);
-    while (word == value) SleepConditionVariableSRW(&room.changed, &room.lock, INFINITE, 0);
-    ReleaseSRWLockExclusive(&room.lock);
+    WaitQueue& queue = queue_of(word);
+    AcquireSRWLockExclusive(&queue.lock);
+    while (word == value) SleepConditionVariableSRW(&queue.changed, &queue.lock, INFINITE, 0);
+    ReleaseSRWLockExclusive(&queue.lock);
 }
 
 void wake_all(std::atomic<std::uint32_t>& word) {
-    // Whoever has seen the word as it was is asleep by the time the lock is had.
-    WaitingRoom& room = room_of(word);
-    AcquireSRWLockExclusive(&room.lock);
-    ReleaseSRWLockExclusive(&room.lock);
-    WakeAllConditionVariable(&room.changed);
+    // Once the lock is acquired, every thread that read the old value sleeps on the condition
+    // variable.
+    WaitQueue& queue = queue_of(word);
+    AcquireSRWLockExclusive(&queue.lock);
+    ReleaseSRWLockExclusive(&queue.lock);
+    WakeAllConditionVariable(&queue.changed);
 }
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// What went wrong in a run, kept until complete() can tell.
+// Storage of a run's first exception until complete() throws it.
 #pragma once
 
 #include <atomic>
@@ -7,18 +7,20 @@
 
 namespace pelagic {
 
-/// The first exception of a run. An exception may leave neither a worker thread nor an application's job, and the other blocks
-/// of the run use the same memory: so it is kept, the run goes on to its end, and complete() throws it.
+/// The first exception of a run. An exception must leave neither a worker thread nor an
+/// application's job, and other blocks of the run use the same memory. The exception is therefore
+/// stored, the run continues to its end, and complete() throws it.
 class RunFailure {
    public:
-    /// The exception that is being handled. From any thread, before its block counts as done.
+    /// Stores the exception that is being handled. Thread safety: any thread may call it, before
+    /// its block counts as done.
     void keep_current() noexcept { keep(std::current_exception()); }
 
     void keep(std::exception_ptr failure) noexcept {
         if (!is_kept_.exchange(true)) failure_ = std::move(failure);
     }
 
-    /// Throws what was kept, once; nothing if nothing was. \pre the run is over
+    /// Throws the stored exception, if there is one, and clears it. \pre the run is over
     void rethrow() {
         if (!is_kept_) return;
         const std::exception_ptr failure = std::exchange(failure_, nullptr);

@@ -1,4 +1,5 @@
-// The executor without threads: the plain order that the others are compared with.
+// The executor without threads, which runs the stages in order. Tests compare other executors with
+// it.
 #include <atomic>
 #include <cassert>
 

@@ -34,7 +34,7 @@ class Queue {
     std::deque<SlicedRun*> runs_;
 };
 
-/// A run and how far it is.
+/// A run and the position of its next job.
 class SlicedRun final : public GraphRun {
    public:
     SlicedRun(const JobGraph& graph, std::shared_ptr<Queue> queue) : graph_(graph), queue_(std::move(queue)) {}
@@ -55,7 +55,7 @@ class SlicedRun final : public GraphRun {
 
     bool is_done() const override { return !scheduled_; }
 
-    /// \pre it is scheduled
+    /// \pre the run is scheduled
     void run_next_job() noexcept {
         try {
             run_block(graph_.stages()[stage_], block_);
@@ -67,7 +67,7 @@ class SlicedRun final : public GraphRun {
     }
 
    private:
-    /// Goes on to the next job there is; without one the run is over.
+    /// Advances to the next stage with a job. Ends the run if there is none.
     void leave_empty_stages() {
         for (; stage_ < graph_.stages().size(); ++stage_, block_ = 0)
             if (block_ < block_count(graph_.stages()[stage_])) return;
@@ -82,7 +82,7 @@ class SlicedRun final : public GraphRun {
     const JobGraph& graph_;
     std::shared_ptr<Queue> queue_;
     RunFailure failure_;
-    std::size_t stage_ = 0, block_ = 0;  ///< of the next job
+    std::size_t stage_ = 0, block_ = 0;  ///< position of the next job
     std::atomic<bool> scheduled_ = false;
 };
 

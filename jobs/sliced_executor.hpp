@@ -1,4 +1,5 @@
-// The executor for an application whose only thread has to come back soon, as that of a page: work goes on in slices.
+// Executor for applications with a single thread that must not block, such as web pages. Work is
+// done in time slices.
 //
 //   auto executor = make_sliced_executor();
 //   SkyBaker baker(executor, 256);
@@ -14,13 +15,15 @@
 
 namespace pelagic {
 
-/// No threads: advance() does a part of the work on the calling thread, complete() what is left of its own run.
+/// An executor without threads. advance() does a slice of the work on the calling thread;
+/// complete() does the remaining work of its run.
 class SlicedExecutor : public Executor {
    public:
-    /// Does jobs of what is scheduled, what came first before the rest, until `budget` is over or nothing is left: at least one
-    /// job, so that a slice takes no longer than the budget and one job more. What a job throws comes out of complete().
-    /// \pre no run of this executor is being completed meanwhile
-    /// \return true if nothing is left
+    /// Runs jobs of the scheduled runs, in the order of scheduling, until `budget` has elapsed or
+    /// no job remains. Runs at least one job, so a call takes at most the budget plus one job.
+    /// complete() throws the exceptions of jobs.
+    /// \pre no thread is in complete() of a run of this executor
+    /// \return true if no job remains
     virtual bool advance(std::chrono::nanoseconds budget) = 0;
 };
 

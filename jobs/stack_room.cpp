@@ -12,7 +12,8 @@
 namespace pelagic {
 namespace {
 
-// The C library keeps a thread's own variables at the end of its stack; ThreadSanitizer alone has 768 KiB of them.
+// The C library stores thread-local variables at the end of the stack; ThreadSanitizer's take 768
+// KiB.
 constexpr std::size_t thread_local_bytes = std::size_t{1} << 20;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How much stack the calling thread has left, and what to do where that is too little for a job.
+// Check of the remaining stack of the calling thread, and a larger stack for jobs that need it.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,14 @@
 
 namespace pelagic {
 
-/// False if less than `bytes` are left of the calling thread's stack. True as well where nobody can tell: on a stack that is
-/// not the thread's own (a fiber's), or on a system that does not say. The first call of a thread asks the system.
+/// Returns false if the calling thread's remaining stack is smaller than `bytes`. Returns true if
+/// the size is unknown: on a fiber's stack, or if the system does not provide it. The first call of
+/// a thread queries the system.
 bool stack_holds(std::size_t bytes);
 
-/// Calls `work` on a thread of its own with at least `bytes` of stack and returns when it is done. Throws what it throws,
-/// and std::system_error if the system has no such thread to give.
+/// Calls `work` on a temporary thread with a stack of at least `bytes` and waits for it.
+/// \throws std::system_error  if the system does not create the thread
+/// \throws                    the exception of `work`
 void run_on_a_stack_of(std::size_t bytes, const std::function<void()>& work);
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// Graphs on oneTBB: a flow graph node a stage, a parallel loop in each node.
+// Executor on oneTBB: one flow graph node per stage, with a parallel loop in each node.
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
@@ -23,12 +23,12 @@ namespace {
 
 using tbb::flow::continue_msg;
 
-/// A flow graph in an arena of its own: a thread that completes one graph can't be caught up in another one's jobs,
-/// and the reserved slot is always free for it.
+/// A flow graph in a separate arena. A thread that completes one graph therefore never runs jobs of
+/// another graph, and the reserved slot is always free for it.
 class TbbRun final : public GraphRun {
    public:
     TbbRun(const JobGraph& graph, int threads) : arena_(threads, 1) {
-        // A flow graph puts its tasks into the arena that it is built in.
+        // A flow graph enqueues its tasks in the arena in which it was constructed.
         arena_.execute([&] { build(graph); });
     }
     ~TbbRun() override { finish(); }
@@ -66,7 +66,7 @@ class TbbRun final : public GraphRun {
         }
     }
 
-    /// Lets no exception out: oneTBB would give up the graph's other nodes.
+    /// Catches every exception, because oneTBB would cancel the graph's other nodes.
     void run(const Stage& stage) {
         try {
             const std::size_t blocks = block_count(stage);
@@ -80,8 +80,9 @@ class TbbRun final : public GraphRun {
         --stages_left_;
     }
 
-    /// To be isolated: a thread that waits here for the last blocks would take up another stage meanwhile, on top of
-    /// this one's stack, and hold back whatever waits for this one until that other stage is done.
+    /// The caller isolates this function. Otherwise a thread that waits here for the last blocks
+    /// would run another stage on the same stack, and would delay the stages that wait for this
+    /// stage.
     static void run_blocks(const Stage& stage, std::size_t blocks) {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, blocks, 1),
@@ -99,19 +100,21 @@ class TbbRun final : public GraphRun {
     RunFailure failure_;
 };
 
-// What oneTBB gives its workers on 64-bit systems, 4 MiB, and the page that guards it.
+// The stack size of oneTBB's workers on 64-bit systems, 4 MiB, and its guard page.
 constexpr std::size_t worker_stack_bytes = (std::size_t{4} << 20) + 64 * 1024;
 
-/// oneTBB makes no more threads than cores that the process may use, unless told. Of several such wishes the smallest
-/// wins, so there is one for the whole program, the largest that anybody had.
+/// Raises oneTBB's limit, which by default is the number of cores that the process may use. The
+/// smallest of several global_control objects applies, so the program has one, with the largest
+/// count requested.
 void allow_threads(int threads) {
     static std::mutex mutex;
     static int allowed = tbb::info::default_concurrency();
     static std::unique_ptr<tbb::global_control> control;
     static int proven = 1;
     const std::lock_guard lock(mutex);
-    // oneTBB ends the program if the system refuses it a thread. It makes them one by one when there is work, and keeps
-    // them, so what was there once will be there again unless others take it.
+    // oneTBB ends the program if the system does not create a thread. It creates threads on demand
+    // and keeps them. A count that was available once stays available unless other programs use the
+    // threads.
     if (threads > proven) {
         need_threads(threads, worker_stack_bytes);
         proven = threads;

@@ -1,4 +1,4 @@
-// What a number of threads means when an application asks for an executor.
+// Validation of thread counts of executors.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace pelagic {
 
 inline int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-/// `threads`, or one per core for 0. Throws std::invalid_argument outside 0 to 1024.
+/// Returns `threads`, or the number of cores if it is 0.
+/// \throws std::invalid_argument  if `threads` is outside [0, 1024]
 inline int checked_thread_count(int threads) {
     if (threads < 0 || threads > 1024)
         throw std::invalid_argument(invalid_value_message("threads", threads, "0 to 1024"));

@@ -1,5 +1,5 @@
-// A pool of threads that claim blocks of ready stages, one at a time, under one mutex. A claim costs a tenth of a
-// microsecond and a job five or more, so the mutex is rarely contended and the scheduling state stays plain to read.
+// A pool of threads that claim blocks of ready stages, one at a time, under one mutex. A claim
+// takes 0.1 microseconds and a job 5 or more, so the mutex is rarely contended.
 #include <algorithm>
 #include <atomic>
 #include <cassert>
@@ -25,7 +25,7 @@
 namespace pelagic {
 namespace {
 
-/// Tells the core that this thread is only waiting.
+/// Hints to the core that this thread spins.
 void pause() {
 #if defined(__x86_64__)
     _mm_pause();
@@ -39,7 +39,7 @@ struct Block {
     std::size_t number;
 };
 
-/// How far one run of a graph has come. Its pool's mutex guards all but `stages_left`.
+/// The progress of one run of a graph. The pool's mutex guards all members but `stages_left_`.
 class Progress {
    public:
     explicit Progress(const JobGraph& graph) : graph_(graph), stages_(graph.stages().size()) {
@@ -57,7 +57,7 @@ class Progress {
             if (graph_.stages()[id].waits_for.empty()) end_stage_if_empty(id);
     }
 
-    /// A block that may run now, if there is one.
+    /// Claims a block that is ready to run, if there is one.
     std::optional<Block> claim() {
         for (StageId id = 0; id < stages_.size(); ++id) {
             State& stage = stages_[id];
@@ -75,7 +75,8 @@ class Progress {
         }
     }
 
-    /// True if the block was the last of its stage, so that others may have become ready.
+    /// Counts the block as done. Returns true if it was the last of its stage, so that other stages
+    /// may have become ready.
     bool end(Block block) {
         if (++stages_[block.stage].done < block_count(graph_.stages()[block.stage])) return false;
         end_stage(block.stage);
@@ -84,7 +85,7 @@ class Progress {
 
     bool is_done() const { return stages_left_ == 0; }
 
-    /// Throws what one of the run's blocks threw. \pre is_done()
+    /// Throws the first exception of the run's blocks, if there is one. \pre is_done()
     void rethrow_failure() { failure_.rethrow(); }
 
    private:
@@ -111,12 +112,13 @@ class Progress {
     RunFailure failure_;
 };
 
-/// The threads, and every run that they might work on.
+/// The threads of the pool and all runs bound to it.
 class Pool {
    public:
-    // Delegates, so that ~Pool ends the threads already started if the system refuses one.
+    // Delegates to Pool(), so that ~Pool joins the started threads if the system does not create
+    // one.
     Pool(int threads, std::uint64_t cpu_mask) : Pool() {
-        if (threads <= static_cast<int>(std::thread::hardware_concurrency())) looks_ = 2000;
+        if (threads <= static_cast<int>(std::thread::hardware_concurrency())) max_spins_ = 2000;
         threads_.reserve(static_cast<std::size_t>(threads));
         try {
             for (int i = 1; i < threads; ++i)
@@ -178,12 +180,13 @@ class Pool {
             if (!work_on_any_run(lock)) wait_for_change(lock);
     }
 
-    /// Stages follow each other within microseconds and waking a thread takes longer, so a thread looks out for a while
-    /// before it goes to sleep; unless there are more threads than cores, when it would keep the others from working.
+    /// Spins for a while before it sleeps, because stages follow each other within microseconds and
+    /// waking a thread takes longer. Does not spin if there are more threads than cores, where it
+    /// would delay others.
     void wait_for_change(std::unique_lock<std::mutex>& lock) {
         const std::size_t seen = changes_;
         lock.unlock();
-        for (int look = 0; look < looks_ && changes_ == seen; ++look) pause();
+        for (int spin = 0; spin < max_spins_ && changes_ == seen; ++spin) pause();
         lock.lock();
         changed_.wait(lock, [&] { return changes_ != seen; });
     }
@@ -214,8 +217,8 @@ class Pool {
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::atomic<std::size_t> changes_ = 0;  ///< announced so far; written under the mutex
-    int looks_ = 0;
+    std::atomic<std::size_t> changes_ = 0;  ///< count of announced changes; written under the mutex
+    int max_spins_ = 0;
     bool stopping_ = false;
     std::vector<Progress*> runs_;
     std::vector<JobThread> threads_;

@@ -29,7 +29,7 @@ class TracedRun final : public GraphRun {
     ~TracedRun() override {
         try {
             complete();
-        } catch (...) {  // nobody is left to be told
+        } catch (...) {  // a destructor cannot report the failure
         }
     }
 
@@ -40,7 +40,7 @@ class TracedRun final : public GraphRun {
     }
 
     void complete() override {
-        const EndOfRun at_the_end{*this};  // also if the run failed
+        const EndOfRun at_the_end{*this};  // runs also if the run failed
         timed_run_->complete();
     }
 
@@ -56,7 +56,7 @@ class TracedRun final : public GraphRun {
         if (!scheduled_) return;
         sink_->in_flight({run_name_, "flight", {run_number()}, start_, TraceClock::now()});
         scheduled_ = false;
-        // Only now, when no job reads it.
+        // Incremented after all jobs, which read it.
         ++*runs_;
     }
 

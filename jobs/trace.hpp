@@ -1,4 +1,4 @@
-// Who did what and when: the hook for profilers, and a run of a graph that reports through it.
+// Tracing: the interface for profilers, and graph runs that report their jobs to it.
 #pragma once
 
 #include <array>
@@ -13,37 +13,38 @@ namespace pelagic {
 
 using TraceClock = std::chrono::steady_clock;
 
-/// A number that a viewer shows beside a span.
+/// A named number that trace viewers show with a span.
 struct TraceArg {
-    const char* name = nullptr;  ///< a literal, or none for an argument that is not there
+    const char* name = nullptr;  ///< a string literal; null for an unused argument
     double value = 0;
 };
 
-/// A piece of work or of waiting, and when it was.
+/// A time interval of work or waiting.
 struct TraceSpan {
-    std::string_view name;  ///< for jobs, the stage's
-    const char* category;   ///< a literal; "job", "flight" and what the application adds
+    std::string_view name;  ///< for jobs, the name of the stage
+    const char* category;   ///< a string literal: "job", "flight" or one of the application's
     std::array<TraceArg, 2> args = {};
     TraceClock::time_point start = {}, end = {};
 };
 
-/// Takes spans as they end. Called from several threads at once, also in the middle of a frame: be quick.
+/// Receives spans when they end. Thread safety: several threads call it at once, also while a frame
+/// is computed, so implementations must be fast.
 class TraceSink {
    public:
     virtual ~TraceSink() = default;
 
-    /// The calling thread did this. Spans of one thread follow or enclose each other.
+    /// Receives a span of work of the calling thread. Spans of one thread are disjoint or nested.
     virtual void work(const TraceSpan& span) noexcept = 0;
 
-    /// This was under way, whoever worked on it; it may overlap with anything.
+    /// Receives a span that belongs to no thread. It may overlap with any other span.
     virtual void in_flight(const TraceSpan& span) noexcept = 0;
 };
 
-/// What the calling thread does from here to the end of the scope, as one span. Without a sink nothing, and no clock
-/// is read.
+/// Reports the time from construction to destruction as one span of work of the calling thread. If
+/// the sink is null, nothing is reported and no clock is read.
 class TraceScope {
    public:
-    /// \param sink  may be none; it and the name outlive the scope
+    /// \param sink  may be null; the sink and the name must outlive the scope
     TraceScope(TraceSink* sink, std::string_view name, const char* category, std::array<TraceArg, 2> args = {})
         : sink_(sink), span_{name, category, args} {
         if (sink_) span_.start = TraceClock::now();
@@ -61,12 +62,16 @@ class TraceScope {
     TraceSpan span_;
 };
 
-/// executor.prepare(graph), with a span for each block of each stage (named as the stage, category "job", the run's
-/// number and the block's as arguments) and one in flight from schedule() to the end of complete() (category
-/// "flight"). Works with any executor: it gets the same stages, edges and blocks, with bodies that tell the time.
-/// \param run_name  a literal: what one run of this graph makes, for instance "frame"; names the span in flight and
-///                  the argument that counts the runs from 0
-/// \param runs      how many there were: given to several graphs, one of which runs at a time, it counts those of all
+/// Calls executor.prepare() for a copy of the graph whose bodies report spans. Each block of each
+/// stage reports a span of work: its name is the stage's, its category "job", its arguments are the
+/// numbers of the run and the block. Each run reports a span in flight from schedule() to the end
+/// of complete(), with category "flight". Works with any executor; stages, dependencies and blocks
+/// are those of `graph`.
+/// \param run_name  a string literal for the result of a run, for instance "frame": name of the
+///                  span in
+///                  flight and of the argument that counts runs from 0
+/// \param runs      counter of runs. Several graphs may share it if only one of them runs at a
+///                  time.
 std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,
                                          const char* run_name,
                                          std::shared_ptr<std::uint64_t> runs = std::make_shared<std::uint64_t>());
