@@ -28,8 +28,9 @@ PELAGIC_INLINE UnpackedWaves<Arch> unpacked(const float* packed, const xsimd::ba
     return {s0 - s3, s1 + s2, s0 + s3, s1 - s2};
 }
 
-/// The amplitude whose energy lies between. Of the same draw both have the same sign; where they don't, waves of a list or
-/// rounding errors, the amplitude goes through 0.
+/// Returns the amplitude of the blended energy. Both amplitudes have the same sign if they share a
+/// random draw. If the signs differ (listed waves or rounding errors), the amplitude is blended
+/// linearly through 0.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> between(const xsimd::batch<float, Arch>& before,
                                                  const xsimd::batch<float, Arch>& after,
@@ -57,7 +58,8 @@ PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xs
     put(3, c - a);
 }
 
-/// One block of both. \param part_of  s of the waves of a pair, by its number in the block
+/// Blends one block of both spectra. \param part_of  returns s of a wave pair, given its index in
+/// the block
 template <class Arch, class Job, class PartOf>
 PELAGIC_INLINE void blend_block(const Job& job, PartOf part_of) {
     using V = xsimd::batch<float, Arch>;
@@ -92,7 +94,8 @@ void blend_arriving_waves(const BlendArrivingWavesJob& job) {
     blend_block<Arch>(job, [&](std::size_t pair) {
         const V harmonic = xsimd::to_float(same_bits<I>(U::load_aligned(job.harmonics + pair * V::size)));
         const I band = (same_bits<I>(harmonic) >> BlendArrivingWavesJob::band_shift) - first;
-        return Gather<Arch>(xsimd::min(xsimd::max(band, none), last)).from(job.parts);  // no wave, harmonic 0: any
+        // Harmonic 0 is no wave; any band is valid for it.
+        return Gather<Arch>(xsimd::min(xsimd::max(band, none), last)).from(job.parts);
     });
 }
 

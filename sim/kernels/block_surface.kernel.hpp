@@ -9,14 +9,14 @@
 
 namespace pelagic::kernels {
 
-/// How something on a surface changes along an axis: differences of neighbours on both sides.
+/// Differences of a surface component along both axes, between the neighbours on both sides.
 template <class Arch>
 struct Differences {
     xsimd::batch<float, Arch> x, z;
 };
 
-/// Axes of a cascade that is rotated against the world: a texel's place along the cascade's x axis counts `cosine` along the
-/// world's x and `sine` along its z. Differences along the cascade's axes become those along the world's.
+/// Rotates differences along the cascade's axes into differences along the world's axes. The
+/// cascade's x axis has the components `cosine` along the world's x and `sine` along the world's z.
 template <class Arch>
 struct Turned {
     xsimd::batch<float, Arch> cosine, sine;
@@ -28,13 +28,13 @@ struct Turned {
     }
 };
 
-/// The axes of cascade and world are the same.
+/// Leaves differences unchanged: the axes of cascade and world are equal.
 struct NotTurned {
     template <class Arch>
     PELAGIC_INLINE void operator()(Differences<Arch>&) const {}
 };
 
-/// The surface as columns_finalize() leaves it.
+/// The surface in the layout that columns_finalize() writes.
 template <class Arch>
 class BlockSurface {
     using V = xsimd::batch<float, Arch>;
@@ -44,7 +44,7 @@ class BlockSurface {
     BlockSurface(const float* surface, std::size_t resolution, std::size_t block_stride)
         : data_(surface), block_stride_(block_stride), last_(resolution - 1) {}
 
-    /// Two rows beside one another, register after register.
+    /// Two adjacent rows, register by register.
     struct RowPair {
         const float* block;
         std::size_t block_stride;
@@ -56,12 +56,13 @@ class BlockSurface {
     };
     RowPair rows(std::size_t x, std::size_t z) const { return {block(x) + z * row_floats, block_stride_}; }
 
-    /// Calls take(along) with the Differences over two texels of each component, metres, at each W texels of a row. Registers
-    /// come in twos, so that nothing need be moved from one to the next: a row of one register is gone through twice.
+    /// Calls take(along) for each W texels of a row, with the Differences over two texels of each
+    /// component, metres. Registers are processed in pairs, so that no register moves are needed. A
+    /// row of one register is processed twice.
     template <class Take>
     PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
                                            Take take) const {
-        const std::size_t stride = block_stride_;  // read once, before the stores of whoever takes
+        const std::size_t stride = block_stride_;  // read once, before the stores of `take`
         const float* row = data_ + z * row_floats;
         const float* end = row + column_blocks() * stride;
         const std::ptrdiff_t above = floats_to(z, z - 1), below = floats_to(z, z + 1);
@@ -95,7 +96,7 @@ class BlockSurface {
         }
     }
 
-    /// Two rows, an even one and the next, walked along register by register.
+    /// Iterates over an even row and the row after it, register by register.
     class PairWalk {
        public:
         PELAGIC_INLINE PairWalk(const BlockSurface& surface, std::size_t first_column, std::size_t z)
@@ -109,7 +110,8 @@ class BlockSurface {
 
         PELAGIC_INLINE V at(std::size_t component, int row) const { return load(here_, row, component); }
 
-        /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)).
+        /// Computes weighted differences of two neighbours per side: f(1) - f(-1) + far_weight
+        /// (f(2) - f(-2)).
         PELAGIC_INLINE void wide_difference(std::size_t component, int row, V far_weight,
                                             Differences<Arch>& along) const {
             const auto column = [&](int of) { return load(here_, of, component); };
@@ -127,7 +129,7 @@ class BlockSurface {
 
        private:
         PELAGIC_INLINE const float* behind() const { return here_ + stride_ == end_ ? row_ : here_ + stride_; }
-        /// Rows -2 to 3, counted from the first of the two.
+        /// \param row  -2 to 3, relative to the first of the two rows
         PELAGIC_INLINE V load(const float* block, int row, std::size_t component) const {
             const std::ptrdiff_t from = row < 0 ? above_ + 2 * step : row < 2 ? 0 : below_ - 2 * step;
             return V::load_aligned(block + from + row * step + component * V::size);
@@ -135,15 +137,15 @@ class BlockSurface {
 
         static constexpr auto step = static_cast<std::ptrdiff_t>(row_floats);
 
-        const float *row_, *end_;  ///< in the first block and behind the last
+        const float *row_, *end_;  ///< in the first block, and past the last block
         const float *before_, *here_;
         std::size_t stride_;
-        std::ptrdiff_t above_, below_;  ///< floats to the two rows on either side
+        std::ptrdiff_t above_, below_;  ///< offsets in floats to the two rows on either side
     };
 
    private:
     std::size_t column_blocks() const { return (last_ + 1) / V::size; }
-    /// Within a block, from row z to another, which wraps.
+    /// Returns the offset within a block from row z to row `other`, which wraps.
     std::ptrdiff_t floats_to(std::size_t z, std::size_t other) const {
         return (static_cast<std::ptrdiff_t>(other & last_) - static_cast<std::ptrdiff_t>(z)) *
                static_cast<std::ptrdiff_t>(row_floats);
@@ -152,7 +154,7 @@ class BlockSurface {
 
     const float* data_;
     std::size_t block_stride_;
-    std::size_t last_;  ///< N - 1, the mask that wraps
+    std::size_t last_;  ///< N - 1, the wrap mask
 };
 
 }  // namespace pelagic::kernels

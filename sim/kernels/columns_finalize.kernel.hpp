@@ -9,7 +9,8 @@
 
 namespace pelagic::kernels {
 
-/// Extremes of a batch's lanes. A zero may come with either sign, by the order of lanes; + 0 makes it positive.
+/// Returns the minimum of a batch's lanes. The sign of a zero depends on the order of lanes; adding
+/// 0 makes it positive.
 template <class Arch>
 inline float min_lane(xsimd::batch<float, Arch> v) {
     float lanes[xsimd::batch<float, Arch>::size];
@@ -28,8 +29,8 @@ inline float max_lane(xsimd::batch<float, Arch> v) {
     return max + 0.f;
 }
 
-/// Spreads the half plane kz in [0, N/2) of W columns over the whole spectrum, through the first step: `half` gives the
-/// values at kz = 0, n and -n; the Nyquist wave is none.
+/// Expands the half plane kz in [0, N/2) of W columns to the whole spectrum and executes the first
+/// step. `half` returns the values at kz = 0, n and -n. The Nyquist wave is 0.
 template <class Arch, std::size_t Radix, class HalfPlane>
 PELAGIC_FLATTEN void load_columns(float* data, const FftTables& fft, HalfPlane half) {
     using C = Complex<Arch>;
@@ -49,7 +50,7 @@ PELAGIC_FLATTEN void load_columns(float* data, const FftTables& fft, HalfPlane h
     for (std::size_t a = 1; a < groups; ++a) load_group(a, std::false_type());
 }
 
-/// The last step; `finish(z, result)` takes the results.
+/// Executes the last step and calls finish(z, result) for each result.
 template <class Arch, std::size_t Radix, class Finish>
 PELAGIC_FLATTEN Finish finish_columns(const float* data, const FftTables& fft, Finish finish) {
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
@@ -70,7 +71,8 @@ inline Finish transform_columns(const FftTables& fft, float* data, HalfPlane hal
     else
         load_columns<Arch, 4>(data, fft, half);
 
-    // Two steps in a row find a part of the data in the first cache; one goes through all of it at once.
+    // Two middle steps process one block of the data after another, so that it stays in the
+    // first-level cache. A single middle step processes all data at once.
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
     const std::size_t size = static_cast<std::size_t>(fft.size);
     const std::size_t part = fft.step_count > 3 ? static_cast<std::size_t>(fft.last_step().span) : size;
@@ -80,7 +82,8 @@ inline Finish transform_columns(const FftTables& fft, float* data, HalfPlane hal
     return finish_columns<Arch, 4>(data, fft, finish);
 }
 
-/// The horizontal pair: P above, R with its parts exchanged below.
+/// The horizontal pair: P for positive kz, R with real and imaginary part exchanged for negative
+/// kz.
 template <class Arch>
 struct HorizontalHalfPlane {
     using V = xsimd::batch<float, Arch>;
@@ -93,8 +96,8 @@ struct HorizontalHalfPlane {
     const float* block;
 };
 
-/// From a transformed horizontal pair, which is minus the displacement along the cascade's axes, to the displacement along the
-/// world's, times lambda.
+/// Converts a transformed horizontal pair to the displacement along the world's axes, times lambda.
+/// The pair is minus the displacement along the cascade's axes.
 template <class Arch, bool Turned>
 struct FinishHorizontal {
     using V = xsimd::batch<float, Arch>;
@@ -133,8 +136,8 @@ inline void horizontal_columns(const ColumnsFinalizeJob& job, float* workspace) 
     job.bounds->horizontal_z_max = max_lane<Arch>(max_z);
 }
 
-/// The heights of two column blocks as a + i b. Both are real, so conj(a) + i conj(b) is the mirror; at kz = 0 their
-/// imaginary parts are rounding errors and are dropped.
+/// The heights of two column blocks as a + i b. Both are real, so the value at -kz is conj(a) + i
+/// conj(b). At kz = 0 the imaginary parts are rounding errors and are discarded.
 template <class Arch, bool HasSecond>
 struct HeightHalfPlane {
     using V = xsimd::batch<float, Arch>;
@@ -184,7 +187,8 @@ inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
 template <class Arch>
 void columns_finalize(const ColumnsFinalizeJob& job) {
     float* const workspace = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(*job.fft));
-    // Heights first: they land where only heights were, so the horizontal fields of the lines are still whole.
+    // Transform the heights first: they overwrite only heights, so the horizontal fields of the
+    // lines stay intact.
     if (job.blocks[1])
         height_columns<Arch, true>(job, workspace);
     else

@@ -11,7 +11,7 @@
 
 namespace pelagic::kernels {
 
-/// A vector along the cascade's own axes, W at a time.
+/// W vectors along the cascade's own axes.
 template <class Arch>
 struct GridVectors {
     xsimd::batch<float, Arch> along, across;
@@ -21,12 +21,12 @@ struct GridVectors {
     }
 };
 
-/// What W columns of cells do at most to the water in them, times twice the length of a texel.
+/// The contraction bound of W columns of cells, times twice the length of a texel.
 ///
-/// At a corner, where the edges along the two axes meet: the slopes G are an even part t, a turn w and a part of size r
-/// that stretches one way as much as it contracts the other. The least eigenvalue of G's symmetric part is t - r, and no
-/// vector grows by more than |t| + |w| + r. The extremes of each over several corners bound what those are at any of them,
-/// and leave one square root for all.
+/// The slope matrix G at a corner is the sum of an isotropic component t, a rotation w and a
+/// traceless symmetric component of size r. The smallest eigenvalue of G's symmetric part is t - r,
+/// and the norm of G is at most |t| + |w| + r. The extremes of t, w and r over several corners
+/// bound these values at each corner. All corners together then need one square root.
 template <class Arch>
 struct ContractionOfCells {
     using V = xsimd::batch<float, Arch>;
@@ -52,7 +52,7 @@ PELAGIC_INLINE float largest_of(xsimd::batch<float, Arch> values) {
     return largest;
 }
 
-/// W texels of three rows that follow each other.
+/// W texels of three consecutive rows.
 template <class Arch>
 struct TexelRows {
     using V = xsimd::batch<float, Arch>;
@@ -72,7 +72,7 @@ struct TexelRows {
     }
 };
 
-/// Two rows of cells at a time, whose blocks of 2 x 2 become a byte each.
+/// Processes two rows of cells at a time and writes one byte for each block of 2 x 2 cells.
 template <class Arch>
 void find_contraction(const FindContractionJob& job) {
     using V = xsimd::batch<float, Arch>;
@@ -118,7 +118,7 @@ void find_contraction(const FindContractionJob& job) {
             }
             here = behind;
             apart_squared = xsimd::max(apart_squared, cells.max_apart_squared);
-            // Rounded up; what is more than a byte holds is the most that it holds.
+            // Rounded up and clamped to a byte.
             xsimd::to_int(xsimd::min(xsimd::max(cells.contraction(), V(0.f)) * scale + up, max_byte))
                 .store_aligned(columns + x);
         }
@@ -128,7 +128,7 @@ void find_contraction(const FindContractionJob& job) {
             blocks[i] = static_cast<std::uint8_t>(left > right ? left : right);
         }
     }
-    // Each the largest of all lanes, however many those are.
+    // Each value is the maximum over all lanes, so it does not depend on the number of lanes.
     const float max_apart = largest_of<Arch>(square_root<Arch>(apart_squared));
     const float stretch = largest_of<Arch>(even) + largest_of<Arch>(turn) + max_apart;
     job.extremes->displacement_squared = largest_of<Arch>(displacement);
@@ -136,8 +136,9 @@ void find_contraction(const FindContractionJob& job) {
     job.extremes->steepness_squared = largest_of<Arch>(steepness) * job.texels_per_m * job.texels_per_m;
 }
 
-/// Of `count` entries, `stride` bytes each, entry i becomes the largest of i to i + width - 1, byte by byte; the last
-/// width - 1 are left over. What is covered doubles each time.
+/// Replaces entry i of `count` entries by the maximum of entries i to i + width - 1, byte by byte.
+/// Each entry has `stride` bytes. The last width - 1 entries are undefined afterwards. The covered
+/// width doubles in each pass.
 template <class Arch>
 PELAGIC_INLINE void largest_ahead(std::uint8_t* bytes, std::size_t count, std::size_t width, std::size_t stride) {
     std::size_t covered = 1;
@@ -169,7 +170,7 @@ void spread_contraction(const SpreadContractionJob& job) {
     for (std::size_t i = 0; i < n * n; ++i) job.to[i] = job.scratch[i];
 }
 
-/// Each byte the largest of 2 x 2.
+/// Each output byte is the maximum of 2 x 2 input bytes.
 template <class Arch>
 void halve_contraction(const HalveContractionJob& job) {
     for (std::size_t z = 0; z < job.side; ++z) {

@@ -1,5 +1,6 @@
-// The jobs of dynamic waves (sim/dynamic_waves/grid.hpp). Texels lie in rows, a torus: the column behind the last one is
-// the first. Rows have a margin before them whose nearest float repeats the row's last one, and the float behind a row its first.
+// The jobs of dynamic waves (sim/dynamic_waves/grid.hpp). Texels are stored in rows and wrap along
+// both axes. Each row has a margin before it. The float before a row repeats the row's last texel;
+// the float after a row repeats its first texel.
 #pragma once
 
 #include <cstddef>
@@ -9,86 +10,96 @@ namespace pelagic {
 
 struct FftTables;
 
-/// Floats before each row, and behind the last one: a register of every instruction set, so that rows stay aligned and strides are
-/// no powers of two.
+/// Floats before each row and after the last one. The margin is a whole register of every
+/// instruction set, so rows are aligned, and strides are not powers of two.
 inline constexpr std::size_t dynamic_row_margin = 16;
 constexpr std::size_t dynamic_row_stride(std::size_t resolution) { return resolution + dynamic_row_margin; }
 constexpr std::size_t dynamic_plane_floats(std::size_t resolution) {
     return resolution * dynamic_row_stride(resolution) + 2 * dynamic_row_margin;
 }
 
-/// What a tick leaves of each texel, left_x left_z: less than 1 in the border, where waves end. What is smaller than `smallest`
-/// becomes 0, or water at rest would fade into numbers that processors are slow with.
+/// Damping in the border of the grid: each tick multiplies a texel by left_x left_z, which is less
+/// than 1 in the border. Values below `smallest` become 0; otherwise decaying waves would end as
+/// denormal numbers, which are slow on most processors.
 struct BorderDamping {
     static constexpr float smallest = 1e-18f;
-    const float *left_x, *left_z;  ///< of each column and row of the torus
+    const float *left_x, *left_z;  ///< factors per tick of each column and row of the grid
 };
 
-/// First part of the spectral step: W columns of z = h + i w, as far as the border leaves them, transformed along z and turned, so
-/// that the wave number along z becomes the lane. Third part: back into them. Stack: 8 N W bytes, 16 N W back.
+/// First pass of the spectral step: damps W columns of z = h + i w in the border, transforms them
+/// along z and transposes them, so that the wave number along z becomes the lane. Third pass:
+/// transforms back into the columns. Stack: 8 N W bytes in the first pass, 16 N W bytes in the
+/// third.
 struct DynamicColumnsJob {
     float *h, *w;  ///< texel (0, 0)
     BorderDamping border;
     std::size_t first_column;
     const FftTables* fft;
-    float*
-        lines;  ///< all line blocks: element x of block b is W real parts, then W imaginary ones, at b block_stride + 2 x W
+    /// All line blocks. Element x of block b is W real parts, then W imaginary parts, at b
+    /// block_stride + 2 x W.
+    float* lines;
     std::size_t block_stride;
 };
 
-/// Second part: one block of lines to wave numbers along x, where each wave goes on by its phase of a tick, and back. Parts are
-/// exchanged: a transform of the other direction is one of the exchanged number. Stack: 16 N W bytes.
+/// Second pass: transforms one block of lines along x, advances each wave by its phase per tick,
+/// and transforms back. Real and imaginary parts are exchanged, because the transform of the
+/// opposite direction equals the transform of the exchanged number. Stack: 16 N W bytes.
 struct DynamicLinesJob {
     float* lines;  ///< the block
-    const float*
-        phases;  ///< for kx = 0, ..., N/2 W times the cosine, then W times the sine, with what a tick leaves, over N^2
+    /// For kx = 0, ..., N/2: W cosines, then W sines of the phase per tick. Both include the
+    /// damping per tick and the factor 1/N^2.
+    const float* phases;
     const FftTables* fft;
 };
 
-/// Takes the waves out of the border of both planes, for Verlet's step: of one alone it would be a spring, which sends them back.
+/// Damps waves in the border of both planes of a Verlet step. If only one plane were damped, the
+/// border would act as a spring and reflect the waves.
 struct DampJob {
-    float* planes[2];  ///< texel (0, 0) of both
+    float* planes[2];  ///< texel (0, 0) of both planes
     std::size_t resolution;
     std::size_t first_row, rows;
     BorderDamping border;
 };
 
-/// Verlet's step, in place of the rows before: h' = h + left (h - h_before) + coupling lap h, lap h the sum of four neighbours less
-/// four times h. A constant level stays, bit for bit.
+/// One Verlet step, which replaces the previous rows: h' = h + left (h - h_before) + coupling lap
+/// h, where lap h is the sum of four neighbours minus four times h. A constant level is preserved
+/// exactly.
 struct VerletRowsJob {
     const float* now;  ///< texel (0, 0); its margins repeat the other end of each row
-    float* before;     ///< becomes what comes after; aliases nothing
+    float* before;     ///< previous heights; overwritten by the next heights; aliases no input
     std::size_t resolution;
     std::size_t first_row, rows;
     float coupling;  ///< c e^(-decay tick), c = (speed tick / texel)^2
     float left;      ///< e^(-2 decay tick)
 };
 
-/// Foam of rows: the more of what stands high and what is left of the tick before. Rows without either are told from a look.
+/// Foam of rows: the maximum of the foam generated where the water is high and the decayed foam of
+/// the previous tick. Rows without high water and without foam are skipped.
 struct DynamicFoamJob {
     static constexpr std::size_t max_resolution = 1024;
 
     const float* heights;  ///< texel (0, 0)
     std::size_t resolution;
     std::size_t first_row, rows;
-    float threshold, scale;  ///< bytes (h - threshold) scale
-    int fade;
+    float threshold, scale;  ///< generated foam in bytes: (h - threshold) scale
+    int fade;                ///< decay per tick, in bytes
     std::uint8_t* foam;      ///< N^2
-    std::uint8_t* has_foam;  ///< a byte a row
+    std::uint8_t* has_foam;  ///< one byte per row; 0 if the row has no foam
 };
 
-/// What a frame shows of rows, faded towards the edges: heights on the straight way from `before` to `now`, and vertical velocity at
-/// `part` of it, the derivative of the parabola through the ways of the last two ticks.
+/// Computes the rows of a frame between two ticks, faded towards the edges of the grid. Heights are
+/// interpolated linearly from `before` to `now`. The vertical velocity at `part` is the derivative
+/// of the parabola through the height differences of the last two ticks.
 struct TickInterpolationJob {
     const float *before, *now;  ///< texel (0, 0)
-    const float* way_before;    ///< that of the tick before
+    const float* way_before;    ///< height difference of the previous tick, m
     std::size_t resolution;
     std::size_t first_row, rows;
-    float part;  ///< of the way
+    float part;  ///< fraction of the tick, [0, 1]
     float ticks_per_s;
-    const float *shown_x, *shown_z;     ///< of each column and row of the torus
-    float *height, *vertical_velocity;  ///< N^2, in rows of N
-    float *lowest, *highest;            ///< of each row's heights
+    const float *shown_x, *shown_z;     ///< fade factors of each column and row of the grid
+    float *height, *vertical_velocity;  ///< m and m/s, N^2, in rows of N
+    float *lowest, *highest;            ///< extremes of each row's heights, including 0
 };
 
 }  // namespace pelagic

@@ -11,7 +11,7 @@
 
 namespace pelagic::kernels {
 
-/// A transform of N elements, `input(i)` being the i-th, into `data`, in order.
+/// Transforms N elements into `data`, in order. `input(i)` returns element i.
 template <class Arch, std::size_t FirstRadix, class Input>
 inline void transform_from(Input input, const FftTables& fft, float* data) {
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
@@ -34,7 +34,7 @@ inline void transform_from(Input input, const FftTables& fft, float* data) {
         transform_from<Arch, 4>(input, fft, data);
 }
 
-/// BorderDamping in registers, of W columns.
+/// BorderDamping of W columns, in registers.
 template <class Arch>
 struct BorderColumns {
     using V = xsimd::batch<float, Arch>;
@@ -72,7 +72,7 @@ void dynamic_columns(const DynamicColumnsJob& job) {
     const float* const h = job.h + job.first_column;
     const float* const w = job.w + job.first_column;
     const BorderColumns<Arch> border(job.border, job.first_column);
-    // Exchanged on the way in: forward.
+    // Exchange real and imaginary parts of the input: the transform becomes a forward transform.
     transform_from<Arch>(
         [=](std::size_t z) {
             return Complex<Arch>{border(V::load_aligned(w + z * stride), z),
@@ -97,7 +97,8 @@ void dynamic_lines(const DynamicLinesJob& job) {
     const std::size_t size = static_cast<std::size_t>(job.fft->size);
     float* const waves = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(*job.fft));
     transform_from<Arch>([&](std::size_t x) { return C::load(job.lines + x * element); }, *job.fft, waves);
-    // e^(-i omega t) of the number is e^(i omega t) of the exchanged one, which is exchanged back for the other direction.
+    // Multiplying the exchanged number by e^(i omega t) multiplies the number by e^(-i omega t).
+    // The result is exchanged back for the opposite direction.
     const auto moved_on = [&](std::size_t kx) -> C {
         const C wave = C::load(waves + kx * element);
         const C phase = C::load(job.phases + (kx <= size / 2 ? kx : size - kx) * element);

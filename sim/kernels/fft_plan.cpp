@@ -10,8 +10,8 @@
 namespace pelagic {
 namespace {
 
-// log2 of each radix, first step first: as many eights as leave only fours. The four-point steps come first, where
-// the data is still in order.
+// log2 of each radix, first step first: as many radix 8 steps as possible, the remaining ones of
+// radix 4. The radix 4 steps come first, where the data is still in order.
 struct Radices {
     std::array<int, 4> bits{};
     std::size_t count = 0;
@@ -19,7 +19,8 @@ struct Radices {
 
 Radices radices_of(int size) {
     const int total_bits = std::bit_width(static_cast<unsigned>(size)) - 1;
-    const int fours = total_bits % 3 == 0 ? 0 : (3 - total_bits % 3);  // 2 bits each: 1 left over takes two of them
+    // 2 bits each: a remainder of 1 bit needs two radix 4 steps.
+    const int fours = total_bits % 3 == 0 ? 0 : (3 - total_bits % 3);
     Radices radices;
     for (int i = 0; i < fours; ++i) radices.bits[radices.count++] = 2;
     for (int left = total_bits - 2 * fours; left > 0; left -= 3) radices.bits[radices.count++] = 3;
@@ -52,7 +53,8 @@ FftPlan::FftPlan(int size) : size_(size) {
     pair_groups();
 }
 
-// The last step joins the inputs by their remainder modulo its radix, the one before by the next digit, ...
+// The last step combines inputs by their remainder modulo its radix, the step before by the next
+// digit, ...
 void FftPlan::place_inputs() {
     positions_.resize(static_cast<std::size_t>(size_));
     for (int i = 0; i < size_; ++i) {
@@ -75,7 +77,7 @@ void FftPlan::pair_groups() {
         const bool is_own_negative = part == 0 || part == parts / 2;
         for (int plus = part; plus < groups; plus += parts) {
             const int minus = (groups - plus) % groups;
-            if (is_own_negative && minus < plus) continue;  // met before, as the other one's negative
+            if (is_own_negative && minus < plus) continue;  // already stored as (minus, plus)
             pairs_.push_back({static_cast<std::uint16_t>(plus), static_cast<std::uint16_t>(minus)});
         }
         first_pair_[static_cast<std::size_t>(part) + 1] = static_cast<std::uint16_t>(pairs_.size());

@@ -1,7 +1,9 @@
-// How a transform of N points is cut: radix 8 and 4 steps, where each input goes, and the twiddle factors.
+// Plan of a transform of N points: radix 8 and radix 4 steps, the input permutation and the twiddle
+// factors.
 //
-// Decimation in time (Cooley and Tukey 1965; VR Ocean, 3.6) with mixed radices, the paper's radix 2 costs three times
-// the passes over the data. Kernel e^{+2 pi i/N}, no 1/N: the paper prints the other sign (errata).
+// Decimation in time (Cooley and Tukey 1965; VR Ocean, 3.6) with mixed radices; the paper's radix 2
+// needs three times as many passes over the data. The kernel is e^{+2 pi i/N} without the factor
+// 1/N; the paper prints the other sign (errata).
 #pragma once
 
 #include <array>
@@ -15,12 +17,13 @@
 
 namespace pelagic {
 
-/// The plan of one size; tables() points into it.
+/// The plan of one transform size.
 class FftPlan {
    public:
     /// \param size  a power of two from 16 to 2048
     explicit FftPlan(int size);
 
+    /// Returns pointers into the plan, valid during its lifetime.
     FftTables tables() const;
     std::span<const GroupPair> pairs() const { return pairs_; }
     std::size_t bytes() const;

@@ -1,4 +1,5 @@
-// The jobs of waves that applications add to cascades (sim/wave_input.hpp). Rows are tight, aligned, and as long as the cascade is wide.
+// The jobs of wave inputs, which applications add to cascades (sim/wave_input.hpp). Rows are tight
+// and aligned, and have N texels.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +9,17 @@ namespace pelagic {
 
 struct PartBounds;
 
-/// Three fields of a row: dx, height and dz, or their derivatives in time.
+/// Number of fields of a row: dx, height and dz, or their time derivatives.
 inline constexpr std::size_t input_fields = 3;
 
-/// A wave of a cascade's grid along a row of texels: field f of column i gets
+/// A wave of a cascade's grid along a row of texels. It adds to field f of column i
 ///   of_cosine[f] cos(2 pi m i / N) + of_sine[f] sin(2 pi m i / N).
 struct GridWaveRow {
-    const float *cosine, *sine;  ///< of the columns, N each
+    const float *cosine, *sine;  ///< cos and sin of 2 pi m i / N for each column i, N each
     float of_cosine[input_fields], of_sine[input_fields];
 };
 
-/// Waves are added in their order.
+/// Adds waves to a row, in their order.
 struct AddWavesJob {
     const GridWaveRow* waves;
     std::size_t count;
@@ -26,21 +27,23 @@ struct AddWavesJob {
     float* rows[input_fields];  ///< N each; alias no input
 };
 
-/// A row through rings (sim/ripple_input.hpp has the formula).
+/// Adds ring waves to a row (sim/ripple_input.hpp has the formula).
 struct AddRippleJob {
-    const float* along_squared;  ///< of each column, m^2: how far it is from the middle along the row
-    float across_squared;        ///< of the row
+    /// Squared distance of each column from the centre along the row, m^2.
+    const float* along_squared;
+    float across_squared;  ///< squared distance of the row from the centre, m^2
     std::size_t columns;
     float reach_squared;                 ///< m^2, above 0
     float half_wave;                     ///< m
     float waves_per_m;                   ///< 1 / wavelength
-    std::uint32_t start;                 ///< turns in the middle, 2^32 are one
+    std::uint32_t start;                 ///< phase at the centre, in turns of 2^32
     float amplitude, vertical_velocity;  ///< m, and m/s: amplitude times angular frequency
     float* heights;
-    float* vertical_velocities;  ///< null: nobody wants them
+    float* vertical_velocities;  ///< null: not written
 };
 
-/// Adds rows to those of a surface (wave_blocks.hpp), if all values are within `most`; else nothing is written.
+/// Adds rows to the rows of a surface (wave_blocks.hpp) if the absolute values of all inputs are at
+/// most `max`. Otherwise nothing is written.
 struct AddRowsJob {
     const float* rows[input_fields];  ///< one row after the other
     std::size_t resolution;
@@ -48,7 +51,7 @@ struct AddRowsJob {
     float* surface;            ///< all column blocks
     std::size_t block_stride;  ///< floats between them
     float max;
-    PartBounds* bounds;  ///< of the sum in these rows
+    PartBounds* bounds;  ///< extremes of the sum in the job's rows
 };
 
 }  // namespace pelagic

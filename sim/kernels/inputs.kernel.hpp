@@ -1,4 +1,5 @@
-// Waves that applications add: waves of a grid and rings along a row of texels, and rows into the blocks of a surface.
+// Wave inputs: adds grid waves and ring waves to a row of texels, and adds rows to the blocks of a
+// surface.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -43,7 +44,8 @@ void add_ripple(const AddRippleJob& job) {
         const V slant = square_root<Arch>(squared + half * half);
         const V envelope = fade * square_root<Arch>(divided<Arch>(half, slant));
         const V waves = (slant - half) * V(job.waves_per_m);
-        // What is left of whole turns is exact, below 1, and half of 2^32 of it fits.
+        // The fraction of a turn is exact and below 1, so its product with 2^31 fits a signed
+        // integer.
         const V left = waves - xsimd::to_float(xsimd::to_int(waves));
         const I half_turns = xsimd::to_int(left * V(0x1p31f));
         const Rotation<Arch> at = rotation_of_turns<Arch>(same_bits<U>(half_turns + half_turns) + U(job.start));
@@ -55,7 +57,7 @@ void add_ripple(const AddRippleJob& job) {
     }
 }
 
-/// False, and nothing is written, if a value is too large or none.
+/// Returns false and writes nothing if a value is too large or NaN.
 template <class Arch>
 bool add_rows(const AddRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
@@ -84,7 +86,7 @@ bool add_rows(const AddRowsJob& job) {
             max_z = xsimd::max(max_z, xsimd::abs(dz));
         }
     }
-    // Zeros have signs, and which of them is least is no instruction set's to say.
+    // Instruction sets differ in the minimum of +0 and -0; adding 0 makes the result +0.
     *job.bounds = {min_lane<Arch>(min) + 0.f, max_lane<Arch>(max) + 0.f, max_lane<Arch>(max_x),
                    max_lane<Arch>(max_z)};
     return true;

@@ -31,7 +31,7 @@ const Kernels& kernels_for(Isa isa) {
         default: break;
 #endif
     }
-    std::abort();  // the precondition is broken
+    std::abort();  // the precondition is violated
 }
 
 }  // namespace pelagic

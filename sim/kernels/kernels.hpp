@@ -1,8 +1,12 @@
-// The table of kernels: one row a job, one table an instruction set, chosen once when an ocean is built.
+// The kernel table: one function pointer per job type. Each instruction set has one table; the
+// ocean selects it once, at construction.
 //
-// A kernel does one job of its stage: it knows lanes and memory, but no threads, no graph and no options. Every
-// instruction set yields the same bits. This header is included by the per-instruction-set objects, so it must stay
-// free of containers, streams and anything else whose inline functions a linker might keep for everyone.
+// A kernel executes one job of its stage. It depends on lanes and memory only, never on threads,
+// the job graph or options. Results are bit-identical on every instruction set.
+//
+// The objects compiled per instruction set include this header. It must not include containers,
+// streams or other code with inline functions: the linker could keep a copy of such a function that
+// uses unsupported instructions.
 #pragma once
 
 #include <cstddef>
@@ -17,140 +21,158 @@ namespace pelagic {
 enum class Isa;
 struct FftTables;
 
-/// Stages `evolve` and `rows`: one block of lines at a moment of the loop, transformed along x, turned so that x
-/// becomes the lane.
-///   h = S'_xy cos + S'_zw sin                                          VR Ocean, equation 24
-///   P = -i (kx + i kz)/|k| h, R = (kx - i kz)/|k| h                    equation 30, both axes in one
-/// Stack: 24 N W bytes, W the lanes of the instruction set.
+/// Stages `evolve` and `rows`: evaluates one block of lines at a moment of the loop, transforms it
+/// along x and transposes it, so that x becomes the lane.
+///   h = S'_xy cos + S'_zw sin                                        VR Ocean, equation 24
+///   P = -i (kx + i kz)/|k| h, R = (kx - i kz)/|k| h                  equation 30, both axes in one
+/// Stack: 24 N W bytes, where W is the number of lanes of the instruction set.
 struct EvolveRowsJob {
     const float* waves;              ///< the block of PackedSpectrum::waves
-    const std::uint32_t* harmonics;  ///< the same of its harmonics
+    const std::uint32_t* harmonics;  ///< the block of PackedSpectrum::harmonics
     std::uint32_t fraction;          ///< LoopFraction::turns
     std::size_t first_line;          ///< kz of lane 0
-    std::size_t line_count;          ///< lanes that hold lines: W, or W/2 where N = 16 has no more
+    std::size_t line_count;          ///< lanes that hold lines: W, or W/2 if N = 16 and W = 16
     const FftTables* fft;
     float* lines;  ///< all column blocks; aliases no input
-    /// Only for evolve_velocity_rows, which makes the same lines of the derivative in time: the angular frequency of
-    /// harmonic 1, 2 pi / T in rad/s.
+    /// Angular frequency of harmonic 1, 2 pi / T, in rad/s. Only evolve_velocity_rows reads it;
+    /// that kernel computes the lines of the time derivative.
     float first_frequency = 0;
 };
 
-/// Beginning of stage `evolve` while one sea turns into another: one block of lines of both spectra, wave by wave. With S' =
-/// (a + c, b + d, b - d, c - a) as equation 22 packs it, each of a, b, c, d becomes
+/// First step of stage `evolve` during a sea-state transition: blends one block of lines of both
+/// spectra, wave by wave. Equation 22 packs S' = (a + c, b + d, b - d, c - a). Each of a, b, c, d
+/// becomes
 ///   sign sqrt((1 - s) before^2 + s after^2),
-/// so that energies go over and draws stay; where the signs differ, as of waves that no draw is behind, (1 - s) before + s after.
-/// Both have the waves of the same grid.
+/// which blends the energies linearly and keeps the random draws. Where the signs differ (waves
+/// without a random draw), it becomes (1 - s) before + s after. Both spectra have the waves of the
+/// same grid.
 struct BlendWavesJob {
-    /// A square of the least amplitude that a sea has, 1e-20 m, leaves the range of floats. A power of two changes no bit.
+    /// Scale applied before squaring: the square of the smallest amplitude, 1e-20 m, underflows a
+    /// float. A power of two leaves the mantissa unchanged.
     static constexpr float scale = 0x1p32f;
 
     const float *before, *after;  ///< the block of each PackedSpectrum::waves
-    std::size_t pairs;            ///< of waves in the block
+    std::size_t pairs;            ///< number of wave pairs in the block
     float part;                   ///< s, [0, 1]
-    float* out;                   ///< as `before`; aliases no input
+    float* out;                   ///< layout of `before`; aliases no input
 };
 
-/// The same while a swell from afar comes: each wave has the s of its band of frequency (sim/spectrum/harmonic_bands.hpp).
+/// BlendWavesJob while a distant swell arrives: s depends on the frequency band of the wave
+/// (sim/spectrum/harmonic_bands.hpp).
 struct BlendArrivingWavesJob {
-    /// Of a harmonic as a float, exponent and four binary digits are its band.
+    /// The band of a harmonic is the exponent and four mantissa bits of its float representation.
     static constexpr int band_shift = 19;
-    static constexpr int first_band = 127 << 4;  ///< of harmonic 1
+    static constexpr int first_band = 127 << 4;  ///< band of harmonic 1
 
     const float *before, *after;
     const std::uint32_t* harmonics;  ///< the block of PackedSpectrum::harmonics
     std::size_t pairs;
     const float* parts;      ///< s of each band, [0, 1]
-    std::int32_t last_band;  ///< of those; later ones have its s
-    float* out;              ///< as `before`; aliases no input
+    std::int32_t last_band;  ///< last band of `parts`; higher bands use its s
+    float* out;              ///< layout of `before`; aliases no input
 };
 
-/// Extremes of a part of a frame, in metres; merged in any order they give the same bits.
+/// Extremes of a piece of a frame, in metres. Merging is bit-identical in any order.
 struct PartBounds {
     float height_min, height_max, horizontal_x_max, horizontal_z_max;
 };
 
-/// Stages `columns` and `finalize`: the transforms along z of two column blocks, horizontal parts times lambda (VR
-/// Ocean, equation 44; no sign correction, because the transforms work in FFT order), and the extremes of both.
-/// Stack: 8 N W bytes.
+/// Stages `columns` and `finalize`: transforms two column blocks along z, multiplies the horizontal
+/// displacement by lambda (VR Ocean, equation 44) and computes the extremes of both blocks. No sign
+/// correction is needed, because the transforms work in FFT order. Stack: 8 N W bytes.
 struct ColumnsFinalizeJob {
-    float* blocks[2];  ///< lines before, surface afterwards, metres; [1] holds the partners of [0]; null for N = 16
+    /// Input: lines; output: surface, metres. [1] holds the partner columns of [0]; null if N = 16.
+    float* blocks[2];
     const FftTables* fft;
     float choppiness;
-    float cosine,
-        sine;  ///< of the angle by which the cascade's axes are rotated; horizontal parts leave in the world's axes
+    /// Cosine and sine of the rotation angle of the cascade's axes. The horizontal displacement is
+    /// stored along the world's axes.
+    float cosine, sine;
     PartBounds* bounds;
 };
 
-/// The foam that water makes where it breaks, in whole bytes: nearest(clamp(offset - scale J, 0, 255)).
+/// Foam that breaking generates, in whole bytes: nearest(clamp(offset - scale J, 0, 255)).
 struct FoamSource {
     float offset = 0, scale = 0;
 };
 
-/// What a frame shows of a cascade's foam: at each texel the more of what breaks now and what is remembered, less `fade`.
+/// Foam of a cascade in a frame: at each texel the maximum of the foam generated now and the
+/// accumulated foam minus `fade`.
 struct ShownFoam {
     FoamSource source;
-    const std::uint8_t* remembered = nullptr;  ///< N^2 bytes of the last tick; null: nothing, and nobody wants bytes
+    /// Accumulated foam of the last tick, N^2 bytes. If null, there is none and `bytes` is not
+    /// written.
+    const std::uint8_t* remembered = nullptr;
     int fade = 0;
     std::uint8_t* bytes = nullptr;  ///< N^2
 };
 
-/// Planes of averages that a mip level is made from: scaled normal x, y, z, and J clamped to [-1, 1].
+/// Number of planes of averages that a mip level is computed from: scaled normal x, y, z, and J
+/// clamped to [-1, 1].
 inline constexpr std::size_t mip_planes = 4;
 
-/// Stage `gradients` and the first levels of `mipmaps` on one cascade of texels. Central differences with wrap (equations
-/// 45, 46), the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) and the Jacobian J (48), packed
-/// (50, 51); the half floats with foam as a part of 255; then cascade_levels levels of averages (52, 53).
+/// Stage `gradients` and the first levels of `mipmaps`, on one rectangular block of texels.
+/// Computes
+///   central differences with wrap (equations 45, 46),
+///   the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)),
+///   the Jacobian J (48),
+/// packs them (50, 51), writes the half floats with foam as a fraction of 255, then cascade_levels
+/// levels of averages (52, 53). cascade_rows and cascade_columns are the size of the block.
 struct GradientsJob {
     static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
     static constexpr int cascade_levels = 3;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;        ///< of the cascade, which is smaller than the above if N is
-    std::size_t block_stride;                   ///< floats between column blocks
-    float two_texels_m;                         ///< 2 L / N
-    float jacobian_factor;                      ///< 1 / two_texels_m^2
-    float normal_length;                        ///< equation 49 at the sea's roughness
-    std::int32_t smoothness_bits;               ///< 1 - sqrt(roughness) as the highest byte of a texel
-    std::uint16_t* rgba16f;                     ///< tight rows of four halves a texel; null: nobody wants them
-    ShownFoam foam;                             ///< with the half floats
+    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < cascade_columns
+    std::size_t block_stride;             ///< floats between column blocks
+    float two_texels_m;                   ///< 2 L / N
+    float jacobian_factor;                ///< 1 / two_texels_m^2
+    float normal_length;                  ///< equation 49 at the sea's roughness
+    std::int32_t smoothness_bits;         ///< 1 - sqrt(roughness) as the highest byte of a texel
+    /// Tight rows of four halves per texel; null: not written.
+    std::uint16_t* rgba16f;
+    ShownFoam foam;                             ///< written with the half floats
     std::uint32_t* levels[cascade_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
-    float* averages;                            ///< of level 3, for MipLevelJob
+    float* averages;                            ///< averages of level 3, for MipLevelJob
     std::size_t average_stride;
-    float cosine = 1,
-          sine = 0;  ///< of the angle by which the cascade's axes are rotated in the world, from +x towards +z;
-                     ///< displacement, normals and J are along the world's axes
+    /// Cosine and sine of the rotation angle of the cascade's axes in the world, from +x towards
+    /// +z. Displacement, normals and J are along the world's axes.
+    float cosine = 1, sine = 0;
 };
 
-/// Stage `mipmaps`, one level: the averages of 2 x 2 texels (52), smoothness from the normal's length (53),
-/// renormalised and packed. Averages are rows of mip_planes planes and one more for the kernel's own use, `stride`
-/// floats each, at least 32 and the level's side.
+/// Stage `mipmaps`, one level: averages 2 x 2 texels (52), computes smoothness from the normal's
+/// length (53), renormalises and packs. Averages are rows of mip_planes planes and one scratch
+/// plane. The stride of a plane is at least 32 floats and at least the level's side.
 struct MipLevelJob {
     float* finer;  ///< averages of the finer level
     std::size_t finer_stride;
     std::size_t side;
-    float* averages;  ///< of this level; aliases no input
+    float* averages;  ///< averages of this level; aliases no input
     std::size_t stride;
     std::uint32_t* texels;  ///< side^2
 };
 
-/// What the slopes' levels are averaged from: h_x, h_z, D_xx, D_zz, D_xz and the mean squares h_x^2, h_z^2, h_x h_z,
-/// in steps of a byte.
+/// Number of planes that slope levels are averaged from: h_x, h_z, D_xx, D_zz, D_xz and the mean
+/// squares h_x^2, h_z^2, h_x h_z, in units of one byte step.
 inline constexpr std::size_t slope_planes = 8;
 
-/// Stage `slopes` and its first levels on one cascade of texels: what of a surface can be added to other surfaces', so that
-/// a sum of cascades has the normals and Jacobians of the sum (sim/slope_sum.hpp). Two words a texel, from the lowest byte up:
-///   slopes   h_x, h_z, D_xx, D_zz, signed, in parts of slope_range
-///   moments  D_xz = (Dx,z + Dz,x)/2, signed, in parts of slope_range; var h_x, var h_z from 0, cov(h_x, h_z) signed, in
-///            parts of variance_range
-/// A signed byte b is (b - 128)/127, one from 0 is b/255; values beyond the ranges stop there. Derivatives are along the
-/// world's axes. Variances are those within a texel (LEAN mapping: Olano and Baker 2010); none at level 0.
+/// Stage `slopes` and its first levels, on one rectangular block of texels. Slopes of cascades are
+/// additive, so a sum of cascades has the normals and Jacobians of the sum (sim/slope_sum.hpp).
+/// Two words per texel, from the lowest byte up:
+///   slopes   h_x, h_z, D_xx, D_zz, signed, as fractions of slope_range
+///   moments  D_xz = (Dx,z + Dz,x)/2, signed, as a fraction of slope_range;
+///            var h_x, var h_z unsigned and cov(h_x, h_z) signed, as fractions of variance_range
+/// A signed byte b is (b - 128)/127, an unsigned byte is b/255; values are clamped to the ranges.
+/// Derivatives are along the world's axes. Variances are those within a texel (LEAN mapping: Olano
+/// and Baker 2010); they are 0 at level 0.
 ///
-/// Derivatives are near_weight (f(1) - f(-1)) + far_weight (f(2) - f(-2)) over the texel's size. One number is free when
-/// a constant slope keeps its value. It is chosen so that what a GPU shows, bilinear between texels, is nearest the
-/// surface itself: of all waves with 6/128 to 1/3 steps a texel, each octave as steep, from everywhere, in the mean over
-/// the square between texels (docs/equations.md has the integral). The derivative at a texel therefore overstates short
-/// waves as much as the filter takes of them.
+/// Derivatives are near_weight (f(1) - f(-1)) + far_weight (f(2) - f(-2)) over the texel's size.
+/// The condition that a constant slope keeps its value leaves one free weight. That weight
+/// minimises the mean error of the bilinearly filtered slopes over the square between texels. The
+/// mean includes all waves with 6/128 to 1/3 cycles per texel, in all directions, with equal
+/// steepness per octave (docs/equations.md has the integral). The derivative at a texel therefore
+/// amplifies short waves as much as the bilinear filter attenuates them.
 struct SlopesJob {
     static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
     static constexpr int cascade_levels = 3;
@@ -158,34 +180,35 @@ struct SlopesJob {
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;         ///< of the cascade, which is smaller than the above if N is
-    std::size_t block_stride;                    ///< floats between column blocks
-    float cosine, sine;                          ///< as in GradientsJob
-    float difference_factor;                     ///< near_weight / (slope_step L / N)
-    float slope_step;                            ///< slope_range / 127
-    float variance_factor;                       ///< slope_step^2 / variance_range
-    std::uint16_t* rgba16f;                      ///< as in GradientsJob, J from these slopes; null: nobody wants them
-    ShownFoam foam;                              ///< the same
+    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < cascade_columns
+    std::size_t block_stride;             ///< floats between column blocks
+    float cosine, sine;                   ///< as in GradientsJob
+    float difference_factor;              ///< near_weight / (slope_step L / N)
+    float slope_step;                     ///< slope_range / 127
+    float variance_factor;                ///< slope_step^2 / variance_range
+    /// As in GradientsJob, J from these slopes; null: not written.
+    std::uint16_t* rgba16f;
+    ShownFoam foam;                              ///< written with the half floats
     std::uint32_t* slopes[cascade_levels + 1];   ///< tight rows, the texels of level 0 to 3
-    std::uint32_t* moments[cascade_levels + 1];  ///< the same
-    float* averages;                             ///< of level 3, for SlopeLevelJob
+    std::uint32_t* moments[cascade_levels + 1];  ///< tight rows, the texels of level 0 to 3
+    float* averages;                             ///< averages of level 3, for SlopeLevelJob
     std::size_t average_stride;
 };
 
-/// Stage `slopes tail`, one level: averages of 2 x 2 texels, packed. Averages are rows of slope_planes planes, `stride`
-/// floats each, at least 32 and the level's side.
+/// Stage `slopes tail`, one level: averages 2 x 2 texels and packs them. Averages are rows of
+/// slope_planes planes. The stride of a plane is at least 32 floats and at least the level's side.
 struct SlopeLevelJob {
     float* finer;  ///< averages of the finer level
     std::size_t finer_stride;
     std::size_t side;
-    float* averages;  ///< of this level; aliases no input
+    float* averages;  ///< averages of this level; aliases no input
     std::size_t stride;
     float variance_factor;
     std::uint32_t *slopes, *moments;  ///< side^2 each
 };
 
-/// One tick of a cascade's foam: after = max(source(J), before - fade), `before` moved by whole texels, which wrap. Derivatives are
-/// as in SlopesJob.
+/// One tick of foam accumulation and decay in a cascade: after = max(source(J), before - fade).
+/// `before` is shifted by whole texels, with wrap. Derivatives are those of SlopesJob.
 struct FoamTickJob {
     static constexpr std::size_t max_resolution = 2048;
     static constexpr int fade = 9;
@@ -194,61 +217,68 @@ struct FoamTickJob {
     std::size_t resolution;
     std::size_t block_stride;
     float cosine, sine;       ///< as in GradientsJob
-    float difference_factor;  ///< the near weight over L / N
-    float far_over_near;      ///< 0: central differences
+    float difference_factor;  ///< near weight over L / N
+    float far_over_near;      ///< far weight over near weight; 0: central differences
     FoamSource source;
     const std::uint8_t* before;    ///< N^2
     std::size_t shift_x, shift_z;  ///< along the cascade's axes, less than N
     std::size_t first_row, rows;   ///< even
-    std::uint8_t* after;           ///< N^2, these rows are written; aliases no input
+    std::uint8_t* after;           ///< N^2, only the job's rows are written; aliases no input
 };
 
-/// The mean of each 2 x 2 bytes, halves up.
+/// Averages each 2 x 2 bytes; halves round up.
 struct HalveFoamJob {
     const std::uint8_t* from;  ///< 4 side^2
     std::size_t side;
     std::uint8_t* to;  ///< side^2
 };
 
-/// The surface of a frame as queries read it. Texel (i, j) of a plane is
+/// Surface of a frame, as queries read it. Texel (i, j) of a plane is
 /// plane[(i >> block_shift) * block_stride + (i & (block_columns - 1)) + j * row_stride].
 struct SurfaceTexels {
-    const float *dx, *height, *dz;                      ///< metres
-    const float *velocity_x, *velocity_y, *velocity_z;  ///< metres a second; null if the frame has none
-    std::int32_t resolution;                            ///< N, a power of two
-    std::int32_t block_columns, block_shift;            ///< a power of two, and its logarithm
-    std::int32_t row_stride, block_stride;              ///< in floats
+    const float *dx, *height, *dz;  ///< metres
+    /// m/s; null if the frame has no velocities.
+    const float *velocity_x, *velocity_y, *velocity_z;
+    std::int32_t resolution;  ///< N, a power of two
+    /// A power of two, and its binary logarithm.
+    std::int32_t block_columns, block_shift;
+    std::int32_t row_stride, block_stride;  ///< in floats
 };
 
-/// Places on a square of texels, by component: a cell and where in it, from 0 to 1. Cells may lie outside of the patch.
-/// Arrays are aligned, and as long as whole registers.
+/// Positions on a square of texels, by component: a cell index and the position within the cell,
+/// [0, 1]. Cells may lie outside the cascade. Arrays are aligned; their length is a multiple of W.
 struct CellPlaces {
     std::int32_t *cell_x, *cell_z;
     float *u, *v;
 };
 
-/// Which reference point is drawn at a given world point: the q of q + D(q) = p, D being bilinear or cubic between texels. Newton's
-/// steps with the slopes of the cell; where they don't hold (far away, or near a fold) q - (q + D(q) - p) instead.
-/// A lane that has come within `target` stays as it is, so no lane depends on its neighbours.
+/// Computes the reference position of each given world position: the q of q + D(q) = p, where D is
+/// bilinear or cubic between texels. Uses Newton steps with the slopes of the cell. Far from the
+/// solution or near a fold it uses the fixed-point step q - (q + D(q) - p). A lane within `target`
+/// of its solution does not change any more, so no lane depends on its neighbours.
 struct InvertSurfaceJob {
     static constexpr int max_steps = 12;
-    static constexpr float newton_reach = 2;  ///< texels, along each axis: the slopes of one cell say nothing beyond
-    static constexpr float min_determinant = 0.1f;  ///< a step is at most 1 / this times what is missing
+    /// Largest distance for a Newton step, texels along each axis. Beyond it the slopes of one cell
+    /// are no approximation of the surface.
+    static constexpr float newton_reach = 2;
+    /// A step is at most 1 / this times the distance.
+    static constexpr float min_determinant = 0.1f;
 
     SurfaceTexels surface;
     float texels_per_m;  ///< N / L
     float target;        ///< remaining distance at which a lane stops, in texels
     std::size_t count;   ///< a multiple of W
-    CellPlaces world;    ///< where to look
-    CellPlaces rest;     ///< what rests there; aliases no input
+    CellPlaces world;    ///< world positions
+    CellPlaces rest;     ///< reference positions (output); aliases no input
     float* error;        ///< remaining distance in texels
 };
 
-/// The surface at reference points. Linear: everything bilinear between texels, slopes from central differences at texels. Cubic:
-/// products of Catmull and Rom's cubics, and their derivatives. Blocks of the surface have a multiple of W columns.
+/// Samples the surface at reference positions. Linear: all values are bilinear between texels,
+/// slopes are central differences at texels. Cubic: values are products of Catmull-Rom cubics,
+/// slopes are their derivatives. Blocks of the surface have a multiple of W columns.
 struct SampleSurfaceJob {
     struct Outputs {
-        float* height;                                     ///< metres; null if nobody wants it
+        float* height;                                     ///< metres; null: not written
         float *normal_x, *normal_y, *normal_z, *jacobian;  ///< all, with height, or none
         float *velocity_x, *velocity_y, *velocity_z;       ///< all or none
     };
@@ -260,40 +290,44 @@ struct SampleSurfaceJob {
     Outputs out;  ///< aliases no input
 };
 
-/// Cells in which the surface turns over, or nearly so: the least Jacobian, times the area of a texel at rest, is at
-/// most `max_area`. Blocks of the surface have a multiple of W columns.
+/// Finds cells in which the surface overturns, or nearly does: the minimum Jacobian times the
+/// undisplaced texel area is at most `max_area`. Blocks of the surface have a multiple of W
+/// columns.
 struct FindFoldsJob {
     SurfaceTexels surface;
     float texel_m;  ///< L / N
     float max_area;
     std::size_t first_row, rows;
-    std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
+    /// N^2 bits: cell (i, j) is bit i % 8 of byte (j N + i) / 8. Only the job's rows are written.
+    std::uint8_t* cells;
 };
 
-/// Extremes of a part of a cascade.
+/// Extremes of a piece of a cascade.
 struct ContractionExtremes {
     float displacement_squared;  ///< largest Dx^2 + Dz^2
-    float stretch;               ///< what no slope matrix makes a vector grow by more than
+    float stretch;               ///< upper bound of the norm of all slope matrices
     float steepness_squared;     ///< largest square of the height's gradient
 };
 
-/// How much a cascade contracts the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
-/// symmetric part of its slopes, or 0, times `one`, rounded up; the largest byte means that or anything more. Inside
-/// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
-/// least at a corner. Blocks of the surface have a multiple of W columns.
+/// Computes the contraction bound of a cascade for blocks of 2 x 2 cells: minus the smallest
+/// eigenvalue of the symmetric part of the slope matrix, at least 0, times `one`, rounded up. A
+/// byte of 255 means 255 or more. Inside a cell the slopes are interpolated between those at its
+/// corners. The smallest eigenvalue is a concave function of the slopes, so its minimum is at a
+/// corner. Blocks of the surface have a multiple of W columns.
 struct FindContractionJob {
     static constexpr std::size_t max_resolution = 2048;
 
     SurfaceTexels surface;
     float texels_per_m;             ///< N / L
-    float cosine, sine;             ///< of the cascade's grid
-    float one;                      ///< the byte that means 1
+    float cosine, sine;             ///< rotation of the cascade's grid
+    float one;                      ///< the byte value that represents 1
     std::size_t first_row, rows;    ///< even
-    std::uint8_t* blocks;           ///< (N/2)^2, tight rows; those of these rows are written
-    ContractionExtremes* extremes;  ///< of these rows
+    std::uint8_t* blocks;           ///< (N/2)^2, tight rows; only the job's rows are written
+    ContractionExtremes* extremes;  ///< extremes of the job's rows
 };
 
-/// The largest byte within `reach` of each along both axes; the square of bytes repeats.
+/// Computes for each byte the maximum of all bytes within `reach` along both axes. The square of
+/// bytes is periodic.
 struct SpreadContractionJob {
     static constexpr std::size_t max_side = 1024;  ///< half of the largest resolution
 
@@ -304,28 +338,31 @@ struct SpreadContractionJob {
     std::uint8_t* to;          ///< side^2
 };
 
-/// The largest byte of each 2 x 2.
+/// Computes the maximum of each 2 x 2 bytes.
 struct HalveContractionJob {
     const std::uint8_t* from;  ///< 4 side^2
     std::size_t side;
     std::uint8_t* to;  ///< side^2
 };
 
-/// Cascades that a kernel adds up, at most.
+/// Maximum number of cascades that a kernel adds.
 inline constexpr std::size_t max_cascades = 4;
 
-/// One cascade of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
+/// One cascade of a stack, as queries read it. The reference position of a world position p that is
+/// displaced by d metres is p - d.
 struct StackCascade {
     SurfaceTexels surface;
-    float along, across;  ///< the grid's cosine and sine, times N / L
-    CellPlaces world;     ///< of each point, along the cascade's own axes
-    const float* part =
-        nullptr;  ///< of the cascade's displacement that counts at each point; of all cascades or none: null, all of it
+    float along, across;  ///< cosine and sine of the grid's rotation, times N / L
+    CellPlaces world;     ///< world positions, along the cascade's own axes
+    /// Weight of the cascade's displacement at each point. Null for all cascades or for none; null
+    /// means a weight of 1.
+    const float* part = nullptr;
 };
 
-/// InvertSurfaceJob for a sum of cascades: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest cascades only:
-/// where finer ones are looked at, the place is right to within their waves. From then on a lane that has come within
-/// `target` stays as it is.
+/// InvertSurfaceJob for a sum of cascades: computes the offset o with o + sum of D(p + o) = 0. The
+/// first step evaluates the coarsest cascades only. Finer cascades are evaluated at positions that
+/// are accurate to within the length of their waves. From the second step on, a lane within
+/// `target` does not change any more.
 struct InvertStackJob {
     static constexpr std::size_t first_cascades = 2;
     static constexpr int max_steps = 16;
@@ -334,14 +371,14 @@ struct InvertStackJob {
     StackCascade cascades[max_cascades];
     std::size_t cascade_count;
     float target;                        ///< metres
-    float reach;                         ///< metres: no offset is longer than the largest displacement
+    float reach;                         ///< metres; limit of an offset: the largest displacement
     std::size_t count;                   ///< a multiple of W
-    float *offset_x, *offset_z;          ///< metres, from the given points to those that rest there; alias no input
+    float *offset_x, *offset_z;          ///< metres, world to reference positions; alias no input
     float* error;                        ///< remaining distance in metres
-    std::int32_t* blocks[max_cascades];  ///< of 2 x 2 cells of each cascade, row by row: where that is
+    std::int32_t* blocks[max_cascades];  ///< index of the 2 x 2 cells of each cascade, row by row
 };
 
-/// SampleSurfaceJob for a sum of cascades: slopes add, and normals are those of the sum.
+/// SampleSurfaceJob for a sum of cascades: adds the slopes and computes the normals of the sum.
 struct SampleStackJob {
     StackCascade cascades[max_cascades];
     std::size_t cascade_count;
@@ -350,8 +387,8 @@ struct SampleStackJob {
     SampleSurfaceJob::Outputs out;  ///< aliases no input
 };
 
-/// A kernel of queries for each Interpolation. The cubic inversion begins where the linear one ended: the places of what rests
-/// there are its input, too.
+/// A query kernel for each Interpolation. The cubic inversion starts at the reference positions
+/// that the linear inversion computed, so these are an input, too.
 template <class Job>
 struct ByInterpolation {
     void (*linear)(const Job&);
@@ -359,7 +396,7 @@ struct ByInterpolation {
 };
 
 struct Kernels {
-    std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
+    std::size_t lanes;  ///< W: floats per register, and lanes per block in every buffer
     void (*blend_waves)(const BlendWavesJob&);
     void (*blend_arriving_waves)(const BlendArrivingWavesJob&);
     void (*evolve_rows)(const EvolveRowsJob&);
@@ -381,7 +418,7 @@ struct Kernels {
     ByInterpolation<SampleStackJob> sample_stack;
     void (*dynamic_columns)(const DynamicColumnsJob&);
     void (*dynamic_lines)(const DynamicLinesJob&);
-    void (*dynamic_columns_back)(const DynamicColumnsJob&);  ///< the third part: into h and w
+    void (*dynamic_columns_back)(const DynamicColumnsJob&);  ///< third pass: into h and w
     void (*damp_rows)(const DampJob&);
     void (*verlet_rows)(const VerletRowsJob&);
     void (*dynamic_foam)(const DynamicFoamJob&);
@@ -389,10 +426,10 @@ struct Kernels {
     void (*shore_rows)(const ShoreRowsJob&);
     void (*add_waves)(const AddWavesJob&);
     void (*add_ripple)(const AddRippleJob&);
-    bool (*add_rows)(const AddRowsJob&);  ///< false: a value is too large, or none
+    bool (*add_rows)(const AddRowsJob&);  ///< returns false if a value is too large or NaN
 };
 
-/// \pre runs_here(isa)
+/// Returns the kernel table of an instruction set. \pre runs_here(isa)
 const Kernels& kernels_for(Isa isa);
 
 }  // namespace pelagic

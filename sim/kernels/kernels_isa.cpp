@@ -1,8 +1,9 @@
-// Compiled once for each instruction set, always optimised: cmake/isa.cmake says how. Only kernels may be included
-// here, because the linker keeps one copy of an inline function for everyone, and it might be this one.
+// Compiled once per instruction set, always with optimisation (cmake/isa.cmake sets the flags).
+// Include only kernels here: the linker keeps one copy of an inline function for all objects, and
+// could keep the copy compiled for this instruction set.
 //
 // PELAGIC_ISA_NAME  sse4_2, avx2, avx512, neon or wasm128
-// PELAGIC_ISA_ARCH  xsimd's name of it
+// PELAGIC_ISA_ARCH  the instruction set's name in xsimd
 #include "pelagic/sim/kernels/blend.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
 #include "pelagic/sim/kernels/contraction.kernel.hpp"

@@ -10,13 +10,13 @@
 
 namespace pelagic::kernels {
 
-/// W texels of a group: h, q, their derivatives in time and the velocity potential.
+/// W texels of a group: h, q, their time derivatives and the velocity potential.
 template <class Arch>
 struct ShoreSum {
     using V = xsimd::batch<float, Arch>;
     V h = V(0.f), q = V(0.f), h_t = V(0.f), q_t = V(0.f), potential = V(0.f);
 
-    /// e^(-i omega t) times C, whose derivative is -i omega times that.
+    /// Adds e^(-i omega t) C and its time derivative, which is -i omega times it.
     PELAGIC_INLINE void add(const float* re, const float* im, const ShoreRowsJob::Moment& moment) {
         const V a = V::load_aligned(re), b = V::load_aligned(im);
         const V cosine(moment.cosine), sine(moment.sine), omega(moment.omega);
@@ -68,7 +68,8 @@ void shore_rows(const ShoreRowsJob& job) {
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
 
-            // How long ago the crest was here, 0 to 1 over a period: the angle's cosine, and on which side of the crest it is.
+            // Time since the crest passed, as a fraction of a period in [0, 1], from the cosine of
+            // the phase and the side of the crest.
             const V cosine = divided<Arch>(sum.h, envelope), quarter(0.25f);
             const V since = xsimd::select(sum.q > none, (V(3.f) + cosine) * quarter, (one - cosine) * quarter);
             const V breaking = divided<Arch>(envelope, V::load_aligned(job.breaking_envelope + at));

@@ -1,33 +1,39 @@
-// The buffers between the stages, as float arrays in blocks of as many lanes as a register of the instruction set
-// holds: everything that one job touches lies together, every load is a whole register, and no stride is a power of
-// two times a row (those fall on the same cache sets from N = 512 on).
+// Layout of the buffers between the stages. Buffers are float arrays in blocks of W lanes, where W
+// is the number of floats per register of the instruction set. The data of one job is contiguous,
+// and every load is a whole register. No stride is a power of two times a row, because such strides
+// map to the same cache sets from N = 512 on.
 //
-//   waves    [line block][pair of waves][quantity][lane = kz]   spectrum writes, evolve+rows reads
-//   lines    [column block][kz][component][lane = x]            evolve+rows writes, columns+finalize reads
-//   surface  [column block][z][component][lane = x]             columns+finalize writes; lies where the lines lay
+//   waves    [line block][pair of waves][quantity][lane = kz]
+//            written by spectrum, read by evolve+rows
+//   lines    [column block][kz][component][lane = x]
+//            written by evolve+rows, read by columns+finalize
+//   surface  [column block][z][component][lane = x]
+//            written by columns+finalize in place of the lines
 //
-// Lines hold three complex fields: the height h and the horizontal pair P = -(Dx + i Dz), R = -i (Dx - i Dz). The signs
-// spare negations on the way: a column of P for kz >= 0 and of conj(R / i), R with its parts exchanged, for kz < 0 is
-// the whole spectrum of -(Dx + i Dz), so one complex transform yields both, and choppiness takes the minus. The
-// heights of two columns share another transform; which two shows in the last bits, so it is always x and x + 16,
-// however many lanes a block has.
+// Lines hold three complex fields: the height h and the horizontal pair P = -(Dx + i Dz), R = -i
+// (Dx - i Dz). These signs save negations. The column of P for kz >= 0 and of conj(R / i) for kz <
+// 0 is the whole spectrum of -(Dx + i Dz). conj(R / i) is R with real and imaginary part exchanged.
+// One complex transform therefore yields both components, and the factor of choppiness includes the
+// minus sign. The heights of two columns share another transform. The choice of the two columns
+// affects the last bits, so they are always x and x + 16, for any number of lanes per block.
 //
-// A column block of lines and one of surface are equally long, and heights stand at the same places in both, so the
-// second transform works in place, one field after the other.
+// A column block of lines and one of the surface have equal length, and heights have the same
+// offsets in both. The second transform therefore works in place, one field after the other.
 #pragma once
 
 #include <cstddef>
 
 namespace pelagic {
 
-/// A pair of waves (kx, kz) and (-kx, kz) goes round at one speed. Quantities of a pair, each a row of lanes; lane l
-/// holds kz = first line of the block + l, and is zero beyond the last line. The harmonics stand apart, being integers.
+/// Quantities of a pair of waves (kx, kz) and (-kx, kz), which have the same frequency. Each
+/// quantity is a row of lanes. Lane l holds kz = first line of the block + l, and is zero beyond
+/// the last line. The harmonics are integers and are stored in a separate array.
 enum WaveQuantity {
     plus_cos_re,  ///< S'_xy of (kx, kz), metres
     plus_cos_im,
     plus_sin_re,  ///< S'_zw
     plus_sin_im,
-    minus_cos_re,  ///< the same of (-kx, kz)
+    minus_cos_re,  ///< S'_xy of (-kx, kz), metres
     minus_cos_im,
     minus_sin_re,
     minus_sin_im,
@@ -48,10 +54,12 @@ constexpr std::size_t column_blocks(int resolution, std::size_t lanes) {
     return static_cast<std::size_t>(resolution) / lanes;
 }
 
-/// Columns whose heights share a transform stand this far apart. One column block of the widest registers.
+/// Distance in columns between two columns whose heights share a transform: one column block of the
+/// widest registers.
 inline constexpr std::size_t partner_distance = 16;
 
-/// The jobs of the second transform: a column block and the one with its partners, which N = 16 lacks.
+/// A job of the second transform: a column block and the block of its partner columns, which N = 16
+/// lacks.
 struct ColumnBlockPair {
     std::size_t first;
     bool has_second;
@@ -66,8 +74,8 @@ constexpr ColumnBlockPair column_block_pair(int resolution, std::size_t lanes, s
     return {first, first + distance < column_blocks(resolution, lanes), first + distance};
 }
 
-/// Floats of one column block, of lines and of surface alike. The few behind the last row keep blocks from starting a
-/// power of two apart.
+/// Floats of one column block, for lines and for the surface. The margin after the last row
+/// prevents block strides that are powers of two.
 constexpr std::size_t column_block_floats(int resolution, std::size_t lanes) {
     constexpr std::size_t margin = 112;
     return line_count(resolution) * line_components * lanes + margin;
