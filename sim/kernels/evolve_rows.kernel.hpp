@@ -13,10 +13,10 @@
 
 namespace pelagic::kernels {
 
-/// The three fields that a wave adds to, as wave_blocks.hpp says.
+/// The three fields to which each wave contributes (wave_blocks.hpp).
 enum Field { field_h, field_p, field_r, fields };
 
-/// A wave's height at this moment, from the four rows of S' at `packed`.
+/// Returns the wave's height at the job's moment, from the four rows of S' at `packed`.
 template <class Arch>
 PELAGIC_INLINE Complex<Arch> height_of_wave(const float* packed, const Rotation<Arch>& rotation) {
     using V = xsimd::batch<float, Arch>;
@@ -24,7 +24,7 @@ PELAGIC_INLINE Complex<Arch> height_of_wave(const float* packed, const Rotation<
     return {row(0) * rotation.cosine + row(2) * rotation.sine, row(1) * rotation.cosine + row(3) * rotation.sine};
 }
 
-/// What multiplies a wave's S'_xy and S'_zw: cosine and sine of its phase for the height,
+/// Returns the factors of a wave's S'_xy and S'_zw for its height: cosine and sine of its phase.
 template <class Arch>
 struct HeightOfWaves {
     using V = xsimd::batch<float, Arch>;
@@ -36,7 +36,8 @@ struct HeightOfWaves {
     U fraction;
 };
 
-/// and their derivatives in time for the velocity. The phase grows by the wave's own frequency in the loop.
+/// Returns the factors of a wave's S'_xy and S'_zw for its velocity: the time derivatives of cosine
+/// and sine. The phase rate is the wave's quantised frequency in the loop.
 template <class Arch>
 struct VelocityOfWaves {
     using V = xsimd::batch<float, Arch>;
@@ -52,10 +53,13 @@ struct VelocityOfWaves {
     V first_frequency, minus_first_frequency;
 };
 
-/// Takes the waves of one group, whose heights are `h`, through the first step of the three transforms. `wave(s)` are
-/// the quantities of the s-th one; `mirrored` if it stands there as (-kx, kz).
+/// Executes the first step of the three transforms on the waves of one group, whose heights are
+/// `h`.
+/// \param wave  wave(s) returns the quantities of wave s
+/// \param mirrored  true if the group has the waves (-kx, kz)
 ///
-/// i h along x and z are (-x_im, x_re) and (-z_im, z_re); from them P = -(Dx + i Dz), R = -i (Dx - i Dz).
+/// The products of i h with the directions along x and z are (-x_im, x_re) and (-z_im, z_re). They
+/// give P = -(Dx + i Dz), R = -i (Dx - i Dz).
 template <class Arch, std::size_t Radix, class Wave>
 PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool mirrored, float* to) {
     using V = xsimd::batch<float, Arch>;
@@ -76,7 +80,8 @@ PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool 
     butterfly<Arch, Radix>([&](std::size_t s) { return r[s]; }, OutputsApart<Arch>{to + field_r * point, element});
 }
 
-/// Evolves the waves of a pair of groups and takes their fields through the first step of the transform.
+/// Evaluates the waves of a pair of groups and executes the first step of the transform on their
+/// fields.
 template <class Arch, std::size_t Radix, bool HasNegatives, class OfWaves>
 PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& of_waves, std::size_t number,
                                        float* data) {
@@ -100,8 +105,9 @@ PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& 
     if (HasNegatives) first_step<Arch>(minus, minus_wave, true, data + job.fft->positions[pair.minus] * element);
 }
 
-/// All steps but the last. The last one joins parts by the remainder of kx; a part and its negative are evolved and
-/// transformed together, while they are in the first cache.
+/// Executes all steps except the last. The last step combines subtransforms by the remainder of kx.
+/// A subtransform and its negative are evaluated and transformed together, while their data is in
+/// the first-level cache.
 template <class Arch, std::size_t FirstRadix, class OfWaves>
 inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* data) {
     constexpr std::size_t element = fields * 2 * xsimd::batch<float, Arch>::size;
@@ -123,7 +129,8 @@ inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* data) {
     }
 }
 
-/// Puts W elements of the first Lines transformed lines, from `data` on, where the columns want them: x is the lane now.
+/// Transposes W elements of the first `Lines` transformed lines, starting at `data`, into the
+/// column blocks: x becomes the lane.
 template <class Arch, std::size_t Lines>
 PELAGIC_INLINE void turn_lines(const float* data, float* lines) {
     using V = xsimd::batch<float, Arch>;
@@ -138,8 +145,8 @@ PELAGIC_INLINE void turn_lines(const float* data, float* lines) {
     turn(4, r_re), turn(5, r_im);
 }
 
-/// The last step of the three fields. As soon as W elements that are neighbours in x are done, they are turned: rows of
-/// lines are written whole, once.
+/// Executes the last step of the three fields. As soon as W adjacent elements along x are complete,
+/// they are transposed, so that each row of lines is written once and as a whole.
 template <class Arch, std::size_t Radix, std::size_t Lines>
 PELAGIC_FLATTEN void last_step_turned(const EvolveRowsJob& job, float* data) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
@@ -180,7 +187,7 @@ inline void evolve_lines(const EvolveRowsJob& job) {
         last_step_turned<Arch, 8, lanes>(job, data);
     else if (job.line_count == lanes)
         last_step_turned<Arch, 4, lanes>(job, data);
-    else  // 16 lanes for the 8 lines of N = 16
+    else  // N = 16 has 8 lines in 16 lanes
         last_step_turned<Arch, 4, lanes / 2>(job, data);
 }
 

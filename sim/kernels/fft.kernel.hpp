@@ -1,5 +1,6 @@
-// Inverse transforms of W lines at once, a line a lane, in place: element p of the data is W real parts, then W
-// imaginary ones, of each field that is transformed along. See fft_plan.hpp for the order of the steps.
+// Inverse transforms of W lines at once, one line per lane, in place. Element p of the data is W
+// real parts, then W imaginary parts, for each transformed field. See fft_plan.hpp for the order of
+// the steps.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ struct Complex {
     using V = xsimd::batch<float, Arch>;
     V re, im;
 
-    // Part by part: g++ keeps an aggregate of two NEON registers in memory.
+    // Copies the members one by one: g++ keeps an aggregate of two NEON registers in memory.
     Complex() = default;
     PELAGIC_INLINE Complex(V real, V imaginary) : re(real), im(imaginary) {}
     PELAGIC_INLINE Complex(const Complex& o) : Complex(o.re, o.im) {}
@@ -33,7 +34,7 @@ struct Complex {
     PELAGIC_INLINE Complex operator-(const Complex& o) const { return {re - o.re, im - o.im}; }
     PELAGIC_INLINE Complex plus_i_times(const Complex& o) const { return {re - o.im, im + o.re}; }
     PELAGIC_INLINE Complex minus_i_times(const Complex& o) const { return {re + o.im, im - o.re}; }
-    /// Times the l-th of the pairs (re, im) at `roots`, the same for every line.
+    /// Multiplies by pair l of the pairs (re, im) at `roots`, in every lane.
     PELAGIC_INLINE Complex times(const float* roots, std::size_t l) const {
         return l % 2 == 0 ? times_lanes<0, 1>(roots + 2 * l) : times_lanes<2, 3>(roots + 2 * (l - 1));
     }
@@ -43,8 +44,9 @@ struct Complex {
     }
 };
 
-/// A transform of four points: input(first), input(first + step), ... in the order in which they are needed. Differences
-/// come before sums: SSE4.2 overwrites one of its operands, which then needs one copy less.
+/// Transforms four points: input(first), input(first + step), ..., which are read in the order of
+/// their use. Differences are computed before sums: SSE4.2 overwrites one of its operands, and this
+/// order saves one copy.
 template <class Arch, class Input>
 PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4], Input input, std::size_t first, std::size_t step) {
     const Complex<Arch> a = input(first), c = input(first + 2 * step);
@@ -57,8 +59,9 @@ PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4], Input input, std::size_t 
     x[3] = even_difference.minus_i_times(odd_difference);
 }
 
-/// A transform of Radix points: `input(l)` yields the l-th, `output(k, value)` takes the k-th result. Eight points fill
-/// the registers, so each is asked for when its turn has come, and handed over as soon as it is known.
+/// Transforms Radix points: `input(l)` returns point l, `output(k, value)` receives result k. Eight
+/// points fill the registers, so each point is read as late as possible and each result is written
+/// as early as possible.
 template <class Arch, std::size_t Radix, class Input, class Output>
 PELAGIC_INLINE void butterfly(Input input, Output output) {
     using C = Complex<Arch>;
@@ -67,7 +70,8 @@ PELAGIC_INLINE void butterfly(Input input, Output output) {
         butterfly_4<Arch>(x, input, 0, 1);
         for (std::size_t k = 0; k < 4; ++k) output(k, x[k]);
     } else {
-        // Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
+        // Two transforms of four points, combined with the eighth roots of unity: 1, r, i, i r, r =
+        // (1 + i)/sqrt(2).
         static_assert(Radix == 8);
         C even[4], odd[4];
         butterfly_4<Arch>(even, input, 0, 2);
@@ -86,7 +90,8 @@ PELAGIC_INLINE void butterfly(Input input, Output output) {
     }
 }
 
-/// The inputs of a butterfly that stand `stride` floats apart: times their roots of one, unless all of those are 1.
+/// The inputs of a butterfly, `stride` floats apart. They are multiplied by their roots of unity,
+/// unless all roots are 1.
 template <class Arch, bool AllOnes = false>
 struct InputsApart {
     const float* at;
@@ -111,7 +116,8 @@ PELAGIC_INLINE void join(float* at, std::size_t stride, const float* roots) {
     butterfly<Arch, Radix>(InputsApart<Arch, AllOnes>{at, stride, roots}, OutputsApart<Arch>{at, stride});
 }
 
-/// One step on `size` elements. Butterflies with the same roots follow each other: those of all groups and fields.
+/// Executes one step on `size` elements. Butterflies with equal roots (those of all groups and
+/// fields) are consecutive.
 template <class Arch, std::size_t Radix, std::size_t Fields>
 PELAGIC_FLATTEN void fft_step(float* data, std::size_t size, const FftStep& step, const float* twiddles) {
     constexpr std::size_t point = 2 * xsimd::batch<float, Arch>::size, element = Fields * point;
@@ -128,7 +134,8 @@ PELAGIC_FLATTEN void fft_step(float* data, std::size_t size, const FftStep& step
         same_roots(first, [=](float* at) { join<Arch, Radix>(at, span, roots); });
 }
 
-/// The steps between the first and the last on `size` elements: one part of the last one's input, or several.
+/// Executes the steps between the first and the last on `size` elements: one or more input blocks
+/// of the last step.
 template <class Arch, std::size_t Fields>
 inline void middle_steps(float* data, std::size_t size, const FftTables& fft) {
     for (std::size_t s = 1; s + 1 < fft.step_count; ++s) {
@@ -139,14 +146,14 @@ inline void middle_steps(float* data, std::size_t size, const FftTables& fft) {
     }
 }
 
-/// Floats of working memory for one transform.
+/// Returns the number of floats of working memory for one transform.
 template <class Arch>
 constexpr std::size_t workspace_floats(const FftTables& fft) {
     return static_cast<std::size_t>(fft.size) * 2 * xsimd::batch<float, Arch>::size;
 }
 
-/// Working memory on the stack of the kernel that says this, as much as the transform's size needs and no more: a
-/// application's threads may have small stacks. Aligned to 64 bytes.
+/// Allocates working memory on the calling kernel's stack, aligned to 64 bytes. The size is exactly
+/// that of the transform, because an application's threads may have small stacks.
 #define PELAGIC_STACK_FLOATS(count) static_cast<float*>(__builtin_alloca_with_align((count) * sizeof(float), 512))
 
 }  // namespace pelagic::kernels

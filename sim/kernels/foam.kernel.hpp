@@ -10,7 +10,7 @@
 
 namespace pelagic::kernels {
 
-/// FoamSource in registers: parts of a byte, not yet whole ones.
+/// FoamSource in registers; results are not yet rounded to whole bytes.
 template <class Arch>
 struct BreakingFoam {
     using V = xsimd::batch<float, Arch>;
@@ -21,13 +21,13 @@ struct BreakingFoam {
     PELAGIC_INLINE V operator()(V jacobian) const { return clamped<Arch>(offset - scale * jacobian, 0.f, 255.f); }
 };
 
-/// A row of a piece of a cascade: what is remembered there, and what becomes of it.
+/// One row of a block of texels: the accumulated foam and the new foam.
 template <class Arch, std::size_t max_columns>
 class FoamRow {
     using V = xsimd::batch<float, Arch>;
 
    public:
-    /// \param from  bytes of the row
+    /// Loads the accumulated foam and subtracts `fade`. \param from  bytes of the row
     PELAGIC_INLINE void remember(const std::uint8_t* from, std::size_t columns, int fade) {
         for (std::size_t x = 0; x < columns; ++x) {
             const int left = from[x] - fade;
@@ -35,7 +35,7 @@ class FoamRow {
         }
     }
 
-    /// The foam of W texels, in whole bytes: the more of what breaks there and what is remembered.
+    /// Returns the foam of W texels, in whole bytes: the maximum of generated and accumulated foam.
     PELAGIC_INLINE V show(V breaking, std::size_t column) {
         const auto bytes = xsimd::nearbyint_as_int(xsimd::max(breaking, V::load_aligned(remembered_ + column)));
         bytes.store_aligned(shown_ + column);
@@ -51,20 +51,21 @@ class FoamRow {
     alignas(64) std::int32_t shown_[max_columns];
 };
 
-/// Two rows of a piece of a cascade as a frame shows them.
+/// Foam of two rows of a block of texels, as a frame shows it.
 template <class Arch, std::size_t max_columns>
 class ShownFoamRows {
     using V = xsimd::batch<float, Arch>;
 
    public:
-    /// \param first  texel of the first row, `stride` before that of the second
+    /// \param first  index of the first row's first texel; the second row starts `stride` texels
+    /// later
     PELAGIC_INLINE ShownFoamRows(const ShownFoam& foam, std::size_t first, std::size_t stride, std::size_t columns)
         : breaking_(foam.source), bytes_(foam.bytes), first_(first), stride_(stride), columns_(columns) {
         for (std::size_t row = 0; row < 2; ++row)
             rows_[row].remember(foam.remembered + first + row * stride, columns, foam.fade);
     }
 
-    /// At W texels of that Jacobian, as a part of 1.
+    /// Returns the foam at W texels with the given Jacobians, [0, 1].
     PELAGIC_INLINE V show(V jacobian, std::size_t row, std::size_t column) {
         return rows_[row].show(breaking_(jacobian), column) * V(1.f / 255);
     }
@@ -80,7 +81,7 @@ class ShownFoamRows {
     std::size_t first_, stride_, columns_;
 };
 
-/// The same where nothing is remembered, and nobody wants bytes.
+/// ShownFoamRows without accumulated foam and without output bytes.
 template <class Arch>
 class FreshFoam {
     using V = xsimd::batch<float, Arch>;
@@ -88,7 +89,8 @@ class FreshFoam {
    public:
     PELAGIC_INLINE FreshFoam(const ShownFoam& foam, std::size_t, std::size_t, std::size_t) : breaking_(foam.source) {}
     PELAGIC_INLINE V show(V jacobian, std::size_t, std::size_t) const {
-        // A float of 2^23 or more is whole: the sum is rounded to nearest even, and less than a byte's place is lost.
+        // A float of 2^23 or more is an integer, so the sum rounds the foam to the nearest whole
+        // byte, ties to even.
         const V whole(0x1p23f);
         return ((breaking_(jacobian) + whole) - whole) * V(1.f / 255);
     }
@@ -98,14 +100,14 @@ class FreshFoam {
     BreakingFoam<Arch> breaking_;
 };
 
-/// What takes the place of rows that nobody wants.
+/// Placeholder for ShownFoamRows if no half floats are written.
 struct NoFoamRows {
     template <class... Any>
     PELAGIC_INLINE explicit NoFoamRows(const Any&...) {}
     PELAGIC_INLINE void write() const {}
 };
 
-/// One row of the tick before, as far as foam has drifted since.
+/// Copies one row of the previous tick, shifted by the drift of the foam.
 inline void shifted_row(const FoamTickJob& job, std::size_t z, std::uint8_t* to) {
     const std::size_t n = job.resolution;
     const std::uint8_t* const from = job.before + ((z + n - job.shift_z) & (n - 1)) * n;
@@ -153,7 +155,7 @@ void foam_tick(const FoamTickJob& job) {
         foam_rows<Arch>(job, NotTurned{});
 }
 
-/// Each byte the mean of 2 x 2.
+/// Each output byte is the mean of 2 x 2 input bytes.
 template <class Arch>
 void halve_foam(const HalveFoamJob& job) {
     for (std::size_t z = 0; z < job.side; ++z) {

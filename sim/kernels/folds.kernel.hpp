@@ -10,12 +10,12 @@
 
 namespace pelagic::kernels {
 
-/// W texels of two rows that follow each other, both horizontal components: along x, then along z.
+/// The horizontal displacement, along x and along z, of W texels of two consecutive rows.
 template <class Arch>
 struct TexelPairs {
     using V = xsimd::batch<float, Arch>;
     V upper[2], lower[2];
-    V along_z[2];  ///< how far the lower texel is drawn from the upper one, metres
+    V along_z[2];  ///< displaced position of the lower texel relative to the upper one, metres
 
     PELAGIC_INLINE TexelPairs(const SurfaceTexels& surface, int upper_place, int lower_place, V texel) {
         const float* const planes[2] = {surface.dx, surface.dz};
@@ -28,8 +28,9 @@ struct TexelPairs {
     }
 };
 
-/// The least Jacobian in each of W cells, times the texel's area. Inside a cell the surface is bilinear, so its Jacobian
-/// is linear and least at one of the corners, where it is the cross product of the two edges that meet there.
+/// Returns the minimum Jacobian in each of W cells, times the texel's area. Inside a cell the
+/// surface is bilinear, so its Jacobian is linear. The minimum is at a corner, where the Jacobian
+/// is the cross product of the two adjacent edges.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> min_area(const TexelPairs<Arch>& here, const TexelPairs<Arch>& behind,
                                                   xsimd::batch<float, Arch> texel) {
@@ -68,7 +69,7 @@ void find_folds(const FindFoldsJob& job) {
             const TexelPairs<Arch> behind = pairs_at(x + V::size);
             const V min = min_area<Arch>(here, behind, texel);
             here = behind;
-            if (!xsimd::any(min <= max)) continue;  // nearly always
+            if (!xsimd::any(min <= max)) continue;  // true for almost all cells
             float lanes[V::size];
             min.store_unaligned(lanes);
             for (std::size_t lane = 0; lane < V::size; ++lane)

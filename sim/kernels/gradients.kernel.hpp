@@ -14,11 +14,12 @@
 
 namespace pelagic::kernels {
 
-/// Normals of any length in a row of the cascade, and the factors that make them unit vectors.
+/// Unnormalised normals of a row of a block, and the factors that normalise them.
 enum NormalPlane { normal_x, normal_y, normal_z, inverse_length, normal_planes };
 using NormalRow = float[normal_planes][GradientsJob::cascade_columns];
 
-/// What the cascade keeps for its mipmaps. Whole registers are read and written, two at a time.
+/// Working memory for the mip levels of a block. Whole registers are read and written, two at a
+/// time.
 template <class Arch>
 struct MipScratch {
     static constexpr std::size_t columns(int level) {
@@ -31,8 +32,9 @@ struct MipScratch {
     alignas(64) float level_2[GradientsJob::cascade_rows / 4 * (mip_planes + 1) * columns(2)];
 };
 
-/// Equations 45 to 48, times (2 L/N)^2: differences are not divided by the distance, because the normal's length
-/// doesn't matter, and J, which is its y, takes the square of it later.
+/// Computes equations 45 to 48, times (2 L/N)^2. Differences are not divided by the distance,
+/// because the length of the normal is arbitrary. J is the normal's y; it is divided by the squared
+/// distance later.
 template <class Arch>
 PELAGIC_INLINE void store_normal(const Differences<Arch> (&along)[surface_components],
                                  xsimd::batch<float, Arch> two_texels, NormalRow& row, std::size_t column) {
@@ -43,7 +45,7 @@ PELAGIC_INLINE void store_normal(const Differences<Arch> (&along)[surface_compon
     const V n_x = h.z * dz.x - h.x * j_zz;
     const V n_y = j_xx * j_zz - dx.z * dz.x;
     const V n_z = h.x * dx.z - h.z * j_xx;
-    // A surface crushed to a point has no normal; the guard keeps it finite.
+    // A surface contracted to a point has no normal; the lower bound keeps the result finite.
     const V squared = xsimd::max(n_x * n_x + n_y * n_y + n_z * n_z, V(1e-30f));
     n_x.store_aligned(row[normal_x] + column);
     n_y.store_aligned(row[normal_y] + column);
@@ -51,7 +53,7 @@ PELAGIC_INLINE void store_normal(const Differences<Arch> (&along)[surface_compon
     divided<Arch>(V(1.f), square_root<Arch>(squared)).store_aligned(row[inverse_length] + column);
 }
 
-/// The normals of two rows.
+/// Computes the normals of two rows.
 template <class Arch, class Surface, class Turn>
 inline void normals_of_rows(const GradientsJob& job, const Surface& surface, const Turn& turn, std::size_t z,
                             std::size_t columns, NormalRow (&normals)[2]) {
@@ -68,8 +70,9 @@ inline void normals_of_rows(const GradientsJob& job, const Surface& surface, con
     }
 }
 
-/// Level 0 and the half floats of two rows of the cascade, and the averages of level 1. What the job says is read once, before
-/// the stores, which might change it for all that the compiler knows.
+/// Writes level 0 and the half floats of two rows of a block, and the averages of level 1. The
+/// job's members are read once, before the stores, because the compiler must assume that stores
+/// change them.
 /// \tparam FoamRows  NoFoamRows: no half floats
 template <class Arch, class FoamRows, class Surface>
 inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size_t z, std::size_t columns,
@@ -85,7 +88,7 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     auto rows = surface.rows(job.first_column, z);
 
-    // The sums of two rows in W columns, and those of the next W.
+    // Packs W columns of two rows and adds both rows.
     const auto pack = [&](std::size_t column, V(&sums)[mip_planes]) {
         for (std::size_t i = 0; i < 2; ++i) {
             const auto normal = [&](NormalPlane plane) { return V::load_aligned(normals[i][plane] + column); };
@@ -124,7 +127,7 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     foam.write();
 }
 
-/// The stage's whole job, for any surface that has rows() and differences_of_row().
+/// Executes a GradientsJob, for any surface type that has rows() and differences_of_row().
 template <class Arch, class Surface>
 inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     using V = xsimd::batch<float, Arch>;
@@ -145,8 +148,8 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     const GradientRows<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
                                  job.average_stride};
 
-    // Normals first, packing afterwards: roots and divisions take long to come, and short loops let the processor begin the
-    // next ones meanwhile.
+    // Compute all normals of two rows before packing them. Square roots and divisions have a high
+    // latency, and a short loop lets the processor overlap several of them.
     for (std::size_t row = 0; row < rows; row += 2) {
         const std::size_t z = job.first_row + row;
         if (is_rotated)

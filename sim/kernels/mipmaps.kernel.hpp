@@ -18,10 +18,11 @@ PELAGIC_INLINE xsimd::batch<float, Arch> clamped(xsimd::batch<float, Arch> v, fl
     return xsimd::min(xsimd::max(v, V(min)), V(max));
 }
 
-/// Channels of [-1, 1] become bytes as v 127.5 + 128, cut: equations 50 and 51 with rounding.
+/// A channel v in [-1, 1] becomes the byte trunc(v 127.5 + 128): equations 50 and 51 with rounding.
 inline constexpr float signed_byte_factor = 127.5f;
 
-/// Normal x, normal z and Jacobian, each already times signed_byte_factor, and a byte of smoothness.
+/// Packs normal x, normal z and Jacobian, each already times signed_byte_factor, and a byte of
+/// smoothness.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> gradient_texels(xsimd::batch<float, Arch> n_x,
                                                                 xsimd::batch<float, Arch> n_z,
@@ -37,8 +38,8 @@ PELAGIC_INLINE void store_texels(xsimd::batch<std::int32_t, Arch> texels, std::u
     texels.store_unaligned(reinterpret_cast<std::int32_t*>(out));
 }
 
-/// Rows of averages of a level, in planes; in whole registers. Where the stride of the planes is known, the compiler writes it
-/// into the instructions.
+/// Rows of averages of a level, in planes, in whole registers. A stride known at compile time
+/// becomes an immediate operand.
 template <std::size_t planes, std::size_t known_stride = 0>
 struct AverageRows {
     float* first;
@@ -48,7 +49,7 @@ struct AverageRows {
     float* row(std::size_t number) const { return first + number * planes * plane_stride(); }
 };
 
-/// The sums of two rows in W columns.
+/// Adds two rows in W columns.
 template <class Arch, std::size_t planes>
 PELAGIC_INLINE void add_rows(const float* above, const float* below, std::size_t plane_stride,
                              xsimd::batch<float, Arch> (&sums)[planes]) {
@@ -58,7 +59,7 @@ PELAGIC_INLINE void add_rows(const float* above, const float* below, std::size_t
             V::load_unaligned(above + plane * plane_stride) + V::load_unaligned(below + plane * plane_stride);
 }
 
-/// W averages of 2 x 2 texels from the sums of two rows in 2 W columns.
+/// Computes W averages of 2 x 2 texels from the sums of two rows in 2 W columns.
 template <class Arch, std::size_t planes>
 PELAGIC_INLINE void average_pairs(const xsimd::batch<float, Arch> (&low)[planes],
                                   const xsimd::batch<float, Arch> (&high)[planes],
@@ -68,11 +69,11 @@ PELAGIC_INLINE void average_pairs(const xsimd::batch<float, Arch> (&low)[planes]
         average[plane] = pair_sums<Arch>(low[plane], high[plane]) * V(0.25f);
 }
 
-/// Gradients have the length of their normals behind the planes of averages.
+/// Rows of averages with one additional plane: the length of the averaged normals.
 template <std::size_t known_stride = 0>
 using GradientRows = AverageRows<mip_planes + 1, known_stride>;
 
-/// W averages and the length of their normals.
+/// Stores W averages and the length of their normals.
 template <class Arch>
 PELAGIC_INLINE void average_texels(const xsimd::batch<float, Arch> (&low)[mip_planes],
                                    const xsimd::batch<float, Arch> (&high)[mip_planes], float* averages,
@@ -86,7 +87,8 @@ PELAGIC_INLINE void average_texels(const xsimd::batch<float, Arch> (&low)[mip_pl
     square_root<Arch>(squared).store_unaligned(averages + mip_planes * plane_stride);
 }
 
-/// W texels from their averages: smoothness by equation 53, the normal of unit length again.
+/// Packs W texels from their averages: smoothness by equation 53, normals renormalised to unit
+/// length.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> texels_of_averages(const float* averages, std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
@@ -101,7 +103,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> texels_of_averages(const float* 
                                  xsimd::to_int(smoothness * V(255.f) + V(0.5f)));
 }
 
-/// A row of texels from its averages.
+/// Packs a row of texels from its averages.
 template <class Arch>
 inline void texels_of_row(const float* averages, std::size_t plane_stride, std::size_t columns,
                           std::uint32_t* texels) {
@@ -115,8 +117,8 @@ inline void texels_of_row(const float* averages, std::size_t plane_stride, std::
     for (std::size_t i = 0; x + i < columns; ++i) texels[x + i] = last[i];
 }
 
-/// A level's rows from the rows of the finer one: averages first, texels afterwards. Roots and divisions take long to
-/// come, and short loops let the processor begin the next ones meanwhile.
+/// Computes a level's rows from the rows of the finer level, averages before texels. Square roots
+/// and divisions have a high latency, and short loops let the processor overlap several of them.
 template <class Arch, class Finer, class Level>
 inline void make_level(std::size_t rows, std::size_t columns, Finer finer, Level level, std::uint32_t* texels,
                        std::size_t texel_stride) {

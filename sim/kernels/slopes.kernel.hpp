@@ -30,7 +30,8 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> slopes_word(const xsimd::batch<f
     return four_bytes<Arch>(planes[h_x], planes[h_z], planes[d_xx], planes[d_zz]);
 }
 
-/// Of averages: what the mean squares have beyond the squares of the means is the variance within a texel.
+/// Packs texels from averages. The variance within a texel is the mean square minus the square of
+/// the mean.
 template <class Arch>
 PELAGIC_INLINE SlopeTexels<Arch> texels_of_slopes(const xsimd::batch<float, Arch> (&planes)[slope_planes],
                                                   float variance_factor) {
@@ -44,7 +45,7 @@ PELAGIC_INLINE SlopeTexels<Arch> texels_of_slopes(const xsimd::batch<float, Arch
                                                         variance(h_x_h_z, h_x, h_z) * around_zero)};
 }
 
-/// Where the texels of a level go.
+/// Output rows of a level's texels.
 struct SlopeRows {
     std::uint32_t *slopes, *moments;
     std::size_t stride;
@@ -54,7 +55,8 @@ struct SlopeRows {
     }
 };
 
-/// The first `count` of W texels; all, but for levels narrower than a register.
+/// Stores the first `count` of W texels. `count` is less than W only for levels narrower than a
+/// register.
 template <class Arch>
 PELAGIC_INLINE void store_slope_texels(const SlopeTexels<Arch>& texels, const SlopeRows& to, std::size_t count) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
@@ -82,7 +84,7 @@ PELAGIC_INLINE void store_averages(const xsimd::batch<float, Arch> (&average)[sl
         average[plane].store_unaligned(to + plane * plane_stride);
 }
 
-/// A level's rows from those of the finer one.
+/// Computes a level's rows from the rows of the finer level.
 template <class Arch, class Finer, class Level>
 inline void make_slope_level(std::size_t rows, std::size_t columns, Finer finer, Level level, float variance_factor,
                              const SlopeRows& texels) {
@@ -102,7 +104,7 @@ inline void make_slope_level(std::size_t rows, std::size_t columns, Finer finer,
     }
 }
 
-/// The slopes at W texels, and their squares.
+/// Computes the slopes at W texels, and their squares and product.
 template <class Arch, class Turn>
 PELAGIC_INLINE void slopes_at(const typename BlockSurface<Arch>::PairWalk& walk, int row, const Turn& turn,
                               xsimd::batch<float, Arch> factor, xsimd::batch<float, Arch> (&planes)[slope_planes]) {
@@ -125,7 +127,7 @@ PELAGIC_INLINE void slopes_at(const typename BlockSurface<Arch>::PairWalk& walk,
     planes[h_x_h_z] = planes[h_x] * planes[h_z];
 }
 
-/// J of slopes in steps of a byte.
+/// Returns J of slopes in units of one byte step.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> jacobian_of(const xsimd::batch<float, Arch> (&planes)[slope_planes],
                                                      xsimd::batch<float, Arch> step) {
@@ -133,7 +135,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> jacobian_of(const xsimd::batch<float, A
     return (one + planes[d_xx] * step) * (one + planes[d_zz] * step) - twist * twist;
 }
 
-/// D_xz, and no variance: the moments at W texels of level 0.
+/// Packs the moments at W texels of level 0: D_xz, and variances of 0.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, Arch> d_xz) {
     constexpr std::uint32_t zeros = 0x80000080;
@@ -141,7 +143,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, A
            xsimd::batch<std::int32_t, Arch>(static_cast<std::int32_t>(zeros));
 }
 
-/// What the cascade keeps of its levels. Whole registers are read and written, two at a time.
+/// Working memory for the levels of a block. Whole registers are read and written, two at a time.
 template <class Arch>
 struct SlopeScratch {
     static constexpr std::size_t columns(int level) {
@@ -154,10 +156,15 @@ struct SlopeScratch {
     alignas(64) float level_2[SlopesJob::cascade_rows / 4 * slope_planes * columns(2)];
 };
 
-/// Level 0 of two rows with the half floats, if wanted, and level 1. Between texels a GPU shows less variance than stands at the
-/// texels, where derivatives overstate short waves: of the variance among four texels a third is in the square between them. As one
-/// square in four lies between such four texels, the mean squares from level 1 on are those of the surface that level 0 shows.
-/// What the job says is read once, before the stores, which might change it for all that the compiler knows.
+/// Writes level 0 of two rows, the half floats if requested, and level 1.
+///
+/// Bilinear filtering between texels shows less variance than the texel values have, because
+/// derivatives at texels amplify short waves. The square between four texels has a third of the
+/// variance among them. One square in four lies between such four texels, so the mean squares from
+/// level 1 on are those of the surface that level 0 shows.
+///
+/// The job's members are read once, before the stores, because the compiler must assume that stores
+/// change them.
 /// \tparam FoamRows  NoFoamRows: no half floats
 template <class Arch, class FoamRows, class Turn>
 inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn, std::size_t z,
@@ -183,7 +190,7 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
                                foam.show(jacobian_of<Arch>(planes, step), static_cast<std::size_t>(row), column),
                                halves + 4 * at);
     };
-    // The sums of the two rows in W columns.
+    // Packs W columns of two rows and adds both rows.
     const auto pack = [&](std::size_t column, V(&sums)[slope_planes]) PELAGIC_INLINE_LAMBDA {
         V below[slope_planes];
         pack_row(0, column, sums);

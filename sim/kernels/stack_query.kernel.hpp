@@ -12,7 +12,7 @@
 
 namespace pelagic::kernels {
 
-/// W places of one cascade: where the points are that rest at world + offset.
+/// W positions in one cascade, cell and position within the cell: world + offset.
 template <class Arch>
 struct StackPlaces {
     using V = xsimd::batch<float, Arch>;
@@ -37,7 +37,7 @@ struct StackPlaces {
     }
 };
 
-/// What counts of a cascade at W points: all of it, without a product, where there are no parts.
+/// The weight of a cascade at W points. Without weights no multiplication is executed.
 template <class Arch, bool HasParts>
 struct CountedPart {
     using V = xsimd::batch<float, Arch>;
@@ -48,7 +48,7 @@ struct CountedPart {
     PELAGIC_INLINE V of(V value) const { return HasParts ? part * value : value; }
 };
 
-/// W searches for a reference point.
+/// W searches for a reference position.
 template <class Arch, class Interpolation, bool HasParts>
 class StackSearch {
     using V = xsimd::batch<float, Arch>;
@@ -97,7 +97,8 @@ class StackSearch {
         x_ = within(x_ - step_x_, reach);
         z_ = within(z_ - step_z_, reach);
     }
-    /// Lanes that are done keep their bits, however long their neighbours take.
+    /// Steps all lanes that have not converged. Converged lanes do not change, whatever the other
+    /// lanes do.
     PELAGIC_INLINE void step(V reach, V enough) {
         x_ = xsimd::select(open(enough), within(x_ - step_x_, reach), x_);
         z_ = xsimd::select(open(enough), within(z_ - step_z_, reach), z_);
@@ -163,7 +164,7 @@ void invert_stack(const InvertStackJob& job) {
         invert_stack_points<Arch, Interpolation, false>(job);
 }
 
-/// Slopes of one plane along the world's axes, added up cascade by cascade, and its value.
+/// Value of one plane and its slopes along the world's axes, summed over the cascades.
 template <class Arch>
 struct SlopeSum {
     using V = xsimd::batch<float, Arch>;

@@ -12,7 +12,8 @@
 
 namespace pelagic::kernels {
 
-/// Where texels lie, W at a time; SurfaceTexels says how. Numbers of texels may lie outside the patch.
+/// Computes offsets of W texels in the layout of SurfaceTexels. Texel indices may lie outside the
+/// cascade.
 template <class Arch>
 class TexelPlaces {
     using I = xsimd::batch<std::int32_t, Arch>;
@@ -42,7 +43,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> between(xsimd::batch<float, Arch> a, xs
     return a + t * (b - a);
 }
 
-/// Values of one plane at the corners of a cell: first index along x, second along z.
+/// Values of one plane at the corners of a cell. The first index is along x, the second along z.
 template <class Arch>
 struct Corners {
     xsimd::batch<float, Arch> v00, v10, v01, v11;
@@ -54,7 +55,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> bilinear(const Corners<Arch>& c, xsimd:
     return between<Arch>(between<Arch>(c.v00, c.v10, u), between<Arch>(c.v01, c.v11, u), v);
 }
 
-/// Where the corners of W cells lie.
+/// Gathers values at the corners of W cells.
 template <class Arch>
 class CellGather {
     using I = xsimd::batch<std::int32_t, Arch>;
@@ -74,13 +75,14 @@ class CellGather {
     Gather<Arch> at00_, at10_, at01_, at11_;
 };
 
-/// Four columns in four rows of one plane, by row and column, without the corners of this square.
+/// The 4 x 4 texels around a cell in one plane, by row and column. LinearPlace does not read the
+/// four corners.
 template <class Arch>
 struct CellSurroundings {
     xsimd::batch<float, Arch> at[4][4];
 };
 
-/// One plane inside a cell: its value, and its slopes along both axes, per two texels.
+/// Value of one plane inside a cell, and its slopes along both axes per two texels.
 template <class Arch>
 struct CellSlopes {
     using V = xsimd::batch<float, Arch>;
@@ -88,9 +90,11 @@ struct CellSlopes {
     V value;
 };
 
-/// Reads four columns around W cells. They lie in one or two groups of W columns, each side by side in memory however large
-/// the blocks are. Of the first group four are loaded that end with it at most, the first `shift` of which are too early: in
-/// their place come the first four of the second group, and all are turned. Nothing is read beyond a group.
+/// Reads four columns around W cells. The columns lie in one or two groups of W columns. A group is
+/// contiguous in memory for every block size. Four columns of the first group are loaded; the load
+/// never extends past the end of the group. The first `shift` of these columns precede the wanted
+/// ones. They are replaced by columns of the second group, and all four are rotated into order.
+/// Nothing is read beyond a group.
 template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
@@ -144,7 +148,8 @@ class CellReader {
     alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
 };
 
-/// Bilinear between texels; slopes are central differences at the corners of the cell, bilinear between them.
+/// Bilinear interpolation between texels. Slopes are central differences at the corners of the
+/// cell, also interpolated.
 template <class Arch>
 class LinearPlace {
     using V = xsimd::batch<float, Arch>;
@@ -159,7 +164,7 @@ class LinearPlace {
                 .z = bilinear<Arch>({c[1] - a[1], c[2] - a[2], d[1] - b[1], d[2] - b[2]}, u_, v_),
                 .value = bilinear<Arch>({b[1], b[2], c[1], c[2]}, u_, v_)};
     }
-    /// Values alone, of planes at W cells.
+    /// Reads values of planes at W cells, without slopes.
     template <std::size_t Planes>
     PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
                              V (&values)[Planes]) const {
@@ -172,9 +177,10 @@ class LinearPlace {
     V u_, v_;
 };
 
-/// Weights of four texels in a row, from one before the cell to one behind it, at t from 0 to 1 in it: the cubic that has the
-/// texels' values and their central differences as slopes at both ends (Catmull and Rom 1974; Keys 1981, IEEE Trans. Acoust.,
-/// Speech, Signal Process. 29, 1153-1160, a = -1/2). At 0 and 1 they are the texels to the bit.
+/// Weights of four texels in a row, from the texel before the cell to the texel after it, at t in
+/// [0, 1] within the cell. The cubic has the texels' values and central differences at both ends of
+/// the cell (Catmull and Rom 1974; Keys 1981, IEEE Trans. Acoust., Speech, Signal Process. 29,
+/// 1153-1160, a = -1/2). At t = 0 and t = 1 it equals the texels exactly.
 template <class Arch>
 struct CubicWeights {
     using V = xsimd::batch<float, Arch>;
@@ -194,7 +200,7 @@ struct CubicWeights {
     }
 };
 
-/// The product of the cubics along both axes; slopes are its derivatives.
+/// Bicubic interpolation: the product of the cubics along both axes. Slopes are its derivatives.
 template <class Arch>
 class CubicPlace {
     using V = xsimd::batch<float, Arch>;
@@ -231,7 +237,7 @@ class CubicPlace {
     CubicWeights<Arch> u_, v_;
 };
 
-/// One horizontal component inside a cell, in texels: its value and its slopes.
+/// Value and slopes of one horizontal component inside a cell, in texels.
 template <class Arch>
 struct Horizontal {
     using V = xsimd::batch<float, Arch>;
@@ -249,7 +255,8 @@ struct Horizontal {
           along_v(cell.z * (V(0.5f) * texels_per_m)) {}
 };
 
-/// The horizontal displacement at the corners of W cells. A search's last steps stay inside of them, and load nothing.
+/// The horizontal displacement at the corners of W cells. The last steps of a search stay inside
+/// one cell and load nothing.
 template <class Arch>
 class LinearCells {
     using V = xsimd::batch<float, Arch>;
@@ -268,7 +275,7 @@ class LinearCells {
     Corners<Arch> dx_, dz_;
 };
 
-/// The same with a texel more on each side.
+/// The horizontal displacement at the 4 x 4 texels around W cells.
 template <class Arch>
 class CubicCells {
     using V = xsimd::batch<float, Arch>;
@@ -289,7 +296,7 @@ class CubicCells {
     CellSurroundings<Arch> texels_[2];
 };
 
-/// Cells that are loaded where a search is.
+/// Cells that are reloaded when a search moves to another cell.
 template <class Arch, class Cells>
 class FollowedCells : public Cells {
     using I = xsimd::batch<std::int32_t, Arch>;
@@ -311,8 +318,9 @@ class FollowedCells : public Cells {
     I x_, z_;
 };
 
-/// What kernels of queries are compiled for: how a value is read between texels, which cells a search for a reference point reads, and
-/// whether it begins at the point itself or where an earlier search ended.
+/// Interpolation policies of the query kernels: the interpolation between texels, the texels that a
+/// search for a reference position loads, and whether the search starts at the world position or at
+/// the result of an earlier search.
 struct Linear {
     template <class Arch>
     using Place = LinearPlace<Arch>;
@@ -328,7 +336,7 @@ struct Cubic {
     static constexpr bool begins_at_the_point = false;
 };
 
-/// W searches for a reference point.
+/// W searches for a reference position.
 template <class Arch, class Interpolation>
 class Inversion {
     using V = xsimd::batch<float, Arch>;
@@ -355,7 +363,7 @@ class Inversion {
         const Horizontal<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)),
                                dz = cells_.dz(u_, v_, V(job.texels_per_m));
 
-        // How far the displaced point is from where it should be, in texels.
+        // Distance of the displaced point from the world position, in texels.
         const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;
         const V off_z = xsimd::to_float(z_ - world_z_) + (v_ - world_v_) + dz.value;
         squared_ = off_x * off_x + off_z * off_z;
@@ -371,7 +379,8 @@ class Inversion {
 
     PELAGIC_INLINE auto open(V enough) const { return squared_ > enough; }
 
-    /// Lanes that are done keep their bits, however long their neighbours take.
+    /// Steps all lanes that have not converged. Converged lanes do not change, whatever the other
+    /// lanes do.
     PELAGIC_INLINE void step(V enough) {
         move(x_, u_, step_x_, enough);
         move(z_, v_, step_z_, enough);
@@ -400,7 +409,8 @@ class Inversion {
     V squared_, step_x_, step_z_;
 };
 
-/// Several registers of searches together: each step of one waits for its loads, and meanwhile the others go on.
+/// Runs the searches of several registers together, so that the loads of one register overlap the
+/// arithmetic of the others.
 template <class Arch, class Interpolation, std::size_t Registers>
 PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
@@ -441,7 +451,8 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
         CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
         const CellSlopes<Arch> dx = place.slopes(texels[0]), h = place.slopes(texels[1]),
                                dz = place.slopes(texels[2]);
-        // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
+        // Multiplied by (2 L/N)^2, as in store_normal() in gradients.kernel.hpp; normalisation
+        // removes the factor.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
         const V n_x = h.z * dz.x - h.x * j_zz;
