@@ -1,4 +1,5 @@
-// Numbers as bytes of a file, in the order that its format wants, whatever the machine's own.
+// Conversion between numbers and bytes in the byte order of a file format, on machines of either
+// byte order.
 #pragma once
 
 #include <algorithm>
@@ -18,19 +19,20 @@ void append_number_bytes(Bytes& bytes, Number number) {
     bytes.insert(bytes.end(), all.begin(), all.end());
 }
 
-/// Appends the number's bytes, the lowest first.
+/// Appends the bytes of the number, least significant first.
 template <class Number>
 void append_little_endian(Bytes& bytes, Number number) {
     append_number_bytes<std::endian::little>(bytes, number);
 }
 
-/// The same, the highest first.
+/// Appends the bytes of the number, most significant first.
 template <class Number>
 void append_big_endian(Bytes& bytes, Number number) {
     append_number_bytes<std::endian::big>(bytes, number);
 }
 
-/// The number whose bytes these are, the lowest first. \pre as many as it has
+/// Returns the number that `bytes` encode, least significant byte first.
+/// \pre bytes.size() == sizeof(Number)
 template <class Number>
 Number little_endian(std::span<const unsigned char> bytes) {
     std::array<unsigned char, sizeof(Number)> all;

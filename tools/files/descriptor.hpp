@@ -1,4 +1,4 @@
-// A file descriptor that is closed at the end of its scope.
+// An owned file descriptor; the destructor closes it.
 #pragma once
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ class Descriptor {
 
     bool is_open() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
-    /// Somebody else closes it.
+    /// Gives up ownership: the caller closes the descriptor.
     int release() { return std::exchange(descriptor_, -1); }
 
    private:

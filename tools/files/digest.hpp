@@ -1,4 +1,4 @@
-// Bytes in 16 hexadecimal digits, as records name them.
+// XXH3 digests as 16 hexadecimal digits, as records contain them.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace pelagic::tools {
 
 std::string hex_text(std::uint64_t value);
 
-/// XXH3 of bytes that come piece by piece.
+/// Computes the XXH3 of bytes that are added piece by piece.
 class Digest {
    public:
     Digest();
@@ -25,7 +25,7 @@ class Digest {
     std::unique_ptr<State, Delete> state_;
 };
 
-/// XXH3 of the bytes.
+/// Returns the XXH3 of the bytes.
 std::string digest_of(std::string_view bytes);
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-// How the pixels in an EXR, TIFF or KTX2 file are packed.
+// Compression of the pixels in EXR, TIFF and KTX2 files.
 #pragma once
 
 #include <array>
@@ -6,12 +6,12 @@
 namespace pelagic::tools {
 
 enum class Compression {
-    zip,   ///< deflate; in an EXR of 16 rows together
-    zips,  ///< deflate of single rows, EXR alone
-    piz,   ///< wavelets, EXR alone
-    dwaa,  ///< cosines, EXR alone; the only one that changes values
-    lzw,   ///< TIFF alone
-    zstd,  ///< KTX2 alone
+    zip,   ///< deflate; in an EXR file, blocks of 16 rows
+    zips,  ///< deflate of single rows; EXR only
+    piz,   ///< wavelets; EXR only
+    dwaa,  ///< cosine transform; EXR only, and the only lossy one
+    lzw,   ///< TIFF only
+    zstd,  ///< KTX2 only
     none,
 };
 
@@ -21,7 +21,7 @@ inline constexpr std::array tiff_compressions = {Compression::zip, Compression::
 inline constexpr std::array ktx2_compressions = {Compression::zstd, Compression::none};
 inline constexpr std::array dds_compressions = {Compression::none};
 
-/// As --compression, records and OpenImageIO have it.
+/// Returns the name that --compression, records and OpenImageIO use.
 constexpr const char* name_of(Compression compression) {
     switch (compression) {
         case Compression::zip: return "zip";

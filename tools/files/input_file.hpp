@@ -1,4 +1,5 @@
-// Files that are read: a read that fails is an error with its reason, never an early end.
+// Reading of input files. A failed read throws an error with its reason; it is never treated as the
+// end of the file.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +12,25 @@ namespace pelagic::tools {
 /// An open file, pipe or standard input.
 class InputFile {
    public:
-    /// \param option    that named the file, for messages
-    /// \param file      "-" is standard input if `dash_is_stdin`
-    /// \param accepted  what the option needs, for messages
-    /// Throws InputError: "--points is FILE, which can't be read, needs ACCEPTED (No such file or directory)".
+    /// \param option    option that named the file, for error messages
+    /// \param file      path; "-" is standard input if `dash_is_stdin`
+    /// \param accepted  what the option accepts, for error messages
+    /// \throws InputError  "--points is FILE, which can't be read, needs ACCEPTED (No such file or
+    /// directory)"
     InputFile(std::string option, const std::filesystem::path& file, std::string accepted,
               bool dash_is_stdin = false);
     ~InputFile();
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    /// Bytes read, 0 only at the end. Throws InputError likewise.
+    /// Reads into `bytes` and returns the number of bytes read; 0 only at the end. Throws
+    /// InputError if the read fails.
     std::size_t read(std::span<char> bytes);
 
-    /// Everything that is left. Throws InputError if that is more than `max_bytes`.
+    /// Reads the remaining bytes. Throws InputError if there are more than `max_bytes`.
     std::string read_all(std::size_t max_bytes);
 
-    /// The file's name, or "standard input".
+    /// Returns the file's name, or "standard input".
     const std::string& name() const { return name_; }
 
    private:

@@ -1,4 +1,5 @@
-// How a system opens files, in one file for each: open_file_posix.cpp, open_file_windows.cpp.
+// Operating-system functions for reading files, implemented in open_file_posix.cpp and
+// open_file_windows.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +10,15 @@
 
 namespace pelagic::tools {
 
-/// Not open if that can't be done; errno says why, EISDIR for a folder where the system knows that only when it is read.
+/// Opens the file for reading. On failure the descriptor is not open and errno holds the reason.
+/// For a directory, EISDIR may be reported only when it is read.
 Descriptor open_to_read(const std::filesystem::path& file);
 
-/// What read() says: bytes that came, 0 at the end, -1 with errno.
+/// Calls read(): returns the number of bytes read, 0 at the end, or -1 with errno set.
 std::ptrdiff_t read_some(int descriptor, std::span<char> bytes);
 
-/// From here on standard input and output are bytes as they are: a line ends with "\n" everywhere.
+/// Switches standard input and output to binary mode, so that a line ends with "\n" on every
+/// system.
 void keep_bytes_as_they_are();
 
 }  // namespace pelagic::tools

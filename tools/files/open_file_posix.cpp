@@ -13,6 +13,6 @@ std::ptrdiff_t read_some(int descriptor, std::span<char> bytes) {
     return ::read(descriptor, bytes.data(), bytes.size());
 }
 
-void keep_bytes_as_they_are() {}  // they are
+void keep_bytes_as_they_are() {}  // POSIX streams are binary already
 
 }  // namespace pelagic::tools

@@ -1,4 +1,5 @@
-// What is the same on every system; the rest stands in output_folder_posix.cpp and output_folder_windows.cpp.
+// Functions that are common to all systems. The others are in output_folder_posix.cpp and
+// output_folder_windows.cpp.
 #include "pelagic/tools/files/output_folder.hpp"
 
 #include "pelagic/tools/text/errors.hpp"

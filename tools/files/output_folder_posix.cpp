@@ -1,4 +1,4 @@
-// POSIX: an opened folder, and calls that work on names in it.
+// POSIX implementation: an open folder descriptor, and system calls relative to it.
 #include "pelagic/tools/files/output_folder.hpp"
 
 #include <dirent.h>
@@ -18,7 +18,8 @@
 namespace pelagic::tools {
 namespace {
 
-/// O_NOFOLLOW: no link is followed. O_NONBLOCK: opening a FIFO that took the name a moment ago does not wait.
+/// O_NOFOLLOW: links are not followed. O_NONBLOCK: opening does not block if a FIFO has taken the
+/// name in the meantime.
 constexpr int careful = O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 
 constexpr const char* can_not_write = "can't write ";
@@ -44,14 +45,15 @@ FileError not_regular(const char* doing, const std::filesystem::path& file, mode
     return file_error(doing, file, std::string("it is ") + type_text(mode) + ", needs a regular file or a free name");
 }
 
-/// Checked once more on what was opened: the name may have been given to something else since.
+/// Throws FileError unless the open file is regular. Checks the descriptor because the name may
+/// refer to another file by now.
 void require_regular(const Descriptor& file, const char* doing, const std::filesystem::path& path) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) throw file_error(doing, path, errno);
     if (!S_ISREG(status.st_mode)) throw not_regular(doing, path, status.st_mode);
 }
 
-/// 0 or an errno.
+/// Returns 0 or an errno.
 int write_all(const Descriptor& file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
@@ -62,7 +64,7 @@ int write_all(const Descriptor& file, std::string_view bytes) {
     return 0;
 }
 
-/// A file under a name of its own for as long as it is written; gone at the end of the scope unless it was renamed.
+/// A file with a temporary name. The destructor removes it unless it was renamed.
 class PartFile {
    public:
     PartFile(const Descriptor& folder, std::string name) : folder_(folder), name_(std::move(name)) {}
@@ -74,21 +76,24 @@ class PartFile {
 
     const Descriptor& file() const { return file_; }
 
-    /// 0 or an errno, as below. What a killed run left is removed unread: it may be a second name of somebody's file.
-    /// \param check  looks at what has the name, if anything, and throws if it may not be removed
+    /// Creates the file. Returns 0 or an errno. A file of a killed run is removed unread: it may be
+    /// a hard link to a file of the user.
+    /// \param check  checks the existing file of that name, if any; throws if it must not be
+    ///     removed
     int create(const std::function<void()>& check) {
         if (const int reason = create_new(); reason != EEXIST) return reason;
         check();
         ::unlinkat(folder_.get(), name_.c_str(), 0);
         return create_new();
     }
-    /// 0 or an errno that only shows when a file is closed, as that of a full disk over NFS may. It stays open, since the
-    /// number of a closed file may be given to the next one.
+    /// Returns 0, or an errno that the system reports only on close, such as a full disk over NFS.
+    /// Closes a duplicate, since the number of a closed descriptor may be reused.
     int flush() {
         const int copy = ::fcntl(file_.get(), F_DUPFD_CLOEXEC, 0);
         return copy >= 0 && ::close(copy) == 0 ? 0 : errno;
     }
-    /// EBUSY if another process has begun to write a file of that name meanwhile.
+    /// Renames the file. Returns 0 or an errno; EBUSY if another process has started to write a
+    /// file of that name.
     int rename_to(const std::string& name) {
         if (!has_its_name()) return EBUSY;
         is_renamed_ = ::renameat(folder_.get(), name_.c_str(), folder_.get(), name.c_str()) == 0;
@@ -202,7 +207,7 @@ void OutputFolder::for_each_name(const std::function<void(const std::string&)>& 
     const auto close = [](DIR* folder) { ::closedir(folder); };
     const std::unique_ptr<DIR, decltype(close)> folder(again.is_open() ? ::fdopendir(again.get()) : nullptr, close);
     if (!folder) throw file_error(can_not_read, path_, errno);
-    again.release();  // closedir() closes it
+    again.release();  // closedir() closes the descriptor
     for (;;) {
         errno = 0;
         const dirent* const entry = ::readdir(folder.get());
@@ -220,7 +225,8 @@ void OutputFolder::remove(const std::string& name) const {
 
 Descriptor OutputFolder::open_for_lock(const std::string& name) const {
     has_regular_file(name, can_not_write);
-    // For writing, which a lock over NFS needs; one that belongs to somebody else may be locked all the same.
+    // A lock over NFS needs a file open for writing. A file of another user can still be locked
+    // read-only.
     Descriptor file(::openat(folder_.get(), name.c_str(), O_RDWR | O_CREAT | careful, 0666));
     const int reason = errno;
     if (!file.is_open()) file = Descriptor(::openat(folder_.get(), name.c_str(), O_RDONLY | careful));

@@ -1,4 +1,5 @@
-// Windows: a folder that is held open, so that nobody can rename or remove it, and paths of names in it.
+// Windows implementation: a handle keeps the folder open, so that it cannot be renamed or removed;
+// file functions take full paths.
 #include <fcntl.h>
 #include <io.h>
 #include <sys/stat.h>
@@ -33,7 +34,7 @@ const char* type_text(std::filesystem::file_type type) {
     return "a device";
 }
 
-/// 0 or an errno.
+/// Returns 0 or an errno.
 int write_all(const Descriptor& file, std::string_view bytes) {
     constexpr std::size_t max_at_once = std::size_t{1} << 30;
     while (!bytes.empty()) {
@@ -49,8 +50,8 @@ Descriptor opened(const std::filesystem::path& file, int how) {
     return Descriptor(::_wopen(file.c_str(), how | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE));
 }
 
-/// A file under a name of its own for as long as it is written; gone at the end of the scope unless it was renamed. Its name
-/// can't be given to another while it is open.
+/// A file with a temporary name. The destructor removes it unless it was renamed. Windows does not
+/// let another file take the name while this one is open.
 class PartFile {
    public:
     explicit PartFile(std::filesystem::path path) : path_(std::move(path)) {}
@@ -64,15 +65,17 @@ class PartFile {
 
     const Descriptor& file() const { return file_; }
 
-    /// 0 or an errno. What a killed run left is removed unread.
-    /// \param check  looks at what has the name, if anything, and throws if it may not be removed
+    /// Creates the file. Returns 0 or an errno. A file of a killed run is removed unread.
+    /// \param check  checks the existing file of that name, if any; throws if it must not be
+    ///     removed
     int create(const std::function<void()>& check) {
         if (const int reason = create_new(); reason != EEXIST) return reason;
         check();
         ::_wunlink(path_.c_str());
         return create_new();
     }
-    /// Closes it first: an open file keeps its name.
+    /// Closes the file, since an open file cannot be renamed, then renames it. Returns 0 or an
+    /// errno.
     int rename_to(const std::filesystem::path& path) {
         if (::_close(file_.release()) != 0) return errno;
         std::error_code reason;
@@ -101,7 +104,7 @@ OutputFolder::OutputFolder(std::filesystem::path path, Sync sync, const std::fil
     std::error_code reason;
     if (!std::filesystem::is_directory(folder, reason))
         throw file_error(can_not_write, wanted, std::filesystem::exists(folder, reason) ? ENOTDIR : ENOENT);
-    // Others may read and write in it; nobody may remove it.
+    // Other processes may read and write in the folder, but not remove it.
     const HANDLE held = ::CreateFileW(folder.c_str(), FILE_LIST_DIRECTORY, FILE_SHARE_READ | FILE_SHARE_WRITE,
                                       nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
     if (held == INVALID_HANDLE_VALUE) throw file_error(can_not_write, wanted, EACCES);
@@ -154,7 +157,7 @@ void OutputFolder::check_writable(const std::string& name) const {
         throw file_error(can_not_write, path_ / name, reason);
 }
 
-void OutputFolder::sync() const {}  // NTFS keeps a journal of names
+void OutputFolder::sync() const {}  // NTFS journals changes of names
 
 Descriptor OutputFolder::open_for_lines(const std::string& name) const {
     has_regular_file(name, can_not_write);

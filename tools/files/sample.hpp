@@ -1,4 +1,4 @@
-// In what type an image keeps its values.
+// Number types of pixel values.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 namespace pelagic::tools {
 
 enum class Sample {
-    uint8,   ///< a byte b stands for b / 255
-    uint16,  ///< a word w stands for w / 65535
+    uint8,   ///< a byte b represents b / 255
+    uint16,  ///< a 16-bit word w represents w / 65535
     half,    ///< IEEE 754 binary16
     float32,
 };
@@ -22,7 +22,7 @@ constexpr std::size_t bytes_of(Sample sample) {
     return 0;
 }
 
-/// Values are themselves, and no parts of 255 or 65535.
+/// Returns true if a sample stores the value itself rather than a fraction of 255 or 65535.
 constexpr bool is_floating(Sample sample) { return sample == Sample::half || sample == Sample::float32; }
 
 }  // namespace pelagic::tools

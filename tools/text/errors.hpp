@@ -1,4 +1,4 @@
-// The two ways in which a command fails: main prints the one line and exits with the code.
+// Exceptions for failed commands. run_command_line() prints the message and returns the exit code.
 #pragma once
 
 #include <stdexcept>
@@ -8,17 +8,17 @@
 
 namespace pelagic::tools {
 
-/// What the user asked for can't be done. Exit code 2; nothing has been written.
+/// Invalid input: an option, a value or an input file. Exit code 2; nothing has been written.
 struct InputError : std::runtime_error {
     explicit InputError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
-/// A file could not be written or read. Exit code 1.
+/// A file cannot be written or read. Exit code 1.
 struct FileError : std::runtime_error {
     explicit FileError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
-/// "--wind-speed is -3, needs (0, 60]".
+/// Makes the error "--wind-speed is -3, needs (0, 60]".
 inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
     return InputError(invalid_value_message(option, value, accepted));
 }

@@ -1,4 +1,4 @@
-// Options that are one of a few words: the same words on the command line and in records.
+// Options with a fixed set of values. The command line and the records use the same names.
 #pragma once
 
 #include <algorithm>

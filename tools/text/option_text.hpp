@@ -1,4 +1,4 @@
-// Option values as people type them: strict numbers, one of some words.
+// Parsing of option values: decimal numbers and named values.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,25 @@
 
 namespace pelagic::tools {
 
-/// The whole text as a finite decimal number, in any locale with a point; none for anything else (NaN, inf, hex, units).
+/// Parses the whole text as a finite decimal number, in any locale with a decimal point. Returns
+/// none for anything else (NaN, inf, hex, units).
 std::optional<double> parse_number(std::string_view text);
 
-/// The whole text as a decimal integer that fits.
+/// Parses the whole text as a decimal integer. Returns none if the value is out of range of
+/// std::int64_t.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// The number, if it lies in [least, most]; else throws InputError: "OPTION is TEXT, needs ACCEPTED".
+/// Returns the number. Throws InputError "OPTION is TEXT, needs ACCEPTED" unless it lies in [min,
+/// max].
 double number_in(const std::string& option, const std::string& text, double min, double max,
                  const std::string& accepted);
 
-/// The same of whole numbers: "OPTION is TEXT, needs a whole number from LEAST to MOST".
+/// Returns the whole number. Throws InputError "OPTION is TEXT, needs a whole number from MIN to
+/// MAX" unless it lies in [min, max].
 int whole_number_in(const std::string& option, const std::string& text, int min, int max);
 
-/// The value of that name; else throws InputError: "OPTION is TEXT, needs a, b or c".
+/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, needs a, b or c" if
+/// there is none.
 template <class Value, std::size_t count>
 Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {
     if (const auto value = value_in(names, text)) return *value;
@@ -36,7 +41,7 @@ Value one_of(const NamedValues<Value, count>& names, const std::string& option, 
     throw bad_value(option, text, list_of(accepted));
 }
 
-/// "a,b" as {"a", "b"}; empty parts stay.
+/// Splits "a,b" into {"a", "b"}. Empty pieces are kept.
 std::vector<std::string> split_at_commas(std::string_view text);
 
 }  // namespace pelagic::tools

@@ -24,14 +24,14 @@ void Progress::show(std::size_t done) {
          static_cast<double>(done) / static_cast<double>(total_));
 }
 
-void Progress::show(const std::string& doing, double part) {
+void Progress::show(const std::string& doing, double fraction) {
     const auto now = Clock::now();
-    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && part < 1)) return;
+    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && fraction < 1)) return;
     last_shown_ = now;
-    std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * part));
-    if (part > 0) {
+    std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * fraction));
+    if (fraction > 0) {
         const double elapsed = std::chrono::duration<double>(now - start_).count();
-        std::fprintf(stderr, ", %.0f s left", elapsed * (1 - part) / part);
+        std::fprintf(stderr, ", %.0f s left", elapsed * (1 - fraction) / fraction);
     }
     std::fflush(stderr);
 }

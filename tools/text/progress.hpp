@@ -1,4 +1,4 @@
-// How far long work has come, on a terminal; nothing in a pipe.
+// Progress display on a terminal. If stderr is not a terminal, show() prints nothing.
 #pragma once
 
 #include <chrono>
@@ -7,19 +7,21 @@
 
 namespace pelagic::tools {
 
-/// One line on stderr that is written over: "frame 12 of 64, 18 %, 5 s left". Cleared when it goes out of scope.
+/// Rewrites one line on stderr: "frame 12 of 64, 18 %, 5 s left". The destructor clears the line.
 class Progress {
    public:
     Progress(std::string item, std::size_t total);
-    Progress() : Progress("", 1) {}  ///< for work that is no number of items
+    Progress() : Progress("", 1) {}  ///< for work without a count of items
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void show(std::size_t done);
-    /// \param part  what is done of the whole, 0 to 1
-    void show(const std::string& doing, double part);
-    /// Prints a line that stays, on stderr, also where it is no terminal. \param line  without its end of line
+    /// Shows a description and a percentage.
+    /// \param fraction  completed fraction of the work, 0 to 1
+    void show(const std::string& doing, double fraction);
+    /// Prints a permanent line on stderr, on a terminal or not.
+    /// \param line  without a line break
     void note(const std::string& line);
 
    private:

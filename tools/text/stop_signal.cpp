@@ -17,7 +17,7 @@ volatile std::sig_atomic_t is_held = 0;
 const char* end_line = "";
 const char* clear_progress = "";
 
-/// Calls nothing but what a signal's handler may.
+/// Ends the program. Async-signal-safe: called from a signal handler.
 void end_now() {
     for (const char* text : {clear_progress, end_line})
         if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
@@ -33,7 +33,8 @@ void handle_stop_signals(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM}) {
         struct sigaction action {};
         ::sigaction(signal, nullptr, &action);
-        if (action.sa_handler == SIG_IGN) continue;  // nohup and background jobs of a script
+        // set by nohup and for background jobs of a script
+        if (action.sa_handler == SIG_IGN) continue;
         action = {};
         action.sa_handler = handler;
         action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;

@@ -1,27 +1,30 @@
-// Ctrl-C and SIGTERM as a question that long work asks between two frames, or as an end with a line, so that it leaves nothing
-// half done.
+// Handling of SIGINT and SIGTERM. A command either polls stop_signal() between frames, or ends at
+// once with a message; neither leaves a partial file.
 #pragma once
 
 namespace pelagic::tools {
 
-/// Thrown by work that was asked to stop: main exits with 128 + signal, as a shell expects.
+/// Thrown after a stop signal. The process exits with 128 + signal, as shells expect.
 struct Stopped {
     int signal;
     int done, total;  ///< frames
 };
 
-/// From here on SIGINT and SIGTERM are noted, the first of each; a second one ends the program at once. A file that
-/// grows over the user's limit becomes a write error (EFBIG) instead of a SIGXFSZ that ends the program.
+/// Installs handlers that store the first SIGINT or SIGTERM; a second signal ends the program at
+/// once. Also ignores SIGXFSZ: a file that exceeds the user's size limit causes a write error
+/// (EFBIG).
 void catch_stop_signals();
 
-/// The signal that came, or 0.
+/// Returns the signal that was received, or 0.
 int stop_signal();
 
-/// From here on SIGINT and SIGTERM write `line` to standard error and end the program with 128 + signal, for work that has long
-/// steps and keeps nothing for later. \param line  with its end of line; outlives the program's work
+/// Installs handlers that write `line` to stderr and end the program with 128 + signal. For
+/// commands with long steps and no state to resume from.
+/// \param line  with its line break; must stay valid until the program ends
 void end_on_stop_signals(const char* line);
 
-/// While one is alive such a signal waits for its end, so that a file is written whole. One at a time, on one thread.
+/// Delays the end of the program while an object exists, so that a file is written completely. At
+/// most one object, on one thread.
 class HeldStop {
    public:
     HeldStop();

@@ -23,7 +23,7 @@ constexpr std::array speed_table = {SpeedUnit{"m/s", 1.0},        SpeedUnit{"km/
 constexpr std::array<std::string_view, 16> compass = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                       "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
 
-/// Clockwise from north, in 16ths of a turn.
+/// Returns the index of the compass point, clockwise from north, in units of 22.5 degrees.
 std::optional<int> compass_point(std::string_view text) {
     const auto found = std::find(compass.begin(), compass.end(), text);
     if (found == compass.end()) return {};
@@ -58,7 +58,8 @@ std::optional<double> parse_compass_deg(std::string_view text) {
     const auto point = compass_point(text.substr(text.find('-') + 1));
     if (!point) return {};
     const int towards = (*point + (comes_from ? 8 : 0)) % 16;
-    return towards * 22.5 - 90;  // a bearing counts from north, -z, our angle from east, +x, the same way round
+    // A bearing is measured from north, -z; the result from east, +x. Both increase clockwise.
+    return towards * 22.5 - 90;
 }
 
 bool is_compass_point(std::string_view text) { return compass_point(text).has_value(); }
