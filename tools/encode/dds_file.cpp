@@ -48,13 +48,13 @@ Bytes dds_file(const Texture& texture) {
                                  (has_levels ? has_level_count : 0)});
     append_words(file, {height, width, width * bytes_of_texel(texture), 0, texture.levels.size()});
     append_zeros(file, 11);
-    // DDS_PIXELFORMAT, 32 bytes: see the next header
+    // DDS_PIXELFORMAT, 32 bytes: "DX10" refers to the next header
     append_words(file, {32, has_four_letters});
     file.insert(file.end(), dx10.begin(), dx10.end());
     append_zeros(file, 5);
     append_words(file, {is_texture | (has_levels ? is_complex | is_mipmapped : 0)});
     append_zeros(file, 4);
-    // DDS_HEADER_DXT10: no cube, an array of one
+    // DDS_HEADER_DXT10: not a cube map, array size 1
     append_words(file, {dxgi_format(texture), two_dimensions, 0, 1});
     append_words(file, {texture.channels == 4 ? alpha_is_custom : alpha_is_absent});
     for (const std::span<const unsigned char> level : texture.levels)

@@ -1,4 +1,5 @@
-// DDS, Direct3D's container of textures, with the header of Direct3D 10 (Microsoft, Programming Guide for DDS).
+// DDS, the texture container of Direct3D, with the Direct3D 10 header (Microsoft, Programming Guide
+// for DDS).
 #pragma once
 
 #include <vector>
@@ -7,7 +8,8 @@
 
 namespace pelagic::tools {
 
-/// A two-dimensional texture, its levels with the largest first. A fourth channel is marked as no opacity.
+/// Encodes a two-dimensional texture, largest level first. The header marks a fourth channel as
+/// custom data, not opacity.
 /// \pre check(texture) is empty (asserted)
 std::vector<unsigned char> dds_file(const Texture& texture);
 

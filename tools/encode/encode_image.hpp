@@ -1,5 +1,6 @@
-// Images as image files, encoded in memory by the library of image_codec.hpp, which is opened for the first of them. They throw
-// std::runtime_error with OpenImageIO's reason, and FileError if that library is not there.
+// Encoding of images in memory, by the library of image_codec.hpp, which the first call loads.
+// Functions throw std::runtime_error with OpenImageIO's reason, and FileError if the library is
+// missing.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +9,11 @@
 
 namespace pelagic::tools {
 
-/// An image for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
+/// Encodes RGBA8 pixels, top row first, as an sRGB PNG without alpha.
 std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int width, int height);
 
-/// Linear light for programs: EXR, 32-bit floats. \param rgb  the upper row first
+/// Encodes linear radiance as an EXR file of 32-bit floats.
+/// \param rgb  top row first
 std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height);
 
 }  // namespace pelagic::tools

@@ -1,8 +1,9 @@
-// An OpenEXR file before it is bytes: parts, the layers in each, and what it says about itself.
+// Description of an OpenEXR file before it is encoded.
 //
-//   file   several images, each with a name and attributes of its own: parts. A file of one part is what every reader knows
-//   part   one size, with one level or a chain of them down to one pixel
-//   layer  channels that belong together, "displacement.R", "displacement.G", "displacement.B"
+//   file   one or several parts, each an image with its own name and attributes. Every reader
+//          supports files of one part
+//   part   one size, with one level or a mip chain down to one pixel
+//   layer  a group of channels: "displacement.R", "displacement.G", "displacement.B"
 #pragma once
 
 #include <functional>
@@ -17,25 +18,26 @@
 namespace pelagic::tools {
 
 struct ExrLayer {
-    std::vector<std::string> channels;            ///< by their full names, in the order of the pixels' values
-    Sample sample;                                ///< half or float32: EXR has no bytes
-    std::function<MapImage(int level)> image_of;  ///< asked for once a level, when it is written
+    std::vector<std::string> channels;  ///< full names, in the order of the values of a pixel
+    Sample sample;                      ///< half or float32; EXR has no 8-bit samples
+    /// called once for each level, when the level is written
+    std::function<MapImage(int level)> image_of;
 };
 
 using ExrAttribute = std::pair<std::string, std::variant<std::string, int, double>>;
 
 struct ExrPart {
-    std::string name;  ///< may be none in a file of one part
+    std::string name;  ///< may be empty in a file of one part
     int side = 0;
     int levels = 1;
     std::vector<ExrLayer> layers;
     std::vector<ExrAttribute> attributes;
-    double frames_per_second = 0;  ///< 0 where it isn't known
+    double frames_per_second = 0;  ///< 0: unknown
 };
 
 struct ExrFile {
     std::vector<ExrPart> parts;  ///< at least one
-    bool is_tiled = false;       ///< in squares of 64 x 64 pixels; only then there are levels
+    bool is_tiled = false;       ///< in tiles of 64 x 64 pixels; required for mip levels
     Compression compression = Compression::zip;
 };
 

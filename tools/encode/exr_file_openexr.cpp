@@ -1,5 +1,5 @@
-// A part of the library pelagic_images: EXR files by OpenEXR itself, because OpenImageIO writes neither several parts nor levels
-// into memory.
+// EXR encoding for the library pelagic_images. It uses OpenEXR directly, because OpenImageIO can
+// write neither several parts nor mip levels to memory.
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -24,12 +24,13 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr unsigned tile_side = 64;  // what renderers' texture caches ask for, maketx and txmake too
-constexpr int own_thread = 0;       // whoever calls has threads already
+// the tile size of renderers' texture caches, and of maketx and txmake
+constexpr unsigned tile_side = 64;
+constexpr int own_thread = 0;  // 0 threads of OpenEXR: encode_exr() works on the calling thread
 
 class BytesInMemory final : public Imf::OStream {
    public:
-    explicit BytesInMemory(std::size_t room) : OStream("memory") { bytes_.reserve(room); }
+    explicit BytesInMemory(std::size_t capacity) : OStream("memory") { bytes_.reserve(capacity); }
 
     void write(const char bytes[], int count) override {
         const std::size_t end = place_ + static_cast<std::size_t>(count);
@@ -91,20 +92,20 @@ Imf::Header header_of(const ExrPart& part, const ExrFile& file) {
     return header;
 }
 
-/// More than the file will have, so that no vector grows while it holds hundreds of megabytes. Pages that nobody writes to take
-/// no memory.
-std::size_t room_for(const ExrFile& file) {
-    std::size_t room = std::size_t{1} << 16;
+/// Returns an upper bound of the file size, so that a buffer of hundreds of megabytes is not
+/// reallocated. Untouched pages take no memory.
+std::size_t max_file_size(const ExrFile& file) {
+    std::size_t size = std::size_t{1} << 16;
     for (const ExrPart& part : file.parts)
         for (const ExrLayer& layer : part.layers) {
             const auto side = static_cast<std::size_t>(part.side);
             const std::size_t pixels = side * side * layer.channels.size() * bytes_of(layer.sample);
-            room += pixels + (part.levels > 1 ? pixels / 2 : 0) + pixels / 16;
+            size += pixels + (part.levels > 1 ? pixels / 2 : 0) + pixels / 16;
         }
-    return room;
+    return size;
 }
 
-/// Where OpenEXR finds the channels of all layers.
+/// Returns the addresses and strides of the channels of all layers.
 Imf::FrameBuffer buffer_of(const ExrPart& part, std::vector<MapImage>& images) {
     Imf::FrameBuffer buffer;
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -144,13 +145,13 @@ std::vector<unsigned char> encode_exr(const ExrFile& file) {
     try {
         std::vector<Imf::Header> headers;
         for (const ExrPart& part : file.parts) headers.push_back(header_of(part, file));
-        BytesInMemory memory(room_for(file));
+        BytesInMemory memory(max_file_size(file));
         {
             constexpr bool override_shared = false;
             Imf::MultiPartOutputFile output(memory, headers.data(), static_cast<int>(headers.size()), override_shared,
                                             own_thread);
             for (int part = 0; part < output.parts(); ++part) write_part(output, file, part);
-        }  // writes the tables of where things are
+        }  // the destructor writes the offset tables
         return memory.taken();
     } catch (const std::bad_alloc&) {
         throw;

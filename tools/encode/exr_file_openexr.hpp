@@ -1,12 +1,12 @@
-// EXR files by OpenEXR, within the library pelagic_images.
+// EXR encoding with OpenEXR; compiled into the library pelagic_images.
 #pragma once
 
 #include "pelagic/tools/encode/exr_file.hpp"
 
 namespace pelagic::tools {
 
-/// The file in memory, the same bytes on every machine. Works on the calling thread, a level of a part at a time. Throws
-/// std::runtime_error with OpenEXR's reason.
+/// Encodes the file in memory. The bytes are identical on every machine. Works on the calling
+/// thread, one level of one part at a time. Throws std::runtime_error with OpenEXR's reason.
 std::vector<unsigned char> encode_exr(const ExrFile& file);
 
 }  // namespace pelagic::tools

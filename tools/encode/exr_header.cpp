@@ -10,12 +10,12 @@ namespace pelagic::tools {
 namespace {
 
 constexpr std::uint32_t magic = 20000630;
-constexpr std::uint32_t several_parts = 0x1000;  // a flag in the version
+constexpr std::uint32_t several_parts = 0x1000;  // multi-part flag in the version field
 constexpr std::size_t max_attributes = 4000;
 constexpr std::size_t max_bytes = std::size_t{1} << 20;
 constexpr std::size_t bytes_behind_channel = 16;  // type, linearity, steps in x and y
 
-/// Takes bytes from the front. Throws std::runtime_error where there are none.
+/// Reads values from the front. Throws std::runtime_error at the end of the bytes.
 class HeaderReader {
    public:
     explicit HeaderReader(std::span<const unsigned char> bytes) : rest_(bytes) {}

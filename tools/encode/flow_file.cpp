@@ -22,7 +22,7 @@ int number_at(const std::string& bytes, std::size_t at) {
 
 gl::FlowMap read_flow_map(const std::string& option, const std::string& file) {
     const std::string bytes = InputFile(option, file, accepted).read_all(std::size_t{4096} * 4096 * 4 + 65536);
-    // The first chunk of a PNG: width, height, bits, kind of colour.
+    // First chunk of a PNG: width, height, bit depth, colour type.
     if (bytes.size() < 33 || bytes.compare(1, 3, "PNG") != 0 || bytes.compare(12, 4, "IHDR") != 0)
         throw bad_value(option, file, accepted);
     const int width = number_at(bytes, 16), height = number_at(bytes, 20), bits = bytes[24], kind = bytes[25];

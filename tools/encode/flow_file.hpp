@@ -1,4 +1,4 @@
-// A river's flow from an image.
+// Flow maps of rivers, read from images.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace pelagic::tools {
 
-/// A square PNG of 8 bits a channel, RGB or RGBA: red is the velocity along x, green along z, 128 is none. Throws InputError that names
-/// the option and the file.
+/// Reads a square PNG of 8 bits per channel, RGB or RGBA. Red is the velocity along x, green along
+/// z; 128 is zero. Throws InputError that names the option and the file.
 gl::FlowMap read_flow_map(const std::string& option, const std::string& file);
 
 }  // namespace pelagic::tools

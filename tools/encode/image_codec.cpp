@@ -17,8 +17,8 @@
 namespace pelagic::tools {
 namespace {
 
-/// Relative to the tool itself, so that a build tree and an installed one can be moved: no search path, by which another
-/// library of that name could be found.
+/// Returns a path relative to the tool, so that a build tree or an installed tree can be moved. No
+/// search path is used, which could find another library of that name.
 std::filesystem::path library_path() {
     std::error_code error;
     const std::filesystem::path tool = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -26,8 +26,8 @@ std::filesystem::path library_path() {
     return (tool.parent_path() / PELAGIC_MODULE_FOLDER / "pelagic_images.so").lexically_normal();
 }
 
-// What OpenImageIO's dependencies take while they are loaded, measured on Debian 12: where the system refuses it half-way they
-// crash or hang, so it is asked for before.
+// Resources that OpenImageIO's dependencies need during loading, measured on Debian 12. If the
+// system refuses them during loading, the process crashes or hangs, so they are requested first.
 constexpr int threads_to_load = 4;
 constexpr std::size_t address_space_to_load = std::size_t{448} << 20;
 
@@ -40,14 +40,15 @@ std::size_t usual_stack_bytes() {
     return bytes;
 }
 
-/// Empty if the library can be loaded, else what is wanted and refused.
-std::string lack_of_room() {
-    void* room =
+/// Returns an empty text if the resources for loading are available, else the missing resource and
+/// the reason.
+std::string missing_resource() {
+    void* reserved =
         ::mmap(nullptr, address_space_to_load, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (room == MAP_FAILED)
+    if (reserved == MAP_FAILED)
         return number_text(address_space_to_load >> 20) +
                " MiB of address space are wanted: " + std::generic_category().message(errno);
-    ::munmap(room, address_space_to_load);
+    ::munmap(reserved, address_space_to_load);
     try {
         need_threads(1 + threads_to_load, usual_stack_bytes());
     } catch (const std::system_error& error) {
@@ -61,8 +62,8 @@ const ImageCodec& opened() {
     const auto reject = [&](const std::string& reason) {
         throw FileError("can't load " + file.string() + ", which writes and reads images: " + reason);
     };
-    if (const std::string lack = lack_of_room(); !lack.empty()) reject(lack);
-    // Never closed: OpenImageIO's threads and static objects live to the end.
+    if (const std::string missing = missing_resource(); !missing.empty()) reject(missing);
+    // Never closed: OpenImageIO's threads and static objects live until the process ends.
     void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) reject(::dlerror());
     const auto* codec = static_cast<const ImageCodec*>(::dlsym(library, "pelagic_image_codec"));

@@ -1,5 +1,6 @@
-// Between the tool and the library that it opens when an image is written or read, pelagic_images: OpenImageIO needs 250 shared
-// libraries, which would take most of the time of every other command.
+// Interface of the library pelagic_images, which the tool loads on the first image that it reads or
+// writes. OpenImageIO depends on 250 shared libraries; loading them would take most of the run time
+// of other commands.
 #pragma once
 
 #include <span>
@@ -10,35 +11,41 @@
 
 namespace pelagic::tools {
 
-/// Pixels in memory: rows from the top, channels interleaved, no gaps.
+/// Describes pixels in memory: top row first, channels interleaved, without padding.
 struct ImageDescription {
     const char* extension;  ///< names the format: "exr", "png" or "tif"
     int width, height, channels;
     Sample sample;
-    const char* colour_space;             ///< as OpenImageIO names it
-    const char* compression;              ///< as OpenImageIO names it; none for the format's own
-    int png_level = 0;                    ///< zlib's, 1 to 9; 0 for the format's own
-    bool has_unassociated_alpha = false;  ///< the fourth channel is no coverage, and nothing is multiplied by it
+    const char* colour_space;  ///< OpenImageIO's name
+    const char* compression;   ///< OpenImageIO's name; null: the default of the format
+    int png_level = 0;         ///< zlib level, 1 to 9; 0: the default of the format
+    /// the fourth channel is data, not coverage; others are not premultiplied
+    bool has_unassociated_alpha = false;
 };
 
-/// What the library exports as `pelagic_image_codec`.
+/// Function table that the library exports as `pelagic_image_codec`.
 struct ImageCodec {
-    const char* version;  ///< of Pelagic: the library and the tool are built together
-    /// The image's file in memory. Throws std::runtime_error with OpenImageIO's reason.
+    const char* version;  ///< of Pelagic; must equal the tool's version
+    /// Encodes an image file in memory. Throws std::runtime_error with OpenImageIO's reason.
     std::vector<unsigned char> (*encode)(const ImageDescription& image, const void* pixels);
-    /// An EXR file in memory, on the calling thread. Throws std::runtime_error with OpenEXR's reason.
+    /// Encodes an EXR file in memory, on the calling thread. Throws std::runtime_error with
+    /// OpenEXR's reason.
     std::vector<unsigned char> (*encode_exr)(const ExrFile& file);
-    /// The pixels of a file in memory as floats, rows from the top, channels interleaved. Throws std::runtime_error with
-    /// OpenImageIO's reason, or if the image's width, height or channels are not `image`'s, before it makes room for any.
+    /// Decodes a file in memory to floats: top row first, channels interleaved. Throws
+    /// std::runtime_error with OpenImageIO's reason, or if width, height or channels differ from
+    /// those of `image`, before it allocates pixels.
     std::vector<float> (*decode)(const ImageDescription& image, std::span<const unsigned char> file);
-    /// The same of one channel, by its full name, "displacement_c1.G" in whichever part of an EXR file it is. Makes room for no other.
+    /// Decodes one channel, given by its full name such as "displacement_c1.G", from any part of an
+    /// EXR file. Allocates memory for this channel only. Throws as decode() does.
     std::vector<float> (*decode_channel)(const ImageDescription& image, std::span<const unsigned char> file,
                                          const char* channel);
-    /// Sets the width, height and channels of an image whose extension is known. Throws likewise.
+    /// Sets the width, height and channels of an image whose extension is set. Throws
+    /// std::runtime_error with OpenImageIO's reason.
     void (*measure)(ImageDescription& image, std::span<const unsigned char> file);
 };
 
-/// The library beside the tool, opened by the first call, from any thread. Throws FileError that names the file.
+/// Returns the function table; the first call loads the library from its path relative to the tool.
+/// Thread-safe. Throws FileError that names the library file.
 const ImageCodec& image_codec();
 
 }  // namespace pelagic::tools

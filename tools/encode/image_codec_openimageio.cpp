@@ -1,4 +1,4 @@
-// The library pelagic_images: the only place that names OpenImageIO.
+// The library pelagic_images: the only source file that uses OpenImageIO.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -17,8 +17,8 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-/// OpenImageIO's defaults: OpenEXR takes a thread for every core, whatever --threads says, and TIFF turns halves into
-/// floats in silence.
+/// Changes two defaults of OpenImageIO: OpenEXR would start a thread per core regardless of
+/// --threads, and TIFF would convert halves to floats silently.
 void set_up_open_image_io() {
     static const bool done = OIIO::attribute("exr_threads", -1) && OIIO::attribute("tiff:half", 1);
     if (!done) throw std::runtime_error("OpenImageIO knows neither exr_threads nor tiff:half");
@@ -45,10 +45,10 @@ std::vector<unsigned char> encode(const ImageDescription& image, const void* pix
         spec.alpha_channel = 3;
         spec.attribute("oiio:UnassociatedAlpha", 1);
     }
-    // EXR and TIFF would note the moment of writing, and no two exports of a sea would be the same.
+    // EXR and TIFF would store the current time, and two exports of a sea would differ.
     if (extension != "png") spec.attribute("DateTime", "1970:01:01 00:00:00");
 
-    const std::string name = "sea." + extension;  // OpenImageIO chooses the format by the name
+    const std::string name = "sea." + extension;  // OpenImageIO selects the format by the extension
     const auto output = ImageOutput::create(name);
     if (!output) throw std::runtime_error("OpenImageIO has no writer for " + extension + ": " + OIIO::geterror());
     std::vector<unsigned char> bytes;
@@ -65,10 +65,11 @@ void check(ImageInput& input, bool is_well) {
     throw std::runtime_error(reason.empty() ? "OpenImageIO can't decode it" : reason);
 }
 
-/// \param memory  outlives the reader
+/// \param memory  must outlive the returned reader
 std::unique_ptr<ImageInput> opened(const char* extension, OIIO::Filesystem::IOMemReader& memory, ImageSpec& spec) {
     set_up_open_image_io();
-    // By the format alone: by a name OpenImageIO would open a file of that name, and try other formats' readers on it.
+    // Select the reader by format only. With a file name OpenImageIO would open a file of that name
+    // and try the readers of other formats.
     auto input = ImageInput::create(extension);
     if (!input)
         throw std::runtime_error(std::string("OpenImageIO has no reader for ") + extension + ": " + OIIO::geterror());

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<unsigned char, 12> identifier = {0xAB, 'K',  'T',  'X',  ' ',  '2',
                                                       '0',  0xBB, '\r', '\n', 0x1A, '\n'};
 
-// Lengths of the parts in front of the data.
+// Sizes of the sections before the data.
 constexpr std::size_t header_bytes = 80, level_index_entry_bytes = 24;
 constexpr std::uint32_t zstd_scheme = 2;
 
@@ -35,7 +35,8 @@ std::uint32_t vulkan_format(const Texture& texture) {
     return formats[static_cast<std::size_t>(texture.sample)][static_cast<std::size_t>(texture.channels) / 2];
 }
 
-/// What a channel's lowest and highest number stand for, 0 and 1 or -1 and 1 (Khronos Data Format 1.4, sampleLower).
+/// Lowest and highest value of a channel, 0 and 1 or -1 and 1 (Khronos Data Format 1.4,
+/// sampleLower).
 struct SampleRange {
     std::uint32_t lower, upper;
 };
@@ -45,7 +46,8 @@ SampleRange range_of(Sample sample) {
         case Sample::uint8: return {0, 0xFF};
         case Sample::uint16: return {0, 0xFFFF};
         case Sample::half:
-        case Sample::float32: return {0xBF800000, 0x3F800000};  // -1 and 1 as binary32, for halves too
+        // -1 and 1 as binary32, also for halves
+        case Sample::float32: return {0xBF800000, 0x3F800000};
     }
     return {};
 }
@@ -58,7 +60,7 @@ void append_long_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
     for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint64_t>(word));
 }
 
-/// The texel's layout in words of its own (Khronos Data Format 1.4, basic descriptor block).
+/// Returns the description of the texel layout (Khronos Data Format 1.4, basic descriptor block).
 Bytes data_format_descriptor(const Texture& texture) {
     constexpr std::size_t version = 2, model_rgbsda = 1, transfer_linear = 1;
     constexpr std::size_t qualifiers_of_floats = 0xC0;  // signed, float
@@ -69,14 +71,14 @@ Bytes data_format_descriptor(const Texture& texture) {
 
     Bytes bytes;
     append_words(bytes, {4 + block_bytes});
-    append_words(bytes, {0, version | block_bytes << 16});  // Khronos' own basic descriptor
+    append_words(bytes, {0, version | block_bytes << 16});  // vendor Khronos, basic descriptor
     append_words(bytes, {model_rgbsda | transfer_linear << 16});
-    append_words(bytes, {0, bytes_of_texel(texture), 0});  // blocks of one texel, of one plane
+    append_words(bytes, {0, bytes_of_texel(texture), 0});  // blocks of one texel, in one plane
     for (std::size_t channel = 0; channel < channels; ++channel) {
         const std::size_t type =
             (channel == 3 ? alpha : channel) | (is_floating(texture.sample) ? qualifiers_of_floats : 0);
         append_words(bytes, {channel * bits | (bits - 1) << 16 | type << 24});
-        append_words(bytes, {0, range.lower, range.upper});  // at the texel's own place
+        append_words(bytes, {0, range.lower, range.upper});  // sample position: the texel itself
     }
     return bytes;
 }
@@ -92,7 +94,7 @@ void append_pair(Bytes& pairs, std::string_view key, std::string_view value) {
     pairs.resize(padded(pairs.size(), 4));
 }
 
-/// In the order of their keys, as the format wants them.
+/// Returns the key/value pairs, sorted by key as the format requires.
 Bytes key_value_data() {
     Bytes pairs;
     append_pair(pairs, "KTXorientation", "rd");
@@ -120,7 +122,8 @@ Bytes ktx2_file(const Texture& texture, Supercompression supercompression) {
     const Bytes descriptor = data_format_descriptor(texture), pairs = key_value_data();
     const std::size_t descriptor_offset = header_bytes + level_index_entry_bytes * levels.size();
     const std::size_t pairs_offset = descriptor_offset + descriptor.size();
-    // Levels as they are can be handed to a graphics interface where they lie, so they are aligned to texels and words.
+    // Uncompressed levels can be uploaded to a graphics API directly from the file, so they are
+    // aligned to texels and 32-bit words.
     const std::size_t alignment = is_compressed ? 1 : std::lcm(bytes_of_texel(texture), std::size_t{4});
     std::size_t end = pairs_offset + pairs.size();
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
@@ -131,10 +134,11 @@ Bytes ktx2_file(const Texture& texture, Supercompression supercompression) {
     Bytes file(identifier.begin(), identifier.end());
     append_words(file, {vulkan_format(texture), bytes_of(texture.sample)});
     append_words(file, {static_cast<std::size_t>(texture.width), static_cast<std::size_t>(texture.height)});
-    append_words(file, {0, 0, 1, levels.size()});  // no depth, no array, no cube
+    // two-dimensional: no depth, no array, no cube map
+    append_words(file, {0, 0, 1, levels.size()});
     append_words(file, {is_compressed ? std::size_t{zstd_scheme} : 0});
     append_words(file, {descriptor_offset, descriptor.size(), pairs_offset, pairs.size()});
-    append_long_words(file, {0, 0});  // nothing that all levels share
+    append_long_words(file, {0, 0});  // no supercompression global data
     for (std::size_t level = 0; level < levels.size(); ++level)
         append_long_words(file, {levels[level].offset, levels[level].bytes.size(), texture.levels[level].size()});
     file.insert(file.end(), descriptor.begin(), descriptor.end());
@@ -156,8 +160,8 @@ std::vector<float> ktx2_channel(std::span<const unsigned char> file, int side, s
     const auto word_at = [&](std::size_t offset) { return little_endian<std::uint32_t>(piece(offset, 4)); };
     const auto long_word_at = [&](std::size_t offset) { return little_endian<std::uint64_t>(piece(offset, 8)); };
     constexpr std::size_t format_at = 12, width_at = 20, height_at = 24, scheme_at = 44;
-    constexpr std::uint32_t four_halves = 97,
-                            four_floats = 109;  // VK_FORMAT_R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT
+    // VK_FORMAT_R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT
+    constexpr std::uint32_t four_halves = 97, four_floats = 109;
 
     const auto start = piece(0, header_bytes + level_index_entry_bytes);
     if (!std::equal(identifier.begin(), identifier.end(), start.begin()))

@@ -1,4 +1,5 @@
-// KTX 2.0, the container of textures for OpenGL, Vulkan, WebGL and WebGPU (Khronos, KTX File Format Specification 2.0, revision 4).
+// KTX 2.0, the texture container for OpenGL, Vulkan, WebGL and WebGPU (Khronos, KTX File Format
+// Specification 2.0, revision 4).
 #pragma once
 
 #include <cstddef>
@@ -11,14 +12,16 @@ namespace pelagic::tools {
 
 enum class Supercompression { none, zstd };
 
-/// A two-dimensional texture, its levels with the smallest first, as the format wants them. The numbers are no colours: transfer
-/// function linear, primaries unspecified. The first row is the upper one (KTXorientation "rd"). Throws FileError for zstd if
-/// Pelagic was built without libzstd.
+/// Encodes a two-dimensional texture, smallest level first as the format requires. The values are
+/// not colours: transfer function linear, primaries unspecified. The first row is the top row
+/// (KTXorientation "rd"). Throws FileError for zstd if Pelagic was built without libzstd.
 /// \pre check(texture) is empty (asserted)
 std::vector<unsigned char> ktx2_file(const Texture& texture, Supercompression supercompression);
 
-/// One channel of the largest level of such a texture, side x side texels, rows from the top. Throws std::runtime_error with the
-/// reason if it is damaged, has another size, or has other texels than four halves or floats; FileError as above.
+/// Decodes one channel of the largest level: side x side texels, top row first.
+/// \throws std::runtime_error  with the reason, if the file is damaged, has another size, or does
+/// not have four halves or floats per texel
+/// \throws FileError  if the file is compressed and Pelagic was built without libzstd
 std::vector<float> ktx2_channel(std::span<const unsigned char> file, int side, std::size_t channel);
 
 }  // namespace pelagic::tools

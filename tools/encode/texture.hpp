@@ -1,4 +1,5 @@
-// A texture as graphics interfaces take it: pixels of one format and their levels, whatever container holds them.
+// A texture for graphics APIs: pixels of one format and their mip levels, independent of the file
+// format.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +13,21 @@ namespace pelagic::tools {
 
 struct Texture {
     int width, height;
-    int channels;  ///< 1, 2 or 4: graphics interfaces need not read textures of three
+    int channels;  ///< 1, 2 or 4: graphics APIs need not support three channels
     Sample sample;
-    /// Rows from the top, channels interleaved, no gaps, numbers with the lowest byte first. Level p is width >> p wide and
-    /// height >> p high, at least 1, and starts with the largest.
+    /// Top row first, channels interleaved, without padding, least significant byte first. Level p
+    /// has max(1, width >> p) x max(1, height >> p) texels. The largest level comes first.
     std::vector<std::span<const unsigned char>> levels;
 };
 
-/// Of all channels.
+/// Returns the bytes of a texel with all channels.
 std::size_t bytes_of_texel(const Texture& texture);
 
-/// Bytes that level p has.
+/// Returns the bytes of a level.
 std::size_t bytes_of_level(const Texture& texture, int level);
 
-/// Empty if a container can hold it, else what is wrong with it: "level 1 has 12 bytes, needs 16".
+/// Returns an empty text if a file can hold the texture, else the error: "level 1 has 12 bytes,
+/// needs 16".
 std::string check(const Texture& texture);
 
 }  // namespace pelagic::tools
