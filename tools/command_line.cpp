@@ -23,8 +23,8 @@ namespace {
 struct CommandEntry {
     const char* name;
     const char* help;
-    MakeCommand make;              ///< null in a build without it
-    const char* option = nullptr;  ///< the CMake option that a build with it needs; null: none
+    MakeCommand make;              ///< null if this build does not contain the command
+    const char* option = nullptr;  ///< CMake option that enables the command; null: always built
 };
 
 constexpr CommandEntry commands[] = {
@@ -38,7 +38,7 @@ constexpr CommandEntry commands[] = {
     {"verify", "check every file of an export, and compute some frames again", make_verify_command, "PELAGIC_IMAGES"},
     {"view", "show a sea in a window, with sliders", make_view_command, "PELAGIC_GL"}};
 
-/// "bench, export ... or view".
+/// Returns "bench, export ... or view".
 std::string command_names() {
     std::vector<std::string> names;
     for (const CommandEntry& command : commands) names.emplace_back(command.name);
@@ -52,19 +52,20 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// What CLI11 says, as one line of ours.
+/// Converts an error of CLI11 to a one-line InputError.
 InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
     const auto commands = app.get_subcommands();
     const CLI::App& used = commands.empty() ? app : *commands.front();
     const std::vector<std::string> options = option_names(used);
 
-    // `--wind-speed --seed 3`: CLI11 takes --seed for the wind and complains of the 3.
+    // `--wind-speed --seed 3`: CLI11 reads --seed as the wind speed and reports the 3 as
+    // unexpected.
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const CLI::Option* option = used.get_option_no_throw(words[i]);
         if (option && option->get_items_expected_min() > 0 && used.get_option_no_throw(words[i + 1]))
             return InputError(words[i] + " has no value, needs one");
     }
-    // CLI11 meets an unknown option before it looks at the values of others.
+    // CLI11 reports an unknown option before it checks the values of other options.
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         const std::vector<std::string> extras = used.remaining(true);
         const std::string word = extras.empty() ? "" : extras.front();
@@ -79,7 +80,8 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         return InputError("unknown option " + name + (nearest ? ", the nearest known one is " + *nearest : "") +
                           help);
     }
-    // The others name the option first: "--seed: ..." or "--seed requires an argument".
+    // Other messages of CLI11 begin with the option: "--seed: ..." or "--seed requires an
+    // argument".
     for (const std::string& option : options) {
         const auto times = std::count_if(words.begin(), words.end(), [&](const std::string& word) {
             return word == option || word.starts_with(option + "=");
@@ -96,7 +98,8 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     return InputError(line);
 }
 
-/// Takes the place of a command that this build lacks: accepts all arguments, and throws when it runs.
+/// Stands in for a command that this build lacks: accepts all arguments and throws InputError in
+/// run().
 class AbsentCommand final : public Command {
    public:
     explicit AbsentCommand(const CommandEntry& entry) : entry_(entry) {}
@@ -114,13 +117,13 @@ class AbsentCommand final : public Command {
     const CommandEntry& entry_;
 };
 
-/// Output that a full disk swallowed is a failure, not a success without words.
+/// Throws FileError if standard output could not be written, for example to a full disk.
 void check_standard_output() {
     if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
     throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
 }
 
-/// `help export` is `export --help`, and `help` alone `--help`.
+/// Converts `help export` to `export --help`, and `help` to `--help`.
 std::vector<std::string> without_help_command(std::vector<std::string> words) {
     if (words.empty() || words.front() != "help") return words;
     words.erase(words.begin());
@@ -145,9 +148,10 @@ int run(int argc, const char* const* argv) {
 
     const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+        // CLI11 expects the words in reverse order
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::Success& help_or_version) {
-        // CLI11 helps before it looks at what it does not know.
+        // CLI11 handles --help before it reports unknown words.
         if (app.get_subcommands().empty() && !app.remaining().empty())
             throw from_cli(CLI::ExtrasError(app.remaining()), app, words);
         const int code = app.exit(help_or_version);

@@ -1,10 +1,10 @@
-// The whole command line: subcommands, help, and one clear line for whatever goes wrong.
+// Entry point of the command line: subcommands, help texts and one-line error messages.
 #pragma once
 
 namespace pelagic::tools {
 
-/// Runs `pelagic` and returns its exit code: 0, 1 for a file that can't be written, 2 for bad input. Errors are one
-/// line on stderr.
+/// Runs `pelagic` and returns its exit code: 0 on success, 1 if a file cannot be written, 2 for
+/// invalid input, 128 + signal after a signal. Prints each error as one line on stderr.
 int run_command_line(int argc, const char* const* argv);
 
 }  // namespace pelagic::tools
