@@ -24,11 +24,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// That of 100,000 frames and more.
+/// Size limit of sea.json, in bytes: enough for more than 100,000 frames.
 constexpr std::size_t max_record_bytes = std::size_t{256} << 20;
-constexpr int deepest_level = 8;  ///< ours have five
+constexpr int deepest_level = 8;  ///< sea.json has five levels
 
-/// Higher than any wave: what is beyond is no height in metres.
+/// Limit of plausible heights, in metres. A larger value is not a height in metres.
 constexpr float highest_m = 1e4f;
 
 Json parsed(const std::string& text, const std::string& place) {
@@ -43,7 +43,7 @@ Json parsed(const std::string& text, const std::string& place) {
     return json;
 }
 
-/// The value of a key of an object; null if there is none.
+/// Returns the value of a key of an object; null if there is none.
 const Json& value_of(const Json& json, const char* key) {
     static const Json none;
     if (!json.is_object()) return none;
@@ -51,8 +51,9 @@ const Json& value_of(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// The images of the frame's heights, of the coarsest cascade and of as many finer ones as it lists, as the export names them. In an
-/// export whose files have all maps each cascade has the same.
+/// Returns the image names of the frame's heights, of the coarsest cascade and of as many finer
+/// ones as the frame lists, as the export names them. If files hold all maps, every cascade has the
+/// same name.
 std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t max_cascades) {
     const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
     if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
@@ -75,7 +76,8 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
     return names;
 }
 
-/// From what the record says of pixels. Exports without displacement say nothing, and are refused elsewhere.
+/// Reads the storage of heights from the record's pixel description. An export without displacement
+/// has none; another check rejects it.
 StoredHeights stored_heights(const Json& record, const std::filesystem::path& place) {
     StoredHeights stored;
     const auto reject = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
@@ -90,7 +92,7 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
         const Json &letter = value_of(channel, "channel"), &scale = value_of(channel, "scale");
         const std::size_t number =
             letter.is_string() ? std::string("RGB").find(letter.get<std::string>()) : std::string::npos;
-        // Metres and centimetres.
+        // The scale is 1 for metres, 0.01 for centimetres.
         if (number > 2 || letter.get<std::string>().size() != 1 || !scale.is_number() ||
             !(scale == 1 || scale == 0.01) || value_of(channel, "offset") != 0)
             throw reject("the channel of heights is none that pelagic export writes");
@@ -101,7 +103,8 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
     throw reject("displacement has no channel of heights");
 }
 
-/// What decides the names of images. Those of a record with others are not found.
+/// Returns the options that determine the names of images. If the record has others, its images are
+/// not found.
 MapOptions names_in(const Json& record) {
     MapOptions options;
     const Json& how = value_of(record, "export");
@@ -186,8 +189,8 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t cascade)
     const int resolution = cascades_[cascade].resolution;
     const std::filesystem::path place = folder_.path() / name;
     const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
-    // Nothing grows so much by compression. A texture has four channels and smaller levels; a packed file may have all maps of all
-    // cascades, which levels make larger by a third.
+    // Compression does not increase the size this much. A texture has four channels and smaller
+    // levels. A packed file may have all maps of all cascades; levels add a third.
     const std::size_t texel_bytes =
         is_packed_ ? all_maps.size() * 4 * cascades_.size() * 2 * sizeof(float) : 4 * 2 * sizeof(float);
     const std::size_t max_bytes = 2 * texels * texel_bytes + (std::size_t{1} << 20);

@@ -1,5 +1,6 @@
-// An export read back: its sea.json and its heights. Nothing in the folder is trusted: names are those that an export gives, files
-// are regular ones and no larger than such a file can be, and numbers are looked at before they are used.
+// Reading of an export: its sea.json and its heights. The folder is untrusted input. Names must be
+// those that an export gives, files must be regular and within the maximum size, and numbers are
+// checked before use.
 #pragma once
 
 #include <filesystem>
@@ -12,37 +13,39 @@
 
 namespace pelagic::tools {
 
-/// The folder of an export that is there. Throws InputError, one line that names the option.
+/// Opens the folder of an existing export. Throws InputError, one line that names the option.
 OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync);
-/// How the displacement images keep heights.
+/// How displacement images store heights.
 struct StoredHeights {
-    std::size_t channel = 1;       ///< of three
-    float metres = 1;              ///< that a pixel's 1 stands for
-    bool overturned_rows = false;  ///< the image's last row is the cascade's first
+    std::size_t channel = 1;       ///< index of the channel, 0 to 2
+    float metres = 1;              ///< height that the pixel value 1 represents, metres
+    bool overturned_rows = false;  ///< the last row of the image is the first row of the cascade
 };
 
-/// Throws InputError where the folder holds no export that can be measured, and FileError where a file can't be read: one line
-/// that names the folder or the file, and the reason.
+/// Reads the heights of an export. Functions throw InputError if the folder holds no export that
+/// can be measured, and FileError if a file cannot be read. The message is one line with the folder
+/// or the file, and the reason.
 class ExportReader {
    public:
-    /// Reads sea.json. \param option  that named the folder, for messages
+    /// Reads sea.json.
+    /// \param option  option that named the folder, for error messages
     ExportReader(std::string option, const std::filesystem::path& folder);
 
     const ResolvedSea& sea() const { return sea_; }
     std::size_t frames() const { return names_.size(); }
-    /// How many the export has: those beyond max_frames are left out.
+    /// Returns the number of frames of the export; frames() is at most max_frames.
     std::size_t frames_there() const { return frames_there_; }
-    /// Between two frames; 0 if there is one.
+    /// Returns the time between two frames in seconds; 0 if there is only one.
     double step_s() const { return step_s_; }
-    /// The cascades that the export has images of, the coarsest first.
+    /// Returns the cascades that the export has images of, the coarsest first.
     const std::vector<CascadePlan>& cascades() const { return cascades_; }
-    /// The heights of a cascade, N x N, row by row, metres.
+    /// Reads the heights of a cascade: N x N values, row by row, in metres.
     std::vector<float> heights(std::size_t frame, std::size_t cascade) const;
 
     static constexpr std::size_t max_frames = 65536;
 
    private:
-    /// That holds a cascade's heights, by its name in the file.
+    /// Returns the full name of the file's channel that holds the heights of a cascade.
     std::string channel_of(std::size_t cascade) const;
 
     std::string option_;

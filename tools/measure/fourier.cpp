@@ -11,18 +11,18 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// e^{-2 pi i turns}.
+/// Returns e^{-2 pi i turns}.
 Complex rotated_back(double turns) {
     const auto at = det::sine_cosine_of_turns(turns);
     return {at.cosine, -at.sine};
 }
 
-/// By hand: std::complex's own product looks for infinities first.
+/// Returns a b. The product of std::complex would check for infinities first.
 Complex product(Complex a, Complex b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// e^{-2 pi i p / n} for p < n / 2.
+/// Returns e^{-2 pi i p / n} for p < n / 2.
 std::vector<Complex> half_a_turn(std::size_t n) {
     std::vector<Complex> factors(n / 2);
     for (std::size_t p = 0; p < factors.size(); ++p)
@@ -30,7 +30,8 @@ std::vector<Complex> half_a_turn(std::size_t n) {
     return factors;
 }
 
-/// Decimation in time, in place. \pre a power of two, and the factors of that length
+/// Transforms in place by decimation in time.
+/// \pre values.size() is a power of two; `factors` belong to this length
 void radix_2(std::span<Complex> values, std::span<const Complex> factors) {
     const std::size_t n = values.size();
     for (std::size_t i = 1, reversed = 0; i < n; ++i) {
@@ -52,10 +53,11 @@ void radix_2(std::span<Complex> values, std::span<const Complex> factors) {
     }
 }
 
-/// With pq = (p^2 + q^2 - (q - p)^2) / 2 the sum is a convolution, which transforms of a power of two compute.
+/// Transforms values of any length. With pq = (p^2 + q^2 - (q - p)^2) / 2 the sum is a convolution,
+/// computed with transforms whose length is a power of two.
 void by_chirp(std::span<Complex> values) {
     const std::size_t n = values.size(), padded = std::bit_ceil(2 * n - 1);
-    std::vector<Complex> chirp(n);  // e^{-pi i p^2 / n}; p^2 counts modulo 2 n
+    std::vector<Complex> chirp(n);  // e^{-pi i p^2 / n}; p^2 is reduced modulo 2 n
     for (std::size_t p = 0; p < n; ++p)
         chirp[p] = rotated_back(static_cast<double>(p * p % (2 * n)) / static_cast<double>(2 * n));
     std::vector<Complex> input(padded), response(padded);

@@ -17,7 +17,7 @@ namespace {
 
 double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
 
-/// A spectrum found, with the model's at the same places.
+/// Returns a measured spectrum with the model's values at its points.
 Json spectrum_json(const std::vector<SpectrumPoint>& found, const char* at, const char* unit, auto model) {
     std::vector<double> places;
     for (const SpectrumPoint& point : found) places.push_back(point.at);
@@ -35,13 +35,15 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json();
 }
 
-/// Peak periods of wind sea and swell (Young 1995); none where the series holds none of the part.
-struct PartPeaks {
+/// Peak periods of wind sea and swell (Young 1995); none for a component with no energy in the
+/// series.
+struct ComponentPeaks {
     std::optional<double> wind_sea_s, swell_s;
 };
 
-/// Of what was found at each frequency the parts have the shares that they have of the model there.
-PartPeaks part_peaks(const std::vector<SpectrumPoint>& found, const SeaState& sea) {
+/// Splits the measured density at each frequency in the ratio that wind sea and swell have in the
+/// model.
+ComponentPeaks component_peaks(const std::vector<SpectrumPoint>& found, const SeaState& sea) {
     SeaState wind = sea;
     wind.swell_height_m = 0;
     std::vector<double> at;
@@ -66,7 +68,8 @@ PartPeaks part_peaks(const std::vector<SpectrumPoint>& found, const SeaState& se
     return {wind_sea.period(), swell.period()};
 }
 
-/// The export's own figures beside those of its options; drawn is null where only frames say what the seed drew.
+/// Returns measured, drawn and expected statistics. A drawn value is null if it can be measured
+/// from frames only.
 Json statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
     const auto three = [](Json measured, Json drawn, Json expected) -> Json {
         return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
@@ -89,13 +92,14 @@ Json statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaR
         {"zero_crossing_period_s",
          three(or_null(found.zero_crossing_period_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)}};
     if (!report.wind_sea || !report.swell) return json;
-    const PartPeaks peaks = part_peaks(found.by_harmonic, sea);
-    const auto part = [&](const std::optional<double>& peak_s, const WavePart& of) {
+    const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
+    const auto component = [&](const std::optional<double>& peak_s, const WavePart& of) {
         return three(or_null(peak_s), of.drawn_peak_period_s, of.peak_period_s);
     };
-    json["wind_sea_peak_period_s"] = part(peaks.wind_sea_s, *report.wind_sea);
-    json["swell_peak_period_s"] = part(peaks.swell_s, *report.swell);
-    // That of all together lies where nothing peaks: the part that has the model's peak has it.
+    json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);
+    json["swell_peak_period_s"] = component(peaks.swell_s, *report.swell);
+    // The peak of the sum may lie between the peaks of both components. Use the component that has
+    // the peak of the model.
     const bool is_swells = report.drawn_peak_period_s == report.swell->drawn_peak_period_s;
     json["peak_period_s"]["found"] = or_null(is_swells ? peaks.swell_s : peaks.wind_sea_s);
     return json;

@@ -1,4 +1,4 @@
-// `pelagic info --measure`: what an export holds, beside what was asked for.
+// `pelagic info --measure`: measured waves of an export beside those expected from its options.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,16 @@
 
 namespace pelagic::tools {
 
-/// Reads every frame of an export and measures its waves: {"frames", "method", "waves", "by_frequency", "by_wave_number"}, where
-/// each figure has what was found, what this seed drew, and what is expected of the options. Shows progress on a terminal.
-/// Throws as ExportReader does.
+/// Reads every frame of an export and measures its waves: {"frames", "method", "waves",
+/// "by_frequency", "by_wave_number"}. Each statistic has the measured value, the value drawn by the
+/// seed, and the value expected from the options. Shows progress on a terminal. Throws as
+/// ExportReader does.
 Json measure_export(const std::filesystem::path& folder);
 
-/// Both spectra of such a measurement as an image.
+/// Returns both spectra of a measurement as an SVG image.
 std::string measurement_as_svg(const Json& measured);
 
-/// The same as a table on standard output, without the spectra.
+/// Prints a measurement as a table on stdout, without the spectra.
 void print_measurement(const Json& measured);
 
 }  // namespace pelagic::tools

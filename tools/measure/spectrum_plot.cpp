@@ -9,7 +9,7 @@ namespace {
 
 constexpr double width = 560, height = 420;  ///< of a panel's axes, in SVG units
 constexpr double left = 110, top = 100, below = 80, right = 30;
-constexpr double max_decades = 5;  ///< below the largest density: less is nothing
+constexpr double max_decades = 5;  ///< below the largest density; smaller densities are omitted
 constexpr const char* found_colour = "#d62728";
 constexpr const char* model_colour = "#1f77b4";
 
@@ -20,10 +20,10 @@ std::string line(const char* format, Values... values) {
     return text;
 }
 
-/// Base-10 logarithms from `least` to `most` on `size` units.
+/// Logarithmic axis, base 10, from 10^`min` to 10^`max` on `size` units.
 struct Axis {
     double min, max, size;
-    std::vector<double> ticks = {1};  ///< of each decade
+    std::vector<double> ticks = {1};  ///< in each decade
     double place(double value) const { return std::max(0.0, (std::log10(value) - min) / (max - min) * size); }
     bool holds(double value) const {
         constexpr double rounding = 1e-9;
@@ -31,7 +31,8 @@ struct Axis {
     }
 };
 
-/// An axis over the values, of which at most `decades` below the largest count. It begins and ends with a tick.
+/// Returns an axis over the values, at most `decades` below the largest. It begins and ends with a
+/// tick.
 Axis axis_over(const std::vector<double>& values, double decades, double size) {
     double max = -300;
     for (const double value : values)
@@ -76,7 +77,7 @@ std::string axes_as_svg(const Axis& across, const Axis& up, const SpectrumPanel&
 }
 
 std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel& panel,
-                         double PlottedPoint::*density, const char* look) {
+                         double PlottedPoint::*density, const char* style) {
     std::string path;
     bool is_down = false;
     for (const PlottedPoint& point : panel.points) {
@@ -87,7 +88,7 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
         path += line("%c%.1f %.1f", is_down ? 'L' : 'M', across.place(point.at), height - up.place(point.*density));
         is_down = true;
     }
-    return "<path d=\"" + path + "\" fill=\"none\" " + look + "/>\n";
+    return "<path d=\"" + path + "\" fill=\"none\" " + style + "/>\n";
 }
 
 std::string panel_as_svg(const SpectrumPanel& panel) {

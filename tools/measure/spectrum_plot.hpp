@@ -1,4 +1,4 @@
-// Spectra found beside those asked for, as an image for people: SVG, logarithmic axes.
+// Plots of measured and expected spectra: SVG, logarithmic axes.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@ struct PlottedPoint {
     double at, found, model;
 };
 
-/// One pair of axes, labelled with quantities and units. Points whose values are not above 0 are left out.
+/// One diagram, labelled with quantities and units. Points with values of 0 or less are omitted.
 struct SpectrumPanel {
     std::string title, at_label, density_label;
     std::vector<PlottedPoint> points;
 };
 
-/// The panels side by side below a title. Texts are ours, or numbers: nothing in them is escaped.
+/// Returns an SVG image with the panels side by side below a title. The texts are not escaped: pass
+/// only trusted texts and numbers.
 std::string spectra_as_svg(const std::string& title, const std::vector<SpectrumPanel>& panels);
 
 }  // namespace pelagic::tools

@@ -21,24 +21,26 @@ constexpr double two_pi = 6.28318530717958647693;
 
 constexpr std::size_t max_points_a_side = 16;
 constexpr std::size_t max_pairs = 8;
-constexpr std::size_t fewest_frames = 16;  ///< for a frequency spectrum
+constexpr std::size_t min_frames = 16;  ///< minimum for a frequency spectrum
 constexpr double band_ratio = 1.08;
 
-/// Where a wave has turned by less than this, or by as little from half a turn, two frames hardly tell its direction.
+/// Minimum |sin| of a wave's phase change between two frames. Near 0 or half a turn the frames
+/// hardly determine the direction.
 constexpr double min_sine = 0.2;
 
 Water water_of(const HeightSeries& series) {
     return {series.depth_m, series.cascade.has_surface_tension ? sea_surface_tension_m3ps2 : 0};
 }
 
-/// m of the place p in a transform of n.
+/// Returns the signed index m of element p of a transform of length n.
 double signed_number(std::size_t p, std::size_t n) {
     return static_cast<double>(p) - (p < n / 2 ? 0.0 : static_cast<double>(n));
 }
 
 double squared(double value) { return value * value; }
 
-/// Young's peak: where S^4 has its mean. Widths weigh what has them.
+/// Peak after Young (1995): the mean of the frequency weighted by S^4. Bands are weighted by their
+/// widths.
 struct Peak {
     double weight = 0, weighted = 0;
     void add(double at, double density, double width) {
@@ -49,17 +51,19 @@ struct Peak {
     std::optional<double> at() const { return weight > 0 ? std::optional(weighted / weight) : std::nullopt; }
 };
 
-/// The one-sided variance density over frequency of a series times a window, added to `density`: element q is q / (n step).
+/// Adds to `density` the one-sided variance density of a windowed series. Element q is the
+/// frequency q / (n step).
 void add_periodogram(std::vector<Complex>& values, double window_power, double step_s, std::vector<double>& density) {
     const auto n = static_cast<double>(values.size());
     fourier(values);
     for (std::size_t q = 1; q < density.size(); ++q) {
-        const bool is_nyquist = 2 * q == values.size();  // it is its own mirror
+        const bool is_nyquist = 2 * q == values.size();  // the Nyquist frequency is its own mirror
         density[q] += (is_nyquist ? 1 : 2) * std::norm(values[q]) * step_s / (n * window_power);
     }
 }
 
-/// Neighbours joined until a band is band_ratio wide, from element 1 on; elements are `step` apart and as wide.
+/// Merges neighbours from element 1 on until a band is band_ratio wide. Elements are `step` apart
+/// and `step` wide.
 std::vector<SpectrumPoint> in_bands(const std::vector<double>& density, double step) {
     std::vector<SpectrumPoint> bands;
     for (std::size_t first = 1; first < density.size();) {
@@ -81,7 +85,7 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
     : series_(series),
       points_a_side_(std::min(max_points_a_side, static_cast<std::size_t>(series.cascade.resolution))),
       rings_(static_cast<std::size_t>(series.cascade.resolution)) {
-    if (series.frames >= fewest_frames) {
+    if (series.frames >= min_frames) {
         at_points_.resize(points_a_side_ * points_a_side_);
         for (auto& point : at_points_) point.reserve(series.frames);
     }
@@ -89,12 +93,15 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
         pairs_.push_back({0, 0, {}});
         return;
     }
-    // A quarter of the peak's period apart, so that the highest waves are told best, and less, for those that turn half about.
+    // Pairs are a quarter of the peak period apart, which best resolves the direction of the
+    // highest waves. Other pairs are closer, for waves whose phase changes by half a turn in that
+    // time.
     running_.resize(static_cast<std::size_t>(series.cascade.resolution) * series.cascade.resolution);
-    told_.resize(running_.size());
-    constexpr std::array parts = {1.0, 0.7, 0.5};
+    pair_counts_.resize(running_.size());
+    constexpr std::array fractions = {1.0, 0.7, 0.5};
     for (std::size_t i = 0; i < max_pairs; ++i) {
-        const double apart = std::round(parts[i % parts.size()] * series.likely_peak_period_s / 4 / series.step_s);
+        const double apart =
+            std::round(fractions[i % fractions.size()] * series.likely_peak_period_s / 4 / series.step_s);
         const auto gap = static_cast<std::size_t>(std::clamp(apart, 1.0, static_cast<double>(series.frames - 1)));
         const std::size_t first = i * (series.frames - gap) / max_pairs;
         pairs_.push_back({first, first + gap, {}});
@@ -131,7 +138,8 @@ void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) 
     const double apart_s = series_.step_s * static_cast<double>(pair.second - pair.first);
     const auto n = static_cast<std::size_t>(series_.cascade.resolution);
     const double spacing = series_.cascade.spacing();
-    // Two real planes in one transform: h1 = (F(k) + conj F(-k)) / 2, h2 = (F(k) - conj F(-k)) / 2i.
+    // Transform two real planes at once:
+    // h1 = (F(k) + conj F(-k)) / 2, h2 = (F(k) - conj F(-k)) / 2i.
     std::vector<Complex> both(n * n);
     for (std::size_t texel = 0; texel < both.size(); ++texel) both[texel] = {first[texel], second[texel]};
     fourier_of_square(both, n);
@@ -140,7 +148,8 @@ void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) 
     for (std::size_t j = 0; j < n; ++j) {
         for (std::size_t i = 0; i < n; ++i) {
             const double m = signed_number(i, n), l = signed_number(j, n);
-            if ((i == 0 && j == 0) || i == n / 2 || j == n / 2) continue;  // mean and Nyquist: no waves of ours
+            // mean and Nyquist: not part of the model
+            if ((i == 0 && j == 0) || i == n / 2 || j == n / 2) continue;
             const Complex here = both[j * n + i] * scale;
             const Complex mirrored = std::conj(both[(n - j) % n * n + (n - i) % n]) * scale;
             const Complex h1 = 0.5 * (here + mirrored), h2 = Complex(0, -0.5) * (here - mirrored);
@@ -151,13 +160,14 @@ void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) 
             ring.weighted_k += variance * k;
             if (pair.first == pair.second) continue;
 
-            // h1 = a + b and h2 = a e^{-i phase} + b e^{+i phase}, a running along k: the frequency is the loop's own.
+            // h1 = a + b and h2 = a e^{-i phase} + b e^{+i phase}, with a along k. The frequency is
+            // that of the loop.
             const double omega = two_pi / series_.loop_period_s *
                                  loop_harmonic(angular_frequency(k, water_of(series_)), series_.loop_period_s);
             const auto turn = det::sine_cosine_of_turns(omega * apart_s / two_pi);
             if (std::fabs(turn.sine) < min_sine) continue;
             running_[j * n + i] += std::norm(h2 - h1 * Complex(turn.cosine, turn.sine)) / squared(2 * turn.sine);
-            ++told_[j * n + i];
+            ++pair_counts_[j * n + i];
         }
     }
     ++spectra_;
@@ -167,9 +177,10 @@ WaveMeasurement::Running WaveMeasurement::running() const {
     Running sum;
     const auto n = static_cast<std::size_t>(series_.cascade.resolution);
     for (std::size_t wave = 0; wave < running_.size(); ++wave) {
-        if (told_[wave] == 0) continue;
-        // The wave along k and the one against it, which is the one along -k, make both h~(k) and h~(-k).
-        const double variance = 2 * running_[wave] / told_[wave];
+        if (pair_counts_[wave] == 0) continue;
+        // The wave along k and the wave against k, which is the one along -k, both contribute to
+        // h~(k) and h~(-k).
+        const double variance = 2 * running_[wave] / pair_counts_[wave];
         const double m = signed_number(wave % n, n), l = signed_number(wave / n, n),
                      number = std::sqrt(m * m + l * l);
         sum.variance += variance;
@@ -179,18 +190,19 @@ WaveMeasurement::Running WaveMeasurement::running() const {
     return sum;
 }
 
-/// A loop holds its own frequencies exactly: one segment. Else Welch (1967): segments that overlap by half, at least seven of them
-/// where there are enough frames.
+/// A loop contains its frequencies exactly and needs one segment. Otherwise use Welch's method
+/// (1967): segments that overlap by half, at least seven if there are enough frames.
 std::size_t WaveMeasurement::segment_length() const {
     if (series_.is_one_loop) return series_.frames;
-    return std::bit_floor(std::max(series_.frames / 4, std::min(series_.frames, fewest_frames)));
+    return std::bit_floor(std::max(series_.frames / 4, std::min(series_.frames, min_frames)));
 }
 
-/// Element q is the density at q / (segment_length() step_s), mean over the points; empty for too few frames.
+/// Returns the density at q / (segment_length() step_s) in element q, averaged over the points;
+/// empty for too few frames.
 std::vector<double> WaveMeasurement::frequency_density() const {
     if (at_points_.empty()) return {};
     const std::size_t length = segment_length(), hop = series_.is_one_loop ? length : length / 2;
-    std::vector<double> window(length, 1.0);  // Hann's, but for a loop
+    std::vector<double> window(length, 1.0);  // Hann window; rectangular for a loop
     double window_power = 0;
     for (std::size_t i = 0; i < length; ++i) {
         const double turns = static_cast<double>(i) / static_cast<double>(length);
@@ -214,7 +226,8 @@ std::vector<double> WaveMeasurement::frequency_density() const {
     return density;
 }
 
-/// A point of each cascade together is a point of the sea, for their waves are independent.
+/// Returns the mean time between upward zero crossings in seconds; none without crossings. Adds the
+/// heights of one point of each cascade: cascades are independent, so any choice of points will do.
 std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const WaveMeasurement> cascades) {
     const HeightSeries& series = cascades.front().series_;
     std::size_t points = cascades.front().at_points_.size(), crossings = 0;
@@ -240,7 +253,8 @@ std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const Wave
 bool WaveMeasurement::holds_whole_ring(std::size_t number) const {
     const CascadePlan& cascade = series_.cascade;
     const auto r = static_cast<double>(number);
-    // Beyond N/2 rings are cut by the square's edges; below 1 there is no wave, so the first ring of the first cascade is whole.
+    // Rings beyond N/2 are cut by the edges of the square. Below 1 there are no waves, so the first
+    // ring of the first cascade is complete.
     return number >= 1 && 2 * number < rings_.size() &&
            (cascade.min_k == 0 || (r - 0.5) * cascade.spacing() >= cascade.min_k) &&
            (r + 0.5) * cascade.spacing() <= cascade.max_k;
@@ -282,7 +296,7 @@ MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades) {
     if (const auto omega = longest.at()) found.peak_wavelength_m = two_pi / wave_number(*omega, series.depth_m);
     if (running > 0.5 * variance) found.directions = directions_of_moment(running_x / running, running_z / running);
     if (density.empty()) {
-        found.frequency_method = "none: fewer than " + number_text(fewest_frames) + " frames";
+        found.frequency_method = "none: fewer than " + number_text(min_frames) + " frames";
         return found;
     }
     const std::size_t length = cascades.front().segment_length();

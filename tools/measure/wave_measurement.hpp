@@ -1,8 +1,10 @@
-// What waves a series of planes of heights holds, found out from the heights alone, but for directions: two frames tell a wave that
-// runs along k from one against it once its frequency is known, and that comes from the dispersion relation.
+// Measurement of waves in a series of planes of heights. Only directions need more than the
+// heights. Two frames distinguish a wave along k from one against k if the frequency is known; it
+// follows from the dispersion relation.
 //
-// Heights are those of reference points, which move horizontally with the sea (Lagrangian). There a sea is a plain sum of its waves, so
-// spectra are those of the model; a gauge at a fixed place of the world would see crests sharpened, as harmonics of the peak.
+// Heights are those of reference points, which move horizontally with the sea (Lagrangian). At
+// reference points a sea is the linear sum of its waves, so the spectra are those of the model. A
+// gauge at a fixed position would measure sharpened crests, as harmonics of the peak.
 #pragma once
 
 #include <cstddef>
@@ -17,49 +19,56 @@
 
 namespace pelagic::tools {
 
-/// Where and when the heights of one cascade are.
+/// Positions and times of the heights of one cascade.
 struct HeightSeries {
     CascadePlan cascade;
     double depth_m = 0;
     double loop_period_s = 0;
-    double likely_peak_period_s = 0;  ///< how far apart in time two frames tell directions best
+    /// time scale for choosing pairs of frames that resolve directions
+    double likely_peak_period_s = 0;
     std::size_t frames = 1;
-    double step_s = 0;         ///< between frames, the same for all; unless there is one frame only
-    bool is_one_loop = false;  ///< the frames are exactly one period of the loop
+    double step_s = 0;         ///< between frames, constant; unused if there is only one
+    bool is_one_loop = false;  ///< the frames span exactly one loop period
 };
 
 struct SpectrumPoint {
-    double at;       ///< Hz, or rad/m
-    double density;  ///< m^2/Hz, or m^3; the integral over `at` is the variance
+    double at;       ///< Hz or rad/m
+    double density;  ///< m^2/Hz or m^3; the integral over `at` is the variance
 };
 
 struct MeasuredWaves {
     double significant_wave_height_m = 0;  ///< 4 sqrt(variance) over all texels of all frames
-    /// (integral S^4 df) / (integral f S^4 df) of by_frequency, before its bands are joined (Young 1995); none without it.
+    /// (integral S^4 df) / (integral f S^4 df) of by_harmonic (Young 1995); none without it.
     std::optional<double> peak_period_s;
-    /// m0 / m1 and sqrt(m0 / m2) of by_frequency, m_n = integral f^n S df; none without it.
+    /// m0 / m1 and sqrt(m0 / m2) of by_harmonic, m_n = integral f^n S df; none without it.
     std::optional<double> tm01_s, tm02_s;
-    /// Mean time between upward crossings of the mean level at the points, cascades together; none without by_frequency, or crossings.
+    /// Mean time between upward crossings of the mean level, over the points of the sum of all
+    /// cascades. None without by_frequency, or without crossings.
     std::optional<double> zero_crossing_period_s;
-    /// The same of by_wave_number carried to frequencies, as a wavelength; none for a flat sea.
+    /// Peak of by_wave_number (Young 1995), computed over frequencies and converted to a
+    /// wavelength; none for a flat sea.
     std::optional<double> peak_wavelength_m;
-    std::optional<WaveDirections> directions;  ///< needs two frames that tell half of the energy and more
-    std::vector<SpectrumPoint>
-        by_frequency;  ///< mean over the points, in bands of 8 %; empty for fewer than 16 frames
-    std::vector<SpectrumPoint> by_harmonic;  ///< by_frequency before its bands are joined
-    /// Mean over some frames, in rings as wide as a cascade's grid is fine. Rings that the end of a cascade's band cuts are left out.
+    /// Needs two frames, and at least half of the energy in waves whose direction is resolved.
+    std::optional<WaveDirections> directions;
+    /// Mean over the points, in bands of 8 %; empty for fewer than 16 frames.
+    std::vector<SpectrumPoint> by_frequency;
+    std::vector<SpectrumPoint> by_harmonic;  ///< by_frequency before its bands are merged
+    /// Mean over some frames, in rings as wide as the grid spacing of a cascade in wave number.
+    /// Rings that the limit of a cascade's band cuts are omitted.
     std::vector<SpectrumPoint> by_wave_number;
-    std::string frequency_method;  ///< how by_frequency was estimated, for people
+    std::string frequency_method;  ///< description of the estimation of by_frequency
 };
 
 class WaveMeasurement {
    public:
     explicit WaveMeasurement(const HeightSeries& series);
 
-    /// The frames in their order, N x N heights each, row by row. \pre no more than were announced
+    /// Adds the next frame: N x N heights in metres, row by row.
+    /// \pre at most series.frames calls
     void add_frame(std::span<const float> heights_m);
 
-    /// Of all cascades together, whose waves are independent. \pre all frames of each were added; the series differ in the cascade only
+    /// Returns the waves of all cascades, which are independent.
+    /// \pre all frames of each cascade were added; the series differ in the cascade only
     friend MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades);
 
    private:
@@ -68,9 +77,10 @@ class WaveMeasurement {
         std::vector<float> heights_of_first;
     };
     void add_pair(const Pair& pair, std::span<const float> second);
+    /// Sums over waves whose direction is resolved.
     struct Running {
-        double variance = 0, x = 0,
-               z = 0;  ///< of waves whose direction is known; times its unit vector along the cascade's axes
+        double variance = 0;
+        double x = 0, z = 0;  ///< variance times the unit vector along the cascade's axes
     };
     Running running() const;
     bool holds_whole_ring(std::size_t number) const;
@@ -84,14 +94,14 @@ class WaveMeasurement {
     std::size_t points_a_side_;
     std::vector<std::vector<float>> at_points_;  ///< [point][frame]
     std::vector<Pair> pairs_;
-    std::size_t spectra_ = 0;  ///< planes in the two sums below
+    std::size_t spectra_ = 0;  ///< number of pairs summed in rings_
     struct Ring {
         double variance = 0, weighted_k = 0;
     };
     std::vector<Ring> rings_;
-    std::vector<double>
-        running_;  ///< [wave] m^2 of the wave that runs along it, summed over the pairs that could tell
-    std::vector<std::uint8_t> told_;  ///< [wave] how many could
+    /// [wave] variance in m^2 of the wave along k, summed over the pairs that resolve its direction
+    std::vector<double> running_;
+    std::vector<std::uint8_t> pair_counts_;  ///< [wave] number of pairs in running_
 };
 
 MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades);

@@ -12,21 +12,22 @@
 namespace pelagic::tools {
 namespace {
 
-/// Keys that follow from others.
+/// Keys whose values are computed from other options.
 constexpr std::array<std::string_view, 2> no_flags = {"mesh_cascades", "events_xxh3"};
 
-/// A list of one frame could be taken for a number of frames.
+/// Writes a single frame number as a range, because the option reads one number as a frame count.
 std::string as_list(const std::string& numbers) {
     return numbers.find_first_of("-,") == std::string::npos ? numbers + "-" + numbers : numbers;
 }
 
-/// A path that can't be taken for an option.
+/// Returns the path in a form that is not parsed as an option.
 std::string path_word(const std::filesystem::path& path) {
     if (path.empty()) return ".";
     return path.string().starts_with('-') ? "./" + path.string() : path.string();
 }
 
-/// The words for a key of the object "export" in a record, which may hold anything. Not for those that words_in() knows.
+/// Appends the arguments for a key of the object "export" in a record, whose value may be anything.
+/// words_in() handles other keys itself.
 void add_words(std::vector<std::string>& words, const std::string& key, const Json& value) {
     if (std::find(no_flags.begin(), no_flags.end(), key) != no_flags.end()) return;
     if (value.is_object()) {
@@ -41,15 +42,16 @@ void add_words(std::vector<std::string>& words, const std::string& key, const Js
     }
 }
 
-/// The words for all of them but those that have their default, for which there may be nothing to be said, as of the compression
-/// where no file has one. Which frames there are and what they are called are options that take more than one key.
+/// Returns the arguments for all keys, except those with default values: a default may have no
+/// valid argument, such as the compression where no file has one. The frame numbers and the file
+/// names are options that depend on several keys.
 std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
     std::filesystem::path out = folder;
     if (how.contains("names")) out /= std::filesystem::path(typed_value(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
-    // The record has the digest of what stands beside it.
+    // The record contains the digest of the events file beside it.
     if (how.contains("events_xxh3")) words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
     const Json usual = options_as_json({})["export"];
     for (const auto& [key, value] : how.items()) {
@@ -64,7 +66,7 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     return words;
 }
 
-/// Safe in any shell of POSIX.
+/// Quotes a word for POSIX shells.
 std::string quoted(const std::string& word) {
     const bool is_plain = !word.empty() && word.find_first_not_of(
                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -95,7 +97,8 @@ ExportOptions options_of_record(const ReadJson& head, const std::filesystem::pat
     const std::vector<std::string> words = words_in(Json(recorded["export"]), file.parent_path());
     ExportOptions options;
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+        // CLI11 expects the words in reverse order
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         options = flags.resolve_with(SeaOptions::of_record(recorded.dump(), file));
     } catch (const CLI::Error& error) {
         throw InputError(file.string() + ": export: " + error.what());

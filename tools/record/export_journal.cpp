@@ -85,7 +85,8 @@ void ExportJournal::read_earlier() {
     try {
         earlier = read_record_or_journal();
     } catch (const DamagedRecord&) {
-        // Of a shard's record nothing is lost but the time to make it again, which its line in `pelagic merge` asks for.
+        // A damaged record of a shard is ignored: the frames are made again. `pelagic merge` prints
+        // the command.
         if (!options_.resume || options_.shard) return;
         throw InputError("--resume is not possible in " + folder_.path().string() + ", whose " + record_name_ +
                          " or journal is damaged; --overwrite starts anew");
@@ -105,7 +106,7 @@ void ExportJournal::read_earlier() {
     done_ = std::move(earlier->frames);
 }
 
-// What is no shard's are the record and the journal of a run that was to make all frames.
+// Takes frames from the record and the journal of a run without --shard.
 void ExportJournal::join_others(const std::vector<int>& here) {
     const Json now = options_as_json(options_);
     const ReadJson wanted = now;
@@ -160,7 +161,7 @@ bool ExportJournal::is_whole(const FrameRecord& record) const {
 }
 
 void ExportJournal::begin() {
-    // What can't be replaced is said now, not after hours of work.
+    // Report files that cannot be replaced now, not after hours of work.
     folder_.check_writable(record_name_);
     if (!options_.shard) folder_.check_writable(sea_json_name);
     const Json header = {{"options", options_as_json(options_)}, {"replaced_files", earlier_images_}};
@@ -169,8 +170,8 @@ void ExportJournal::begin() {
     folder_.write(journal_name_, lines);
     folder_.sync();
     journal_ = folder_.open_for_lines(journal_name_);
-    // What is resumed ends with the record that it began with, and a line of `pelagic merge` or `pelagic verify` takes the
-    // options from it; so does a shard.
+    // A resumed export keeps its record until the end, because a command of `pelagic merge` or
+    // `pelagic verify` reads the options from it. A shard keeps it too.
     if (options_.shard || options_.resume) return;
     folder_.remove(record_name_);
     folder_.remove(sea_json_name);
@@ -192,23 +193,23 @@ void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vecto
         write_finished(folder_, options_, mean_significant_wave_height_m(frames), sequence_files, make_frames);
     folder_.sync();
 
-    // Other shards have parts and files of their own; `pelagic merge` removes what is left of them.
-    if (!options_.shard) remove_what_is_left(frames, sequence_files);
+    // Other shards have temporary files and records; `pelagic merge` removes theirs.
+    if (!options_.shard) remove_stale_files(frames, sequence_files);
     folder_.remove(journal_name_);
     folder_.sync();
 }
 
-void ExportJournal::remove_what_is_left(const std::vector<FrameRecord>& frames,
-                                        const std::vector<FileRecord>& sequence_files) {
-    std::set<std::string> left(earlier_images_.begin(), earlier_images_.end());
-    if (options_.events) left.erase(events_copy_name);
+void ExportJournal::remove_stale_files(const std::vector<FrameRecord>& frames,
+                                       const std::vector<FileRecord>& sequence_files) {
+    std::set<std::string> stale(earlier_images_.begin(), earlier_images_.end());
+    if (options_.events) stale.erase(events_copy_name);
     for (const FrameRecord& frame : frames)
-        for (const FileRecord& file : frame.files) left.erase(file.name);
-    for (const FileRecord& file : sequence_files) left.erase(file.name);
+        for (const FileRecord& file : frame.files) stale.erase(file.name);
+    for (const FileRecord& file : sequence_files) stale.erase(file.name);
     folder_.for_each_name([&](const std::string& name) {
-        if (is_export_part(name, options_.maps.names) || is_of_shard(name)) left.insert(name);
+        if (is_export_part(name, options_.maps.names) || is_of_shard(name)) stale.insert(name);
     });
-    for (const std::string& name : left) folder_.remove(name);
+    for (const std::string& name : stale) folder_.remove(name);
 }
 
 }  // namespace pelagic::tools

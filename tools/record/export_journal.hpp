@@ -1,13 +1,15 @@
-// What makes --resume safe: a file beside the frames that says which of them are done.
+// Journal for --resume: a file beside the frames that lists the finished ones.
 //
-// Line 1 holds the options of the export and the files of an older one that it replaces, each further line a frame whose
-// files stand under their final names, on the disk. The journal is removed when the export's record (sea_files.json), which
-// holds the same entries, and sea.json are whole; a finished export is resumed from the record. A frame counts as done only if
-// its entry is what this export would write (export_record.hpp) and every file of it still has the recorded XXH3, so torn,
-// edited and deleted files and edited entries are made again.
+// Line 1 holds the options of the export and the files of an earlier export that it replaces. Each
+// further line is a frame whose files are on the disk under their final names. The journal is
+// removed when the record (sea_files.json), which holds the same entries, and sea.json are
+// complete. A finished export is resumed from the record. A frame counts as done only if its entry
+// equals the one that this export would write (export_record.hpp) and every file has the recorded
+// XXH3. So incomplete, edited and deleted files and edited entries are made again.
 //
-// A shard has a journal and a record of its own and leaves all others alone: those of an export with other options it does
-// not join, and those with the same say the same of its frames.
+// A shard has its own journal and record and does not change those of other shards. It rejects a
+// folder with an export of other options. Records of all frames with equal options also hold valid
+// entries for the shard's frames.
 #pragma once
 
 #include <map>
@@ -22,34 +24,39 @@ namespace pelagic::tools {
 
 class ExportJournal {
    public:
-    /// Looks at what is in the folder. Throws InputError if
-    ///   - neither --resume, --overwrite nor --shard was given, and a finished export or shards of one are there;
-    ///   - --resume was given, and the earlier export had other options (the line names the first that differs) or left no
-    ///     usable record;
-    ///   - --shard was given, and what is there for all frames is an export with other options;
-    /// and FileError if a record can't be read or is no regular file.
+    /// Reads the state of the folder. Throws InputError if
+    ///   - neither --resume, --overwrite nor --shard is given, and the folder has a finished export
+    ///     or shards;
+    ///   - --resume is given, and the earlier export had other options (the line names the first
+    ///     that differs) or left no usable record;
+    ///   - --shard is given, and the record or journal of all frames has other options;
+    /// and FileError if a record cannot be read or is not a regular file.
     ExportJournal(const ExportOptions& options, const OutputFolder& folder);
 
-    /// Frames that are whole already; empty without --resume.
+    /// Returns the complete frames of the earlier export; empty without --resume.
     const std::map<int, FrameRecord>& done() const { return done_; }
 
-    /// Starts the new export: from here on no record claims the folder, unless a shard is
-    /// made or an export is resumed. Throws FileError.
+    /// Starts the new export: writes the journal and, unless a shard is made or an export is
+    /// resumed, removes the earlier record. Throws FileError.
     void begin();
-    /// The frame's files are done. Throws FileError.
+    /// Appends a frame whose files are finished. Throws FileError.
     void add(const FrameRecord& record);
-    /// Writes the record and sea.json, or the shard's record, then removes the journal, files of an earlier export that this one
-    /// did not make again, unless a shard is made, and parts that a killed one left behind. \param sequence_files  made of all frames together
+    /// Writes the record and sea.json, or the shard's record, then removes the journal. Unless a
+    /// shard is made, it also removes files of an earlier export that were not replaced, and
+    /// temporary files of a killed run.
+    /// \param sequence_files  files made of all frames together
     void end(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files);
 
    private:
     void read_earlier();
-    /// An interrupted export may be begun anew: what is finished is replaced only where that is asked for.
+    /// Throws InputError if the folder has a finished export or shards. An interrupted export may
+    /// be restarted without an option.
     void require_nothing_finished() const;
     std::optional<EarlierExport> read_record_or_journal() const;
     void join_others(const std::vector<int>& here);
-    /// Files of an earlier export, parts, and what shards have said of themselves: they are older than this export.
-    void remove_what_is_left(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files);
+    /// Removes files of an earlier export, temporary files, and records, journals and locks of
+    /// shards.
+    void remove_stale_files(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files);
     bool is_whole(const FrameRecord& record) const;
 
     const ExportOptions& options_;

@@ -13,7 +13,8 @@
 namespace pelagic::tools {
 namespace {
 
-/// Ours have five levels. Some of the library's functions take stack by the level.
+/// Maximum depth of JSON; records have five levels. Some functions of the library recurse for each
+/// level.
 constexpr int deepest_level = 8;
 
 ReadJson parsed(std::string_view text) {
@@ -28,7 +29,7 @@ ReadJson parsed(std::string_view text) {
     }
 }
 
-/// The value of a key; null if there is none, or if `json` is no object.
+/// Returns the value of a key; null if there is none, or if `json` is not an object.
 const ReadJson& value_of(const ReadJson& json, const std::string& key) {
     static const ReadJson none;
     if (!json.is_object()) return none;
@@ -39,7 +40,7 @@ const ReadJson& value_of(const ReadJson& json, const std::string& key) {
 std::string text_of(const ReadJson& json) { return json.is_string() ? json.get<std::string>() : std::string(); }
 double number_of(const ReadJson& json) { return json.is_number() ? json.get<double>() : 0; }
 
-/// Of a frame, in the order in which records list them.
+/// Returns the file names of a frame, in the order of the records.
 std::vector<std::string> file_names(const ExportOptions& options, int frame) {
     std::vector<std::string> names;
     for (const ImageFile& file : image_files(options, frame)) names.push_back(file.name);
@@ -71,7 +72,8 @@ std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOpt
         return {};
     for (std::size_t i = 0; i < names.size(); ++i)
         record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
-    // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.
+    // The time and the names in `record` are computed here, so an entry with others differs. The
+    // digest in the entry must match too.
     if (entry != ReadJson(frame_as_json(record))) return {};
     return record;
 }
@@ -126,7 +128,8 @@ EarlierExport parse_journal(std::string_view text, const ExportOptions& options)
     while (!text.empty()) try {
             take_frame(parsed(next_line(text)), options, earlier);
         } catch (const DamagedRecord&) {
-            // A line may be torn if the export was killed while writing it: its frame does not count.
+            // The last line is incomplete if the export was killed while it wrote the line. Ignore
+            // the frame.
         }
     return earlier;
 }
@@ -144,13 +147,13 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
 
 std::size_t max_record_bytes(const ExportOptions& options) {
     constexpr std::size_t usual = std::size_t{64} << 20;
-    constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice what the record takes
+    constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice the size of an entry
     const std::size_t files = file_names(options, 0).size();
     return std::max(usual, options.times.count() * (bytes_a_frame + files * bytes_a_file));
 }
 
 OptionDifference first_difference(const ReadJson& earlier, const Json& now) {
-    const Json ordered = now.flatten();  // the order in which options are written
+    const Json ordered = now.flatten();  // keeps the order of the options
     const ReadJson was = earlier.flatten(), is = ReadJson(ordered);
     std::vector<std::string> keys;
     for (const auto& [key, value] : ordered.items()) keys.push_back(key);
@@ -176,21 +179,22 @@ OptionDifference first_option_difference(const ReadJson& earlier, const Json& no
     const auto difference = [&](const Json::json_pointer& at) {
         return OptionDifference{clipped(flag_at(at.to_string())), text(in(earlier, at)), text(in(is, at))};
     };
-    // A list is one option, and so are all changes of the weather.
+    // A list is one option, and all changes of the weather together are one.
     const auto is_option = [](const Json& value) { return !value.is_object(); };
     std::optional<OptionDifference> found;
-    const std::function<void(const Json&, const Json::json_pointer&)> look = [&](const Json& part,
-                                                                                 const Json::json_pointer& at) {
-        for (const auto& [key, value] : part.items()) {
+    const std::function<void(const Json&, const Json::json_pointer&)> visit = [&](const Json& object,
+                                                                                  const Json::json_pointer& at) {
+        for (const auto& [key, value] : object.items()) {
             if (found) return;
             if (!is_option(value))
-                look(value, at / key);
+                visit(value, at / key);
             else if (in(earlier, at / key) != in(is, at / key))
                 found = difference(at / key);
         }
     };
-    look(now, Json::json_pointer());
-    if (!found) look(Json(earlier), Json::json_pointer());  // what only the earlier one has
+    visit(now, Json::json_pointer());
+    // options that only the earlier export has
+    if (!found) visit(Json(earlier), Json::json_pointer());
     return found ? *found : OptionDifference{"something", "other", "as here"};
 }
 

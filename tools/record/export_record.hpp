@@ -1,7 +1,8 @@
-// What an earlier export wrote about itself, read back with the greatest suspicion: anybody may have edited it.
+// Reading of records and journals of an earlier export. They are untrusted input: users may have
+// edited them.
 //
-// A frame of it counts only if it is, word by word, what this export would write about that frame itself; of the names in
-// it only those are taken that an export can have given. All else is as if it were not there.
+// A frame is accepted only if its entry equals the one that this export would write for it. File
+// names are accepted only if an export can have created them. Everything else is ignored.
 #pragma once
 
 #include <cstddef>
@@ -17,35 +18,39 @@
 
 namespace pelagic::tools {
 
-/// With sorted keys, so that a file of a million keys is read in no time. (Json looks each new key up among all others.)
+/// JSON with sorted keys, so that lookups in a file of a million keys are fast. (Json compares each
+/// new key with all others.)
 using ReadJson = nlohmann::json;
 
-/// A record that is no record at all: malformed, nested too deeply, or without options.
+/// Thrown for a record that is malformed, nested too deeply, or has no options.
 struct DamagedRecord : std::runtime_error {
     DamagedRecord() : std::runtime_error("the record is damaged") {}
 };
 
 struct EarlierExport {
-    ReadJson options;                   ///< as options_as_json() writes them
-    std::map<int, FrameRecord> frames;  ///< those that count
-    std::vector<std::string>
-        images;  ///< that this export replaces: names that an export can have given, and no others
+    ReadJson options;                   ///< in the form of options_as_json()
+    std::map<int, FrameRecord> frames;  ///< accepted frames
+    /// Files that this export replaces; only names that an export can have given.
+    std::vector<std::string> images;
 };
 
-/// The texts of a journal and of a record. Throws DamagedRecord.
+/// Parse the text of a journal or of a record. Throw DamagedRecord.
 EarlierExport parse_journal(std::string_view text, const ExportOptions& options);
 EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options);
 
-/// The options in the head of a record, as options_as_json() writes them. Throws DamagedRecord if it has none.
+/// Returns the options in the head of a record, in the form of options_as_json(). Throws
+/// DamagedRecord if it has none.
 ReadJson options_in(const ReadJson& head);
 
-/// The frame that an entry is about, if it says exactly what this export would say.
+/// Returns the frame of an entry; none unless the entry equals the one that this export would
+/// write.
 std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOptions& options);
 
-/// Larger ones are not read: more than this export or any other of usual size would write.
+/// Returns the size limit for reading a record or journal, in bytes: larger than what this export,
+/// or any other of usual size, writes.
 std::size_t max_record_bytes(const ExportOptions& options);
 
-/// An option as a person reads it.
+/// An option whose values differ, as text for messages.
 struct OptionDifference {
     std::string key, before, after;
 
@@ -53,11 +58,11 @@ struct OptionDifference {
     std::string is_not() const { return key + " is " + before + ", not " + after; }
 };
 
-/// The first value that differs, in the order of `now`.
+/// Returns the first value that differs, in the order of `now`.
 OptionDifference first_difference(const ReadJson& earlier, const Json& now);
 
-/// The first option of options_as_json() that differs, by its name on the command line: "--maps", "displacement,gradient",
-/// "displacement".
+/// Returns the first option of options_as_json() that differs, by its name on the command line:
+/// "--maps", "displacement,gradient", "displacement".
 OptionDifference first_option_difference(const ReadJson& earlier, const Json& now);
 
 }  // namespace pelagic::tools

@@ -35,7 +35,7 @@ FileCheck::FileCheck(const OutputFolder& folder, int threads,
     try {
         while (threads_.size() < count) threads_.emplace_back([this] { read_files(); });
     } catch (const std::system_error&) {
-        // The system has no more threads to give; without any, add() reads.
+        // The system cannot start more threads. Without any, add() reads the files itself.
     }
 }
 
@@ -82,7 +82,7 @@ void FileCheck::read_files() {
         try {
             check(work);
             lock.lock();
-        } catch (...) {  // such as no memory
+        } catch (...) {  // for example std::bad_alloc
             lock.lock();
             if (!failure_) failure_ = std::current_exception();
             waiting_.clear();
@@ -92,7 +92,7 @@ void FileCheck::read_files() {
 }
 
 void FileCheck::check(const Work& work) {
-    const auto tell = [&](const std::string& what) { is_wrong_(work.place, what); };
+    const auto report = [&](const std::string& what) { is_wrong_(work.place, what); };
     for (const FileRecord& file : work.files) try {
             Digest digest;
             const bool is_there = folder_.read(file.name, [&](std::string_view piece) {
@@ -100,12 +100,12 @@ void FileCheck::check(const Work& work) {
                 return true;
             });
             if (!is_there)
-                tell(file.name + " is missing");
+                report(file.name + " is missing");
             else if (digest.text() != file.xxh3)
-                tell(file.name + " has other bytes than were written: XXH3 " + digest.text() + ", needs " +
-                     file.xxh3);
+                report(file.name + " has other bytes than were written: XXH3 " + digest.text() + ", needs " +
+                       file.xxh3);
         } catch (const FileError& error) {
-            tell(error.what());
+            report(error.what());
         }
 }
 

@@ -1,4 +1,4 @@
-// Files against their recorded hashes, several at once.
+// Comparison of files with their recorded hashes, on several threads.
 #pragma once
 
 #include <condition_variable>
@@ -17,15 +17,16 @@
 
 namespace pelagic::tools {
 
-/// What is wrong in an export: the first few in its order, and how many there are. May be told by several threads.
+/// Errors found in an export: the first max_kept in the export's order, and the total count. add()
+/// may be called from several threads.
 class Findings {
    public:
     static constexpr std::size_t max_kept = 20;
 
-    /// \param place  in the export, by which findings are ordered
+    /// \param place  index in the export, by which findings are sorted
     void add(std::size_t place, const std::string& what);
     std::size_t count() const { return count_; }
-    /// A line each, and one with the number of all if they are more, on stderr.
+    /// Prints one line for each on stderr, and a line with the total count if there are more.
     void print() const;
 
    private:
@@ -34,19 +35,21 @@ class Findings {
     std::size_t count_ = 0;
 };
 
-/// Reads files on a few threads.
+/// Hashes files on several threads.
 class FileCheck {
    public:
-    /// \param threads   0: one a core
-    /// \param is_wrong  is told the place of each file that is missing, unreadable or has other bytes; from any thread
+    /// \param threads   number of threads; 0: one for each core
+    /// \param is_wrong  called with the place of each file that is missing, unreadable or
+    ///     different; from any thread
     FileCheck(const OutputFolder& folder, int threads,
               std::function<void(std::size_t place, const std::string& what)> is_wrong);
     ~FileCheck();
     FileCheck(const FileCheck&) = delete;
 
-    /// Waits if many are still to be read. \param place  in the export
+    /// Queues files. Blocks while the queue is full.
+    /// \param place  index in the export
     void add(std::size_t place, std::vector<FileRecord> files);
-    /// Returns when all are read.
+    /// Waits until all queued files have been checked. Rethrows an exception of a worker thread.
     void finish();
 
    private:

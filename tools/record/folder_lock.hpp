@@ -1,4 +1,4 @@
-// One export at a time in a folder, or the shards of one, each once at a time.
+// Locks that allow one export at a time in a folder, or several different shards of one export.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,19 @@
 
 namespace pelagic::tools {
 
-/// Holds `.sea.lock` in the folder until it goes out of scope or the process dies, however that may be: it is the
-/// kernel's lock on the open file (flock, which Linux carries over NFS and SMB too), not the file's being there. So the
-/// file stays: whoever removed it might take it from under one who has just opened it.
+/// Locks `.sea.lock` in the folder until the object is destroyed or the process ends. The lock is
+/// the kernel's lock on the open file (flock, which Linux also supports over NFS and SMB), not the
+/// existence of the file. The file is never removed, since another process may have just opened it.
 ///
-/// Shards of one export hold it together, and each of them `.sea.3-of-8.lock` alone. Only who holds the folder alone may
-/// remove that one.
+/// Shards of one export share this lock, and each holds `.sea.3-of-8.lock` exclusively. Only a
+/// process that holds `.sea.lock` exclusively may remove the lock of a shard.
 class FolderLock {
    public:
-    /// \param option  that named the folder, for messages
-    /// \param shard   none: the folder is held alone
-    /// Throws InputError if another process has it, or if the file system has no locks; FileError if the file can't be
-    /// opened or is no regular one.
+    /// \param option  option that named the folder, for error messages
+    /// \param shard   none: lock the folder exclusively
+    /// \throws InputError  if another process holds the lock, or the file system does not support
+    /// locks
+    /// \throws FileError  if the lock file cannot be opened or is not a regular file
     explicit FolderLock(const OutputFolder& folder, const std::string& option = "--out",
                         const std::optional<Shard>& shard = {});
 

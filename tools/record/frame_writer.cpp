@@ -21,7 +21,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// The views of a cascade that the files show.
+/// Which planes of a cascade the files need.
 struct NeededViews {
     explicit NeededViews(const ExportOptions& options)
         : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
@@ -34,7 +34,8 @@ struct NeededViews {
     bool planes, velocities, gradient, foam, dynamic_waves;
 };
 
-/// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
+/// Copies of the planes of a frame that its files need, so that they can be encoded while the ocean
+/// computes.
 class FrameCopy {
    public:
     FrameCopy(const Frame& frame, const NeededViews& needed)
@@ -48,7 +49,7 @@ class FrameCopy {
     }
     FrameCopy(const FrameCopy&) = delete;
 
-    /// With no views but the needed ones.
+    /// The frame with views of the needed planes only.
     const Frame& frame() const { return frame_; }
 
    private:
@@ -70,7 +71,8 @@ class FrameCopy {
         return copies;
     }
 
-    /// One behind the other, without gaps; the views show the copies from now on.
+    /// Copies the planes one after the other, without gaps, and changes the views to show the
+    /// copies.
     static void copy_planes(std::vector<float>& copies, std::initializer_list<PlaneView*> planes) {
         const int side = (*planes.begin())->resolution;
         const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
@@ -98,7 +100,7 @@ class FrameCopy {
 
 constexpr const char* file_category = "file";
 
-/// What a trace calls the work on a map.
+/// Returns the name of the work on a map in traces.
 std::string_view trace_name(MapKind map) {
     switch (map) {
         case MapKind::displacement: return "encode displacement";
@@ -133,7 +135,7 @@ FileRecord write_image(const ImageFile& file, const ExportOptions& options, cons
     return write_file(folder, file.name, image, trace);
 }
 
-/// The images of a frame, several at once. After a failure no further ones are begun.
+/// Writes the images of a frame, several at once. After a failure no further images are started.
 std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
                                      const Frame& frame, std::size_t at_once, TraceSink* trace) {
     const std::vector<ImageFile> files = image_files(options, number);
@@ -153,14 +155,14 @@ std::vector<FileRecord> write_images(const ExportOptions& options, const OutputF
         while (others.size() + 1 < std::min(at_once, files.size()))
             others.push_back(std::async(std::launch::async, write_some));
     } catch (const std::system_error&) {
-        // The system has no more threads to give.
+        // The system cannot start more threads.
     }
     write_some();
     for (std::future<void>& other : others) other.get();
     return records;
 }
 
-/// The images and meshes of a frame.
+/// Writes the images and meshes of a frame.
 std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFolder& folder, int number,
                                     const Frame& frame, std::size_t images_at_once, TraceSink* trace) {
     const TraceScope scope(trace, "files", file_category,
@@ -237,7 +239,7 @@ std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& 
     try {
         return std::async(std::launch::async, work);
     } catch (const std::system_error&) {
-        // The system has no thread to give.
+        // The system cannot start a thread.
     }
     return std::async(std::launch::deferred, work);
 }

@@ -1,4 +1,4 @@
-// Frames as files, several at once, in bounded memory.
+// Encoding and writing of frames, several at once, in bounded memory.
 #pragma once
 
 #include <algorithm>
@@ -14,61 +14,67 @@
 
 namespace pelagic::tools {
 
-/// What an export may take with its ocean and with what it writes, so that it stays under 2 GB with its libraries; where the ocean
-/// leaves less than the second, that is for writing nonetheless.
+/// Memory limits in bytes. An export with its ocean and its writing buffers stays under 2 GB
+/// including libraries. If the ocean leaves less than the second limit, writing uses the second
+/// limit nonetheless.
 inline constexpr std::size_t max_bytes_of_export = std::size_t{1792} << 20;
 inline constexpr std::size_t min_bytes_for_writing = std::size_t{256} << 20;
 
-/// How much of it is left for frames that are being written.
+/// Returns the memory for frames that are being written, in bytes.
 constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
     return std::max(min_bytes_for_writing, max_bytes_of_export - std::min(max_bytes_of_export, ocean_bytes));
 }
 
-/// A copied frame, with one file of each of its cascades interleaved, encoded and compressed: at most so many bytes a texel, measured,
-/// and more for copies of velocities.
+/// Measured upper bounds, in bytes a texel: a copied frame with one file of each of its cascades
+/// interleaved, encoded and compressed; and the addition for copied velocities.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12;
 
-/// Such a file alone: at most so many bytes a texel, measured.
+/// Measured upper bound for such a file alone, in bytes a texel.
 inline constexpr std::size_t bytes_per_texel_of_a_file = 32;
 
-/// And a vertex of meshes, as OBJ, which is the largest, measured likewise.
+/// Measured upper bound for a vertex of a mesh, in bytes, in OBJ, the largest format.
 inline constexpr std::size_t bytes_per_vertex_in_flight = 450;
 
-/// What is written at once.
+/// How many frames and files are written concurrently.
 struct WritingPlan {
-    /// One: written straight from the ocean's own memory, while it computes the next frame. More: copies.
+    /// 1: written directly from the ocean's memory, while the ocean computes the next frame. More:
+    /// copies.
     std::size_t frames = 1;
     std::size_t files_a_frame = 1;
 
     bool operator==(const WritingPlan&) const = default;
 };
 
-/// As much as there are threads, but no more than fits into the memory; at least one file. Two frames that don't fit aren't
-/// copied.
+/// Returns a plan with as many concurrent files as threads, limited by the memory; at least one
+/// file. If two copied frames do not fit, frames are not copied.
 WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes);
 
-/// All of a frame's record but the files, of a frame as the ocean hands it out, with the dynamic-wave grid if there is one.
+/// Returns the record of a frame without its files.
+/// \param frame  as the ocean returns it, with the dynamic-wave grid if there is one
 FrameRecord statistics_of(int number, const Frame& frame, bool has_foam);
 
-/// Encodes and writes frames on a few threads and journals them in order, as many at once as plan_writing() says.
+/// Encodes and writes frames on several threads, as plan_writing() allows, and adds them to the
+/// journal in order.
 class FrameWriter {
    public:
-    /// All of it outlives the writer.
-    /// \param records     gets the frames that are done
-    /// \param trace       may be none
-    /// \param max_bytes  as bytes_for_writing() says
+    /// All arguments must outlive the writer.
+    /// \param records    receives the finished frames
+    /// \param trace      may be null
+    /// \param max_bytes  memory limit, see bytes_for_writing()
     FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
                 std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t max_bytes);
 
-    /// Copies the frame, and waits for an earlier one if too many are in flight; or writes it, where no copies fit. Throws FileError
-    /// if that failed.
+    /// Starts writing a copy of the frame; first waits for an earlier frame if too many are in
+    /// flight. If copies do not fit, it writes the frame before it returns. Throws FileError if
+    /// writing failed.
     void write(int number, const Frame& frame);
 
-    /// Returns when all are done and journaled. Throws FileError likewise.
+    /// Waits until all frames are written and in the journal. Throws FileError if writing failed.
     void finish();
 
    private:
-    /// On a thread of its own; where there is to be none or the system refuses one, when it is waited for.
+    /// Runs `work` on a new thread. If the plan has no threads or the system cannot start one,
+    /// `work` runs when its result is requested.
     std::future<FrameRecord> start(const std::function<FrameRecord()>& work);
     void take_oldest();
     void add(FrameRecord record);

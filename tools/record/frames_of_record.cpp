@@ -12,7 +12,7 @@ std::string read_frames(const OutputFolder& folder, const std::string& name, con
     const std::vector<int> numbers = options.times.numbers(places.begin, places.end);
     std::size_t next = 0;
     std::string wrong;
-    const auto look_at_head = [&](const ReadJson& json) {
+    const auto check_head = [&](const ReadJson& json) {
         head(json);
         return true;
     };
@@ -31,7 +31,7 @@ std::string read_frames(const OutputFolder& folder, const std::string& name, con
         return true;
     };
     try {
-        if (!read_record(folder, name, {.head = look_at_head, .frame = take_entry})) return " is missing";
+        if (!read_record(folder, name, {.head = check_head, .frame = take_entry})) return " is missing";
     } catch (const DamagedRecord&) {
         return " is damaged";
     }

@@ -1,4 +1,5 @@
-// The frames of a record, looked at one by one: each must say what this export would say of it, in its place.
+// Reading and checking of a record's frames. Each entry must equal the one that this export would
+// write at its place.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +10,17 @@
 
 namespace pelagic::tools {
 
-/// The places in an export that a record is about: from `begin` on, before `end`.
+/// Range of indices in an export: [begin, end).
 struct Places {
     std::size_t begin = 0, end = 0;
 };
 
-/// Reads the frames up to the first that is wrong.
-/// \param head  looks at what stands before the frames
-/// \param take  gets each frame and its place in the export
-/// What is wrong with the record, in words that follow its name; empty if nothing is. Throws FileError, and what `head` throws.
+/// Reads the frames up to the first invalid one.
+/// \param head  checks the keys before the frames
+/// \param take  receives each frame and its index in the export
+/// \returns the error in the record, as text that follows the record's name; empty if the record is
+/// valid
+/// \throws FileError  if reading fails; also throws what `head` throws
 std::string read_frames(const OutputFolder& folder, const std::string& name, const ExportOptions& options,
                         Places places, const std::function<void(const ReadJson& head)>& head,
                         const std::function<void(std::size_t place, FrameRecord&& frame)>& take);

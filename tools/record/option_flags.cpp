@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// Keys that are named otherwise than their options.
+/// Keys whose names differ from their options.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> other_flags = {
     {{"mesh_formats", "--mesh"},
      {"mesh_side_m", "--mesh-size"},

@@ -1,4 +1,4 @@
-// From a key of a record to the option of `pelagic export` that it came from.
+// Conversion of a record's keys to the options of `pelagic export`.
 #pragma once
 
 #include <string>
@@ -8,14 +8,16 @@
 
 namespace pelagic::tools {
 
-/// "--start" of "start_s", a key under "export"; keys of an object within it follow its own: "mesh_side_m" is --mesh-size.
+/// Returns "--start" for "start_s", a key under "export". Keys of a nested object are appended to
+/// the key of the object: "mesh_side_m" is --mesh-size.
 std::string flag_of(const std::string& key);
 
-/// "--wind-speed" of "/sea/wind_speed_mps", a JSON pointer (RFC 6901) into what options_as_json() returns. A part of a change of
-/// the weather gives --weather, and what no option sets its own name: "version".
+/// Returns "--wind-speed" for "/sea/wind_speed_mps", a JSON pointer (RFC 6901) into
+/// options_as_json(). Returns --weather for a value in a change of the weather, and the key itself
+/// for a value that no option sets: "version".
 std::string flag_at(std::string_view pointer);
 
-/// A value as it is typed on a command line, lists with commas.
+/// Formats a value as on a command line; lists are separated by commas.
 std::string typed_value(const Json& value);
 
 }  // namespace pelagic::tools

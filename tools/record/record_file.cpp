@@ -12,25 +12,26 @@ namespace {
 
 constexpr const char* frames_key = "frames";
 
-/// With a million keys the options of an export are smaller, and so is any frame.
-constexpr std::size_t max_bytes_of_a_part = std::size_t{64} << 20;
+/// Size limit of the head and of a frame. The options of an export with a million keys are smaller.
+constexpr std::size_t max_element_bytes = std::size_t{64} << 20;
 
-/// Ours have five levels: this many are open at once at most, frames counted apart.
+/// Limit of nested objects and lists, not counting the list of frames. Records have five levels.
 constexpr std::size_t deepest_level = 8;
 
-/// The file by pieces. Throws DamagedRecord where a part of it has no end.
+/// Reads the file piece by piece. Throws DamagedRecord if the head or a frame exceeds the size
+/// limit.
 class FilePieces : public std::streambuf {
    public:
     FilePieces(const OutputFolder& folder, const std::string& name, const Descriptor& file)
         : folder_(folder), name_(name), file_(file), piece_(std::size_t{1} << 18, '\0') {}
 
-    void begin_part() { bytes_of_part_ = 0; }
+    void begin_element() { element_bytes_ = 0; }
 
    protected:
     int_type underflow() override {
         const std::size_t got = folder_.read_some(name_, file_, piece_);
-        bytes_of_part_ += got;
-        if (bytes_of_part_ > max_bytes_of_a_part) throw DamagedRecord();
+        element_bytes_ += got;
+        if (element_bytes_ > max_element_bytes) throw DamagedRecord();
         setg(piece_.data(), piece_.data(), piece_.data() + got);
         return got == 0 ? traits_type::eof() : traits_type::to_int_type(piece_[0]);
     }
@@ -40,13 +41,13 @@ class FilePieces : public std::streambuf {
     const std::string& name_;
     const Descriptor& file_;
     std::string piece_;
-    std::size_t bytes_of_part_ = 0;
+    std::size_t element_bytes_ = 0;
 };
 
-/// Puts the head together, and then each frame, from what the parser meets.
-class RecordParts : public nlohmann::json_sax<ReadJson> {
+/// Builds the head and then each frame from parser events.
+class RecordParser : public nlohmann::json_sax<ReadJson> {
    public:
-    RecordParts(const RecordTaker& take, FilePieces& pieces) : take_(take), pieces_(pieces) {}
+    RecordParser(const RecordTaker& take, FilePieces& pieces) : take_(take), pieces_(pieces) {}
 
     bool is_stopped() const { return is_stopped_; }
     bool is_whole() const { return stage_ == Stage::behind_frames && open_.empty(); }
@@ -68,13 +69,13 @@ class RecordParts : public nlohmann::json_sax<ReadJson> {
         if (!is_list_of_frames) return begin(ReadJson::array());
         stage_ = Stage::frames;
         open_.clear();
-        return goes_on(take_.head(part_));
+        return goes_on(take_.head(element_));
     }
     bool end_object() override { return end(); }
     bool end_array() override {
         if (stage_ != Stage::frames || !open_.empty()) return end();
         stage_ = Stage::behind_frames;
-        open_.push_back(&part_);
+        open_.push_back(&element_);
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
@@ -84,11 +85,11 @@ class RecordParts : public nlohmann::json_sax<ReadJson> {
 
     bool goes_on(bool is_wanted) {
         is_stopped_ = !is_wanted;
-        pieces_.begin_part();
+        pieces_.begin_element();
         return is_wanted;
     }
     ReadJson* put(ReadJson&& value) {
-        if (open_.empty()) return &(part_ = std::move(value));
+        if (open_.empty()) return &(element_ = std::move(value));
         ReadJson& around = *open_.back();
         if (around.is_object()) return &(around[key_] = std::move(value));
         around.push_back(std::move(value));
@@ -96,7 +97,7 @@ class RecordParts : public nlohmann::json_sax<ReadJson> {
     }
     bool place(ReadJson value) {
         put(std::move(value));
-        return ends_part();
+        return end_element();
     }
     bool begin(ReadJson&& value) {
         if (open_.size() == deepest_level) return false;
@@ -105,20 +106,21 @@ class RecordParts : public nlohmann::json_sax<ReadJson> {
     }
     bool end() {
         open_.pop_back();
-        return ends_part();
+        return end_element();
     }
-    /// A part that is whole is handed over. A head is not, without frames: it is no record.
-    bool ends_part() {
+    /// Passes a complete frame to the callback. A complete head without a list of frames is not a
+    /// record.
+    bool end_element() {
         if (!open_.empty() || stage_ == Stage::behind_frames) return true;
-        return stage_ == Stage::frames && goes_on(take_.frame(part_));
+        return stage_ == Stage::frames && goes_on(take_.frame(element_));
     }
 
     const RecordTaker& take_;
     FilePieces& pieces_;
     Stage stage_ = Stage::head;
     bool is_stopped_ = false;
-    ReadJson part_;                ///< the head, or a frame
-    std::vector<ReadJson*> open_;  ///< objects and lists of it that go on, the outermost first
+    ReadJson element_;             ///< the head, or a frame
+    std::vector<ReadJson*> open_;  ///< open objects and lists of it, the outermost first
     std::string key_;
 };
 
@@ -155,10 +157,10 @@ bool read_record(const OutputFolder& folder, const std::string& name, const Reco
     const Descriptor file = folder.open_for_reading(name);
     if (!file.is_open()) return false;
     FilePieces pieces(folder, name, file);
-    RecordParts parts(take, pieces);
+    RecordParser parser(take, pieces);
     std::istream stream(&pieces);
-    const bool is_parsed = ReadJson::sax_parse(stream, &parts);
-    if (!parts.is_stopped() && !(is_parsed && parts.is_whole())) throw DamagedRecord();
+    const bool is_parsed = ReadJson::sax_parse(stream, &parser);
+    if (!parser.is_stopped() && !(is_parsed && parser.is_whole())) throw DamagedRecord();
     return true;
 }
 

@@ -1,5 +1,5 @@
-// sea.json and the records of exports and shards as files that may be larger than memory: written and read frame by frame, each a
-// line.
+// Streaming input and output of sea.json and of records, which may be larger than memory. Frames
+// are written and read one at a time, each on a line.
 #pragma once
 
 #include <functional>
@@ -11,27 +11,28 @@
 
 namespace pelagic::tools {
 
-/// Is given what takes a frame, and calls it for each.
+/// Calls its argument for each frame.
 using MakeFrames = std::function<void(const std::function<void(const FrameRecord&)>&)>;
 
 /// Writes `head` with a list of "frames" as its last key. Throws FileError.
 void write_record(const OutputFolder& folder, const std::string& name, const Json& head,
                   const MakeFrames& make_frames, Json (*as_json)(const FrameRecord&) = frame_as_json);
 
-/// Writes what a finished export has: its record, and then sea.json. Throws FileError.
-/// \param make_frames  is called once for each of the two
+/// Writes the record and then sea.json of a finished export. Throws FileError.
+/// \param make_frames  called once for each of the two files
 void write_finished(const OutputFolder& folder, const ExportOptions& options, double mean_significant_wave_height_m,
                     const std::vector<FileRecord>& sequence_files, const MakeFrames& make_frames);
 
-/// What takes a record that is read; each may answer false: no more.
+/// Callbacks for reading a record. A callback returns false to stop.
 struct RecordTaker {
-    /// All keys before "frames", which comes last.
+    /// Receives all keys before "frames", which is last.
     std::function<bool(const ReadJson& head)> head;
-    /// What is in the list, one after the other, whatever it is.
+    /// Receives each element of the list of frames, of any type.
     std::function<bool(const ReadJson& entry)> frame;
 };
 
-/// False if nothing has the name. Throws DamagedRecord, also for one that holds much else than frames, and FileError.
+/// Reads a record. Returns false if there is no such file. Throws FileError, and DamagedRecord for
+/// a malformed record or one with too much data outside of frames.
 bool read_record(const OutputFolder& folder, const std::string& name, const RecordTaker& take);
 
 }  // namespace pelagic::tools

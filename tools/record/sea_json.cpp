@@ -51,7 +51,7 @@ Json sea_as_json(const ResolvedSea& resolved) {
         {"waves", name_of(sea.waves)}, {"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
     for (const SeaStateField& field : sea_state_fields()) {
         if (const SeaAngle* angle = sea_angle(field.name))
-            json[angle->in_file] = resolved.*angle->degrees;  // as it was typed
+            json[angle->in_file] = resolved.*angle->degrees;  // in degrees, as on the command line
         else
             std::visit([&](auto member) { json[field.name] = sea.*member; }, field.member);
     }
@@ -163,12 +163,12 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
                    {"largest_share", report.loop_frequencies.largest_share}}}};
     if (report.expected_convergence_variance > 0)
         json["convergence_variance"] = both(report.expected_convergence_variance, report.drawn_convergence_variance);
-    const auto part = [&](const WavePart& of) -> Json {
+    const auto component = [&](const WavePart& of) -> Json {
         return {{"significant_wave_height_m", both(of.significant_wave_height_m, of.drawn_significant_wave_height_m)},
                 {"peak_period_s", both(of.peak_period_s, of.drawn_peak_period_s)}};
     };
-    if (report.wind_sea) json["wind_sea"] = part(*report.wind_sea);
-    if (report.swell) json["swell"] = part(*report.swell);
+    if (report.wind_sea) json["wind_sea"] = component(*report.wind_sea);
+    if (report.swell) json["swell"] = component(*report.swell);
     if (report.effective_fetch_m > 0) json["effective_fetch_m"] = report.effective_fetch_m;
     return json;
 }
