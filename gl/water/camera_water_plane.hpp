@@ -1,6 +1,7 @@
-// The surface around a lens that stands near the water, from a query: a plane is enough for the few centimetres of a near plane.
+// Plane that approximates the water surface at the camera, computed from a surface query. A plane
+// is accurate enough over the few centimetres that a near plane covers.
 //
-//   const SurfaceQuery query(frame);                      // of an ocean built with OceanOptions::queries
+//   const SurfaceQuery query(frame);  // needs OceanOptions::queries
 //   input.camera_water_plane = camera_water_plane(query, viewer_m);
 #pragma once
 
@@ -11,13 +12,15 @@
 
 namespace pelagic::gl {
 
-/// The plane height_m + dot(slope, xz - viewer's xz), above rest.
+/// Plane height_m + dot(slope, xz - viewer_xz), in metres above the still-water level.
 struct CameraWaterPlane {
     double height_m = 0;
     glm::dvec2 slope{};
 };
 
-/// Exact at the viewer's place; its slope is that between places `apart_m` before and behind, along x and z.
+/// Samples the surface around the viewer. The height is exact at the viewer's x and z.
+/// \param apart_m  distance between the two samples of each central difference (along x and along
+///     z), metres, above 0
 CameraWaterPlane camera_water_plane(const SurfaceQuery& query, glm::dvec3 viewer_m, double apart_m = 0.4);
 
 }  // namespace pelagic::gl

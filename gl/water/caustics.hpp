@@ -1,14 +1,19 @@
-// Caustics: sunlight on a level plane below the waves, as a part of what flat water would let through there.
+// Caustics: sunlight on a level plane below the waves, relative to the sunlight that flat water
+// transmits to that plane.
 //
 //   CausticsBaker baker(executor);
 //   baker.schedule(frame, {.depth_m = 6, .sun = sky.sun_direction});
 //   ... in the next frame: renderer.set_caustics(baker.complete());
 //
-// A grid cell of the surface carries its sunlight to where its refracted corners meet the plane; what its area there has
-// shrunk to, light has grown by. That is done for the one cascade whose waves focus nearest that depth: waves of curvature c gather
-// light n / ((n - 1) c) below their crests (the paraxial focus of a lens whose radius is 1/c), so longer ones are still a
-// plain swell there, and shorter ones have mixed their rays long before: they blur it, by the scatter of their slopes.
-// A cascade repeats, so all light that leaves it on one side comes back on the other: the mean is 1.
+// Each grid cell of the surface refracts its sunlight to the plane. Irradiance there grows by the
+// factor by which the cell's area shrinks.
+//
+// Only one cascade is refracted: the cascade whose waves focus nearest the depth of the plane.
+// Waves of curvature c focus light n / ((n - 1) c) below their crests (the paraxial focus of a lens
+// of radius 1/c). Longer waves have not focused at that depth and have little effect. Rays of
+// shorter waves have already crossed and mixed, so shorter waves blur the image according to the
+// variance of their slopes. A cascade is periodic: light that leaves it on one side enters on the
+// other, and the mean is 1.
 #pragma once
 
 #include <cstdint>
@@ -24,52 +29,59 @@
 namespace pelagic::gl {
 
 struct CausticsOptions {
-    double depth_m = 6;      ///< of the plane below rest; [0.001, 1000]
-    glm::vec3 sun{0, 1, 0};  ///< towards it, a unit vector; lower than 6 degrees it counts as that high
+    double depth_m = 6;  ///< depth of the plane below the still-water level; [0.001, 1000]
+    /// Unit vector towards the sun. Elevations below 6 degrees are raised to 6 degrees.
+    glm::vec3 sun{0, 1, 0};
 };
 
-/// Empty if usable, else the first bad field.
+/// Returns an empty string if the options are valid, else a message about the first invalid field.
 std::string check(const CausticsOptions& options);
 
-/// The same for the same frame and options, whoever baked it with however many threads.
+/// Baked caustics. Identical frames and options give identical texels for any number of threads.
 struct Caustics {
-    static constexpr int side = 256;  ///< texels
+    static constexpr int side = 256;  ///< texels along each axis
     static constexpr int levels = 9;
 
     CausticsOptions options;
-    /// What all cells take in, over what a level cascade does: 1 but for what folds of the surface hide. The texels are divided by it.
+    /// Sunlight that enters through all cells, relative to a level cascade. It differs from 1 only
+    /// where folds of the surface hide cells. The texels are divided by it.
     double light = 1;
-    CascadeGrid
-        grid;  ///< of the cascade that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
-    /// Half floats, level after level, each the box mean of the one before. A texel is where light came through the surface had
-    /// it been flat: a place on the floor is looked up as seen along the sun's ray in flat water.
+    /// Grid of the cascade that was refracted. The centre of texel (i, j) lies at
+    /// (i + 1/2, j + 1/2) side_m / side along its axes.
+    CascadeGrid grid;
+    /// Relative irradiance as half floats, level after level; each level is the box mean of the
+    /// previous one. Texels are indexed by the point where the sun's ray would enter flat water. To
+    /// sample a point on the floor, project it up to the surface along the sun's ray in flat water.
     std::vector<std::uint16_t> halves;
 };
 
-/// The depth in which the cascade's waves gather most light: n / ((n - 1) 1.5 c), c being the root of the mean square of the sum
-/// of both curvatures.
+/// Returns the depth, in metres, at which the cascade's waves concentrate light most:
+/// n / ((n - 1) 1.5 c), where c is the root mean square of the sum of both curvatures.
 double focus_of(const Cascade& cascade);
 
-/// Whether anybody could see them: an eye in the water or soon there, or a floor within sight.
-/// \param above_water_m  the eye's height above the surface below it
+/// Returns whether caustics can be visible: the eye is in the water or close above it, or a floor
+/// is in sight.
+/// \param above_water_m  height of the eye above the surface below it
 bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m);
 
-/// Where to focus them: at an even floor, or at the middle of what a field has within 12 m; deeper than that, for shafts of light,
-/// 8 m.
+/// Returns the depth at which to focus caustics, in metres. For an even floor it is the sea's
+/// depth; for a height field it is the median of its depths between 0.5 and 12 m. It is 8 m for
+/// deeper floors, where only shafts of light show.
 double caustics_depth_m(const SeaFloor& floor, double sea_depth_m);
 
 class CausticsBaker {
    public:
     explicit CausticsBaker(std::shared_ptr<Executor> executor);
-    ~CausticsBaker();  ///< waits for work in flight
+    ~CausticsBaker();  ///< Waits for jobs in flight.
     CausticsBaker(const CausticsBaker&) = delete;
     CausticsBaker& operator=(const CausticsBaker&) = delete;
 
-    /// Starts; the frame's views must stay valid until complete(). Throws std::invalid_argument(check(options)).
-    /// \pre none is being baked
+    /// Starts baking. The frame's views must stay valid until complete().
+    /// \pre no bake is in progress
+    /// \throws std::invalid_argument  with the text of check(options)
     void schedule(const Frame& frame, const CausticsOptions& options);
     bool is_done() const;
-    /// Waits, helping. Valid until the next complete().
+    /// Waits for the bake and runs jobs meanwhile. The result is valid until the next complete().
     const Caustics& complete();
 
    private:

@@ -1,4 +1,4 @@
-// A tile of what is smaller than the sea's texels, made once: ripples, and a noise for gusts.
+// Periodic texture of detail below the texel size of the cascades: ripples, and noise for gusts.
 #pragma once
 
 #include <cstdint>
@@ -6,20 +6,26 @@
 
 namespace pelagic::gl {
 
-/// Channels of a texel: slopes of the ripples along x and z, a noise of ranks, and the part of the ripples' mean square slope
-/// that this mip still holds (the rest is roughness). Slopes have a deviation of 1/4 in [-1, 1] at level 0.
+/// Channels of a texel:
+///
+///   r, g   slopes of the ripples along x and z, [-1, 1]; standard deviation 1/4 at level 0
+///   b      noise, uniformly distributed (rank-transformed)
+///   a      fraction of the ripples' mean square slope that this mip resolves;
+///          the remainder is roughness
 struct DetailImage {
     static constexpr int side = 256;
     static constexpr int levels = 9;
-    /// RGBA8, level by level, tight rows.
+    /// RGBA8, level by level, rows without padding.
     std::vector<std::uint8_t> texels;
 
     const std::uint8_t* level(int level) const;
 };
 
-/// Always the same bytes on one machine. Ripples run along +x, spread around it, a sum of 96 waves of 3 to 72 cycles a
-/// tile; the lace is the distance to the nearest and second nearest of random points (Worley 1996, "A Cellular Texture
-/// Basis Function") at four sizes.
+/// Generates the image. The bytes are identical on every call on one machine.
+///
+/// The ripples are a sum of 96 waves of 3 to 72 cycles per period, with directions spread around
+/// +x. The noise combines the distances to the nearest and second nearest of random points (Worley
+/// 1996, "A Cellular Texture Basis Function") at four sizes.
 DetailImage make_detail_image();
 
 }  // namespace pelagic::gl

@@ -1,5 +1,5 @@
-// The grid of dynamic waves as a texture: RGBA16F with height, slopes along x and z, and foam, which repeats as the grid's own
-// storage does. Its mips are the driver's.
+// Dynamic-wave grid as an RGBA16F texture: height, slopes along x and z, and foam. The texture is
+// periodic, like the grid's toroidal storage. The driver generates its mips.
 #pragma once
 
 #include <array>
@@ -15,11 +15,15 @@
 
 namespace pelagic::gl {
 
-/// Why the textures can't take the grid, "Frame::dynamic_waves.height_m.size() is 3, needs resolution^2, 65536"; empty if they can, or if there is none.
+/// Returns an empty string if the grid can be uploaded or is absent, else the reason, for example
+/// "Frame::dynamic_waves.height_m.size() is 3, needs resolution^2, 65536".
+/// \param largest_side  GL_MAX_TEXTURE_SIZE of the driver
 std::string check(const DynamicWavesView& water, int largest_side);
 
-/// Four halves a texel, two a word with the first below: height, slopes by central differences around the torus, foam as a part of 1. What
-/// is beyond halves is their largest.
+/// Packs the grid as four half floats per texel: height, two slopes, and foam in [0, 1]. Slopes are
+/// central differences with periodic boundaries. Each word holds two halves, the first in its low
+/// bits. Values beyond the range of half floats are clamped to it.
+/// \param words  2 resolution^2 elements
 void pack(const DynamicWavesView& water, std::span<std::uint32_t> words);
 
 class DynamicWaveTextures {
@@ -28,23 +32,26 @@ class DynamicWaveTextures {
     DynamicWaveTextures(const DynamicWaveTextures&) = delete;
     DynamicWaveTextures& operator=(const DynamicWaveTextures&) = delete;
 
-    /// Empty, or why upload() would not take it.
+    /// Returns an empty string if upload() accepts the grid, else the reason.
     std::string invalid_value_of(const DynamicWavesView& water) const { return check(water, largest_side_); }
-    /// Starts its way into the next of two textures, as FrameTextures does; the views may go stale afterwards. Grids of one size take
-    /// the same textures again. Nothing happens without a window. \pre invalid_value_of() is empty
+    /// Starts the copy of the grid into the next of two textures. The views may become invalid
+    /// afterwards. Textures are reused for grids of equal size. Without a grid the call has no
+    /// effect.
+    /// \pre invalid_value_of(water) is empty
     void upload(const DynamicWavesView& water);
 
     /// GL_TEXTURE_2D of the last grid.
     GLuint texels() const { return sets_[set_].name(); }
-    std::size_t uploaded_bytes() const { return uploaded_bytes_; }  ///< of the last upload()
-    double last_driver_ms() const { return driver_ms_; }            ///< of the last upload(): calls that move texels
+    std::size_t uploaded_bytes() const { return uploaded_bytes_; }  ///< bytes of the last upload()
+    /// Time that the last upload() spent in GL calls that copy texels.
+    double last_driver_ms() const { return driver_ms_; }
 
    private:
     void make_textures(int resolution);
 
     const Functions& gl_;
     int largest_side_ = 0, resolution_ = 0;
-    std::array<Texture, 2> sets_;  ///< one is written while the other may still be drawn from
+    std::array<Texture, 2> sets_;  ///< one is written while the GPU may still read the other
     std::optional<PixelRing> pixels_;
     std::size_t set_ = 0, uploaded_bytes_ = 0;
     double driver_ms_ = 0;

@@ -1,5 +1,6 @@
-// Foam's structure at three scales, made once: bubbles, lace and streaks down the wind. A shader gets from it where foam lies
-// when so much of the water is under it; how much that is, the waves say (gl/shaders/foam.glsl).
+// Texture of foam structure at three scales: bubbles, lace and wind-aligned streaks. Shaders
+// compare it with the foam coverage that the waves give, to decide which points of the water are
+// covered (gl/shaders/foam.glsl).
 #pragma once
 
 #include <cstdint>
@@ -9,34 +10,38 @@
 
 namespace pelagic::gl {
 
-/// Layers of a texture that repeats. Bytes of a texel:
+/// Periodic array texture. Bytes of a texel in each layer:
 ///
 ///   bubbles   rank; slopes of the bubbles' caps along x and y; height of the caps
 ///   lace      rank; slopes of the threads along x and y; height of the froth on them
-///   streaks   rank; two numbers that bend what is smaller; broad patches
+///   streaks   rank; offset along x and y that distorts the finer layers; large-scale patches
 ///
-/// A rank is the part of the layer that lies lower: above the threshold 1 - a lies the part a of it, at every level, so foam
-/// covers as much from near and far. Slopes and bends are signed, 128 is zero.
+/// The rank of a texel is the fraction of the layer that is lower. At every mip level the fraction
+/// a of the texels exceeds the threshold 1 - a, so coverage does not depend on distance. Slopes and
+/// offsets are signed bytes with 128 as zero.
 struct FoamImage {
     enum Layer { bubbles, lace, streaks };
     static constexpr int side = 256, layers = 3, levels = 9;
 
-    /// RGBA8, level by level, in them layer by layer, tight rows. x of streaks runs down the wind.
+    /// RGBA8, ordered by level, then layer, rows without padding. The x axis of streaks points
+    /// downwind.
     std::vector<std::uint8_t> texels;
 
     const std::uint8_t* level(int level) const;
     const std::uint8_t* texel(int level, Layer layer, int x, int y) const;
 };
 
-/// How large the layers are at sea, metres. Bubbles of 1 to 5 cm and lace with holes of 1 dm to 1 m are the same in every sea.
-/// Streaks are windrows, where Langmuir's circulation gathers foam: 2 to 20 m apart and many times as long (Leibovich
-/// 1983, "The Form and Dynamics of Langmuir Circulations"). The second size of streaks is for the far sea.
+/// Periods of the layers in metres. Bubbles measure 1 to 5 cm and holes in lace 0.1 to 1 m in every
+/// sea. Streaks are windrows, in which Langmuir circulation gathers foam: 2 to 20 m apart and many
+/// times as long (Leibovich 1983, "The Form and Dynamics of Langmuir Circulations"). The second
+/// size of streaks is used far from the viewer.
 struct FoamSizes {
     static constexpr double bubbles_m = 0.83, lace_m = 5.3;
     static constexpr double streaks_along_m[2] = {262, 1411}, streaks_across_m[2] = {61, 353};
 };
 
-/// Bakes it with jobs and waits for them. Always the same bytes on one machine, whatever the executor.
+/// Generates the image with jobs and waits for them. On one machine the bytes are identical for
+/// every executor.
 FoamImage make_foam_image(Executor& executor);
 
 }  // namespace pelagic::gl

@@ -1,4 +1,4 @@
-// The patch mesh, its lines and the skirt's mesh as GL buffers, and the instances of a draw list.
+// GL buffers of the patch mesh, its wireframe, the skirt mesh and the instances of a draw list.
 #pragma once
 
 #include <array>
@@ -14,17 +14,20 @@ class PatchBuffers {
    public:
     PatchBuffers(const Functions& gl, int vertices);
 
-    /// Hands a list's instances to the driver; returns their bytes. Buffers alternate, so nothing waits.
+    /// Uploads the instances of a list and returns their size in bytes. Buffers rotate, so the call
+    /// does not wait for the GPU.
     std::size_t upload(const DrawList& list);
 
     struct Counts {
         int calls = 0;
         std::uint64_t triangles = 0;
-        double driver_ms = 0;  ///< inside the draw calls
+        double driver_ms = 0;  ///< time spent in GL draw calls
     };
-    /// \pre upload(list), and the patch program is in use
+    /// Draws the patches as triangles or, for the wireframe, as lines.
+    /// \pre upload(list) has been called and the patch program is in use
     Counts draw_patches(const DrawList& list, bool as_lines);
-    /// \pre upload(list), and the skirt's program is in use
+    /// Draws the skirt.
+    /// \pre upload(list) has been called and the skirt program is in use
     Counts draw_skirt(const DrawList& list);
 
    private:

@@ -1,4 +1,5 @@
-// The uniform block of gl/shaders/scene.glsl, which says what each value is. Layout std140: matrices and vec4 only.
+// Uniform block of gl/shaders/scene.glsl. That file documents each member. The layout is std140 and
+// has matrices and vec4 only.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@
 
 namespace pelagic::gl {
 
-/// As many cascades as the shaders know.
+/// Maximum number of cascades that the shaders support.
 inline constexpr std::size_t max_cascades = 4;
 
 struct SceneBlock {
@@ -29,7 +30,7 @@ struct SceneBlock {
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{};
-    // Below the surface.
+    // Values for rendering below the surface.
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     std::array<glm::vec4, 3> caustic_row{};
     std::array<glm::vec4, 2> foam_streaks{};
@@ -45,31 +46,34 @@ struct SceneBlock {
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
 };
 
-/// What stays of a cascade when its texels are in a texture.
+/// Parameters of a cascade that the renderer keeps after the upload.
 struct CascadeFacts {
     CascadeGrid grid;
     SlopeRanges ranges;
     double longest_wave_m = 0;
-    float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
-    float foam_cover = 0;      ///< mean part of the sea under its foam, 0 where the frame has none
+    /// Slope variance of all its waves, summed over both axes. The last mip has averaged away all
+    /// of it.
+    float slope_variance = 0;
+    /// Mean fraction of the sea that its foam covers; 0 if the frame has no foam.
+    float foam_cover = 0;
     bool makes_foam = false;
 };
 
-/// What stays of a frame's shore when its texels are in textures.
+/// Parameters of a frame's shore that the renderer keeps after the upload.
 struct ShoreFacts {
-    int columns = 0, rows = 0;  ///< 0: none
+    int columns = 0, rows = 0;  ///< 0 if the frame has no shore
     double texel_m = 1;
     glm::dvec2 corner_m{};
 };
 
-/// What stays of a dynamic-wave grid.
+/// Parameters of a dynamic-wave grid that the renderer keeps after the upload.
 struct DynamicWaveFacts {
-    int resolution = 0;  ///< 0: the frame has none
+    int resolution = 0;  ///< 0 if the frame has no dynamic-wave grid
     double texel_m = 0;
     std::int64_t first_x = 0, first_z = 0;
 };
 
-/// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
+/// Parameters of the uploaded frame, its textures and the framebuffer.
 struct SeaFacts {
     SeaState sea;
     SeaStatistics statistics;
@@ -90,40 +94,42 @@ struct SeaFacts {
     double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
 };
 
-/// The light of a baked sky, as sky.hpp has it.
+/// Light of a baked sky; fields correspond to those of Sky (gl/sky/sky.hpp).
 struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
     float unit = 1;
     bool key_is_moon = false;
-    glm::vec3 true_sun_direction{0, 1, 0};  ///< also where the key light is the moon
+    /// Direction towards the sun, even if the key light is the moon.
+    glm::vec3 true_sun_direction{0, 1, 0};
 };
 
-/// Of the frame alone.
+/// Returns the parameters that depend on the frame alone; the others keep their defaults.
 SeaFacts facts_of(const Frame& frame);
 
-/// What stays of a floor when its heights are in a texture.
+/// Parameters of a floor that the renderer keeps after the upload.
 struct FloorFacts {
-    int columns = 0, rows = 0;  ///< 0: even
+    int columns = 0, rows = 0;  ///< 0 for an even floor
     glm::dvec2 corner_m{};
     double metres_a_texel = 1;
     bool is_sand = true;
     glm::vec3 albedo{};
 };
 
-/// And of caustics.
+/// Parameters of caustics that the renderer keeps after the upload.
 struct CausticFacts {
-    double side_m = 0;  ///< 0: none were handed in
+    double side_m = 0;  ///< 0 if the application has set no caustics
     double cosine = 1, sine = 0, depth_m = 6;
 };
 
-/// Cells of the mesh that draws a floor; the far ones around them not counted.
+/// Returns the number of cells along x and z of the floor mesh, without the far cells around them.
 glm::ivec2 floor_cells(const FloorFacts& floor);
 
 struct DrawInput;
+/// Computes the uniform block, except for the members that place_below() sets.
 SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
-/// Adds what the shaders are told of what lies below the surface.
+/// Sets the members for rendering below the surface: lens, floor and caustics.
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics);
 

@@ -1,5 +1,5 @@
-// What lies below the sea: an even floor at the sea's depth, or a field of heights, which may rise above the water as a beach
-// or an island.
+// Sea floor: an even floor at the sea's depth, or a height field. A height field may rise above the
+// water as a beach or an island.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,34 @@ namespace pelagic::gl {
 struct SeaFloor {
     static constexpr int max_samples_a_side = 4096;
 
-    /// Samples along x and z, each from 2 to 4096; 0: an even floor at the depth of the sea that is drawn.
+    /// Samples along x and z, each 2 to 4096. 0 selects an even floor at the depth of the sea.
     int columns = 0, rows = 0;
-    /// columns * rows heights above rest, metres, [-11000, 9000]; sample (i, j) is heights_m[j * columns + i].
+    /// columns * rows heights above the still-water level, metres, [-11000, 9000]. Sample (i, j) is
+    /// heights_m[j * columns + i].
     std::vector<float> heights_m = {};
     glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)
-    double metres_a_texel =
-        1;  ///< between neighbouring samples; [0.001, 10000]. Beyond its edges the floor goes on as high as they are.
-    bool is_sand = true;                    ///< with ripples, darker where it is wet; else of an even albedo
-    glm::vec3 albedo{0.35f, 0.31f, 0.25f};  ///< of what is not sand; [0, 1]
+    /// Distance between neighbouring samples, metres; [0.001, 10000]. Beyond its edges the floor
+    /// keeps the height of the nearest edge.
+    double metres_a_texel = 1;
+    /// Sand has ripples and is darker where it is wet. If false, the albedo is uniform.
+    bool is_sand = true;
+    glm::vec3 albedo{0.35f, 0.31f, 0.25f};  ///< albedo if is_sand is false; [0, 1] per channel
 
     bool is_even() const { return columns == 0; }
-    /// Of a field, bilinear between samples.
+    /// Returns the height at a world position, bilinear between samples.
+    /// \pre the floor is a height field
     double height_at(double x_m, double z_m) const;
 };
 
-/// Empty if usable, else the first bad field: "columns is 1, needs 2 to 4096, or 0 for an even floor".
+/// Returns an empty string if the floor is valid, else a message about the first invalid field:
+/// "columns is 1, needs 2 to 4096, or 0 for an even floor".
 std::string check(const SeaFloor& floor);
 
-/// The floor that a shore's waves feel, of sand.
+/// Returns the floor of a shore, as sand.
 SeaFloor floor_of(const ShoreOptions& shore);
 
-/// Heights as half floats, level after level down to one texel: what a texture takes. A half tells heights near the waterline
-/// apart to a millimetre, and 60 m down to 3 cm.
+/// Heights as half floats for a texture, level after level down to one texel. The precision of a
+/// half is a millimetre near the waterline and 3 cm at a depth of 60 m.
 struct FloorTexels {
     int levels = 0;
     std::vector<std::uint16_t> halves;

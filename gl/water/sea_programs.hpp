@@ -1,4 +1,4 @@
-// The programs that draw the sea, and the shader files that each is made of.
+// Programs that draw the sea, and the shader files of each.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pelagic::gl {
 
-/// Texture units, as the programs read them.
+/// Texture units of the programs.
 enum Unit : GLint {
     displacement_unit,
     slopes_unit,
@@ -34,28 +34,31 @@ enum Unit : GLint {
 struct ProgramFiles {
     const char* vertex;
     const char* fragment;
-    std::string defines;  ///< lines
+    std::string defines;  ///< preprocessor lines
 };
 
-/// What a set of programs is made for.
+/// Features that a set of programs is compiled for.
 struct SeaVariant {
     std::size_t cascades = 1;
     Shading shading = Shading::high;
     Surface surface = Surface::open;
     bool multiview = false;
-    bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
-    bool mirrors_scene = false;  ///< what an application drew, too
+    /// The floor is visible, or a lens is near the water. These programs cost more time per pixel.
+    bool below = false;
+    bool mirrors_scene = false;  ///< reflections include the application's scene
     bool dynamic_waves = false;  ///< the frame has a dynamic-wave grid
-    bool shore = false;          ///< of an open sea: cascades are held back there, and its waves add to them
+    /// An open sea has a shore: cascades are attenuated there, and shore waves are added.
+    bool shore = false;
 };
 
-/// For patches, skirt, background, wireframe and floor, in this order.
+/// Returns the files of the patch, skirt, background, wireframe and floor programs, in this order.
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant);
 
 struct SeaProgram {
     SeaProgram() = default;
     SeaProgram(const Functions& gl, const ProgramFiles& files);
-    /// \param eye  0 or 1; with multiview the driver knows
+    /// Makes the program current.
+    /// \param eye  0 or 1; ignored with multiview, where gl_ViewID_OVR selects the eye
     void use(const Functions& gl, int eye) const;
 
     Program program;
@@ -63,11 +66,12 @@ struct SeaProgram {
 };
 
 struct SeaPrograms {
-    /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
+    /// Compiles the programs and leaves one of them current.
+    /// \throws GlError  if the driver rejects a shader
     SeaPrograms(const Functions& gl, const SeaVariant& variant);
 
     SeaProgram patches, skirt, background, wireframe;
-    SeaProgram floor;  ///< with SeaVariant::below
+    SeaProgram floor;  ///< compiled only with SeaVariant::below
 };
 
 }  // namespace pelagic::gl

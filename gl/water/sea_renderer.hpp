@@ -1,20 +1,25 @@
-// Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
+// Renders the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for
+// one or two eyes.
 //
-//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.resolution(),
-//                             .cascades = ocean.cascade_count()});  // built with OceanOptions::slopes and ::foam
+//   // The ocean is built with OceanOptions::slopes and ::foam.
+//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
+//                             .resolution = ocean.resolution(),
+//                             .cascades = ocean.cascade_count()});
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
-// Foam is that of the frame's cascades (Cascade::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
-// OceanOptions::foam show none. a dynamic-wave grid (Frame::dynamic_waves) is drawn where the frame has one.
+// Foam comes from the frame's cascades (Cascade::foam_r8): it accumulates where waves break, decays
+// and drifts. Frames of an ocean without OceanOptions::foam have no foam. If a frame has a
+// dynamic-wave grid (Frame::dynamic_waves), its waves are drawn too.
 //
-// A frame's shore is drawn with it, by programs that are compiled when the first such frame comes. Its sand is a floor like others:
-// renderer.set_floor(floor_of(shore)).
+// If a frame has a shore, programs for shores draw it. They are compiled at the first such frame.
+// To draw the sand of a shore, call renderer.set_floor(floor_of(shore)).
 //
-// It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the application's too.
-// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the application has cleared
-// to 1. GL state may be anything before and is the same afterwards.
+// The renderer needs an OpenGL ES 3.0 context that is current during construction, every call and
+// destruction. It may be the application's context. The renderer uses no compute shaders and reads
+// nothing back. draw() needs a bound framebuffer with a depth buffer that is cleared to 1. Any GL
+// state is accepted and restored.
 #pragma once
 
 #include <cstddef>
@@ -41,15 +46,19 @@ namespace pelagic::gl {
 struct RendererOptions {
     int patch_vertices = 64;   ///< V of the draw lists
     int resolution = 256;      ///< N of the frames' cascades
-    std::size_t cascades = 1;  ///< of the frames, 1 to 4
+    std::size_t cascades = 1;  ///< number of cascades of the frames, 1 to 4
     Shading shading = Shading::high;
-    bool framebuffer_is_srgb = false;  ///< it encodes what shaders write; else they do
-    PixelKind writes =
-        PixelKind::screen;  ///< radiance: linear and not exposed, for an application that has its own camera
-    Surface surface = Surface::open;               ///< small water is drawn in place of the frames' cascades
-    std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
-    bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
-    /// Frames have a dynamic-wave grid: its programs are compiled at the start, and not when the first such frame is drawn.
+    bool framebuffer_is_srgb = false;  ///< the framebuffer encodes sRGB; else the shaders encode it
+    /// PixelKind::radiance writes linear radiance without exposure, for applications with their own
+    /// camera model.
+    PixelKind writes = PixelKind::screen;
+    /// Any value but Surface::open draws small water in place of the frames' cascades.
+    Surface surface = Surface::open;
+    /// Bakes textures in the constructor; if null, they are baked on the calling thread.
+    std::shared_ptr<Executor> executor = nullptr;
+    bool multiview = false;  ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    /// Compiles the programs for frames with a dynamic-wave grid in the constructor. If false, they
+    /// are compiled when the first such frame is drawn.
     bool dynamic_waves = false;
 };
 
@@ -57,33 +66,35 @@ enum class DrawMode { shaded, wireframe };
 
 struct DrawInput {
     std::span<const Eye> eyes;  ///< one or two
-    glm::dvec3 viewer_m{};      ///< what positions are relative to: the selection's viewer
+    /// Viewer of the quadtree selection. Positions in the shaders are relative to it.
+    glm::dvec3 viewer_m{};
     const DrawList* list = nullptr;
-    double lod_scale = 2.2;  ///< tau of the selection, by which the displacement's mip follows the mesh
+    double lod_scale = 2.2;  ///< tau of the selection; selects the mip of the displacement
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
-    std::optional<float> exposure =
-        {};  ///< what radiance is multiplied with before the tone curve; the sky's by default
-    /// Where radiance is written: each sample times a weight that is in alpha, which falls with its exposed luminance, for
-    /// gl/display.hpp to divide by. Else alpha is 1, and samples average to true radiance.
+    /// Factor applied to radiance before the tone curve. If empty, the sky's exposure is used.
+    std::optional<float> exposure = {};
+    /// With PixelKind::radiance: multiplies each sample by a weight and writes the weight to alpha.
+    /// The weight falls with the exposed luminance; gl/display.hpp divides by it. If false, alpha
+    /// is 1, and samples average to true radiance.
     bool weighs_samples = false;
-    /// The surface at the viewer, for lenses near the water or within it, whose pixels below it show the underwater world;
-    /// none: all of them are in the air.
+    /// Water surface at the viewer, for lenses near the water or within it. Pixels below it show
+    /// the underwater view. If empty, all pixels are rendered as seen from the air.
     std::optional<CameraWaterPlane> camera_water_plane = {};
-    /// What waves mirror besides the sky, where their rays meet it within the image. Of one eye; not with two, with multiview or
-    /// with Shading::headset, which mirror the sky alone.
+    /// Scene that waves reflect besides the sky, where reflected rays hit it within the image. It
+    /// needs one eye. With two eyes, multiview or Shading::headset only the sky is reflected.
     std::optional<ApplicationScene> application_scene = {};
 };
 
-/// What the last draw() handed to the driver.
+/// Statistics of the last draw().
 struct DrawStatistics {
-    int sea_calls = 0;  ///< of the views together: patches and skirt
+    int sea_calls = 0;  ///< draw calls of patches and skirt in all views
     int sky_calls = 0;
     int floor_calls = 0;
     std::uint64_t triangles = 0;
     std::size_t instance_bytes = 0;
-    /// The application's time in draw() and in the last upload(), and the part of each inside calls in which the driver itself
-    /// transforms, rasterises or copies texels: a software driver does that at once.
+    /// Time on the calling thread in draw() and in the last upload(). The driver_ms members count
+    /// only GL calls that draw or copy texels; a software driver does that work within these calls.
     double draw_ms = 0, draw_driver_ms = 0;
     double upload_ms = 0, upload_driver_ms = 0;
     std::size_t upload_bytes = 0;
@@ -91,32 +102,41 @@ struct DrawStatistics {
 
 class SeaRenderer {
    public:
-    /// \param gl  outlives the renderer. Throws GlError if the driver refuses a shader, std::invalid_argument for a number of
-    /// cascades that no frame has.
+    /// \param gl  must outlive the renderer
+    /// \throws GlError  if the driver rejects a shader
+    /// \throws std::invalid_argument  if options.cascades is not 1 to 4
     SeaRenderer(const Functions& gl, const RendererOptions& options);
     ~SeaRenderer();
     SeaRenderer(const SeaRenderer&) = delete;
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
-    /// What the sea is made of from now on; Jerlov's type II until then.
+    /// Sets the optical properties of the water. The default is Jerlov type II.
     void set_water(const WaterOptics& water);
-    /// What lies below; at first it is even and of sand, at the sea's depth. Throws std::invalid_argument(check(floor)).
+    /// Sets the sea floor. The default is even sand at the sea's depth.
+    /// \throws std::invalid_argument  with the text of check(floor)
     void set_floor(const SeaFloor& floor);
-    /// Sunlight as the waves gather it, for floors and for shafts of light; without, crests that no wave makes stand for them.
+    /// Sets the caustics for floors and shafts of light. Without them a procedural pattern of
+    /// crests, which does not follow the waves, is used.
     void set_caustics(const Caustics& caustics);
-    /// V of the draw lists from here on: another quality's meshes, without new shaders and textures.
+    /// Sets V of the draw lists and rebuilds the meshes. Shaders and textures are kept.
     void set_patch_vertices(int patch_vertices);
-    /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
+    /// Sets the flow of a river. The default is winding_channel().
+    /// \throws std::invalid_argument  with the text of check(map)
     void set_flow(const FlowMap& map);
-    /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
-    /// FrameTextures::upload() and ShoreTextures::upload() throw, and std::invalid_argument for a Frame::dynamic_waves that no texture takes,
-    /// and draws on what was uploaded before then.
+    /// Uploads the frame for the next draw() calls. The frame's views may become invalid
+    /// afterwards.
+    ///
+    /// Throws the exceptions of FrameTextures::upload() and ShoreTextures::upload(), and
+    /// std::invalid_argument for a Frame::dynamic_waves that does not fit a texture. After an
+    /// exception draw() uses the previously uploaded frame.
     void upload(const Frame& frame);
-    /// Where Ocean::schedule() may write the textures of the frame that is uploaded next, which spares a copy of them
-    /// (FrameTextures::map()). Call it before the frame is scheduled.
+    /// Returns targets to which Ocean::schedule() can write the textures of the next uploaded
+    /// frame, which saves a copy (FrameTextures::map()). Call it before Ocean::schedule().
     std::span<const TextureTargets> map_textures();
-    /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
+    /// Draws the uploaded frame and returns the statistics of this call.
+    /// \pre upload() and set_sky() have been called; all pointers are set; patches have
+    ///     options.patch_vertices
     const DrawStatistics& draw(const DrawInput& input);
 
     const FrameTextures& textures() const;

@@ -1,4 +1,4 @@
-// How much a pixel of water may cost.
+// Shading tiers: how much time the shader may spend on a pixel of water.
 #pragma once
 
 #include <array>
@@ -7,8 +7,9 @@
 
 namespace pelagic::gl {
 
-/// Look-ups of textures that a pixel takes at most: 8 for a headset, whose nine million pixels are drawn 72 times a second; docs/architecture.md
-/// has the others and what each tier leaves out.
+/// Tier of shading. `headset` takes at most 8 texture samples per pixel, for nine million pixels
+/// drawn 72 times a second. docs/architecture.md lists the maximum of the other tiers and what each
+/// omits.
 enum class Shading { headset, medium, high };
 
 inline constexpr std::array<std::string_view, 3> shading_names = {"headset", "medium", "high"};

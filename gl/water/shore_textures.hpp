@@ -1,4 +1,5 @@
-// A frame's shore as textures: what each cascade counts with, the waves that feel the floor, and how high they reach.
+// Textures of a frame's shore: the weight of each cascade, the waves that the floor transforms, and
+// the height that they reach.
 #pragma once
 
 #include <array>
@@ -19,18 +20,23 @@ class ShoreTextures {
     ShoreTextures(const ShoreTextures&) = delete;
     ShoreTextures& operator=(const ShoreTextures&) = delete;
 
-    /// Copies the shore and starts its way into the next set of textures, as FrameTextures::upload() does with a frame. Parts go
-    /// again only where they differ from those of the last upload; a rectangle of another size makes new textures. No shore costs
-    /// nothing, and those of the last one stay. GL state ends as it was. Throws GlError.
+    /// Copies the shore and starts the transfer to the next set of textures, like
+    /// FrameTextures::upload(). Cascade weights are uploaded only if they differ from those of the
+    /// last upload. A rectangle of another size reallocates the textures. Without a shore the call
+    /// has no effect, and the textures keep their contents. Restores GL state.
+    /// \throws GlError
     void upload(const ShoreSurface& shore);
 
-    GLuint parts() const { return parts_.name(); }  ///< RGBA8, cascade t in channel t
-    /// RGBA16F: height, its slopes along x and z by central differences, foam; with the driver's mips, where it makes any.
+    /// Cascade weights, RGBA8; channel t holds cascade t.
+    GLuint parts() const { return parts_.name(); }
+    /// RGBA16F: height, its slopes along x and z by central differences, foam. The driver generates
+    /// its mips if has_mips().
     GLuint water() const { return sets_[set_].water.name(); }
     GLuint reach() const { return sets_[set_].reach.name(); }  ///< R16F
     bool has_mips() const { return gl_.renders_to_half_floats; }
 
-    double last_driver_ms() const { return driver_ms_; }  ///< as FrameTextures have it
+    /// Time that the last upload() spent in GL calls that copy texels.
+    double last_driver_ms() const { return driver_ms_; }
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
    private:
@@ -41,10 +47,10 @@ class ShoreTextures {
 
     const Functions& gl_;
     int columns_ = 0, rows_ = 0;
-    std::vector<std::uint32_t> parts_rgba8_;  ///< that the texture holds
+    std::vector<std::uint32_t> parts_rgba8_;  ///< content of parts_
     Texture parts_;
     std::array<Set, 2> sets_;
-    std::optional<PixelRing> pixels_;  ///< parts, water and reach of the next frame
+    std::optional<PixelRing> pixels_;  ///< weights, water and reach of the next frame
     std::size_t set_ = 0, uploaded_bytes_ = 0;
     double driver_ms_ = 0;
 };

@@ -1,5 +1,6 @@
-// Noise on a square that repeats, for textures that are made at start-up: cells around points, and smooth gradients. Places run
-// from 0 to 1 along both sides. Numbers come from an engine's own bits: standard distributions differ between libraries.
+// Periodic noise for textures that are generated at start-up: cellular noise and gradient noise.
+// Coordinates run from 0 to 1 along both axes. Random numbers are computed from the engine's bits,
+// because standard distributions differ between libraries.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,33 +9,35 @@
 
 namespace pelagic::gl {
 
-/// Uniform in [0, 1).
+/// Returns a uniform number in [0, 1).
 float uniform(std::minstd_rand& engine);
 
-/// Bubbles side by side: cells^2 of them, one in each square of a grid, of different sizes. The wall between two is where both
-/// are as far away, less their radii, so walls bow around the smaller one as those of foam do (Worley 1996, "A Cellular Texture
-/// Basis Function", with additive weights).
+/// Cellular noise: cells^2 adjacent bubbles of different sizes, one in each square of a grid. On
+/// the wall between two bubbles the distances to both centres, each less the bubble's radius, are
+/// equal. Walls therefore curve around the smaller bubble, as in foam (Worley 1996, "A Cellular
+/// Texture Basis Function", with additive weights).
 class CellNoise {
    public:
-    /// \param cells  a side, 3 or more
-    /// \param max_radius  of the largest bubble, in squares of the grid, below 1; 0: straight walls
+    /// \param cells  number of cells along each axis, at least 3
+    /// \param max_radius  maximum bubble radius in grid squares, below 1; 0 gives straight walls
     CellNoise(int cells, float max_radius, std::minstd_rand& engine);
 
-    /// Distances to the nearest bubble's middle and to the next, less their radii, in squares of the grid.
+    /// Returns the two smallest values of distance to centre less radius, in grid squares.
     glm::vec2 nearest(glm::vec2 at) const;
     int cells() const { return cells_; }
 
    private:
     struct Bubble {
-        glm::vec2 middle;  ///< in its square
+        glm::vec2 middle;  ///< centre within its square, [0, 1)
         float radius;
     };
     int cells_;
     std::vector<Bubble> bubbles_;
 };
 
-/// Perlin's gradient noise (2002, "Improving Noise"), within [-1, 1], with a grid of its own along each side. It is 0 on the
-/// grid, so each noise stands elsewhere, or their sums would show where all grids meet.
+/// Gradient noise (Perlin 2002, "Improving Noise") in [-1, 1], with its own number of cells along
+/// each axis. It is 0 at the grid points. Each instance has a random offset, so that a sum of
+/// several does not show the points that their grids share.
 class GradientNoise {
    public:
     GradientNoise(int cells_x, int cells_y, std::minstd_rand& engine);
