@@ -13,9 +13,10 @@ constexpr float pi = 3.14159265f;
 constexpr int elevations = Atmosphere::lines, azimuths = 33;
 constexpr int view_samples = 40;
 
-/// Distance from a point at `height_m`, towards an angle from the zenith, to the sphere of `top_m` above the sea.
+/// Returns the distance from a point at `height_m` to the sphere at `top_m` above the sea.
+/// \param cosine  cosine of the direction's angle from the zenith
 float distance_to_height(float height_m, float cosine, float top_m) {
-    // In double: the squares of the earth's radius leave a float no metres.
+    // In double precision: the square of the earth's radius exceeds the precision of a float.
     const double r = double{earth_radius_m} + height_m, top = double{earth_radius_m} + top_m;
     const double b = r * cosine;
     return static_cast<float>(-b + std::sqrt(std::max(0.0, b * b - r * r + top * top)));
@@ -26,8 +27,10 @@ float height_at(float height_m, float cosine, float distance_m) {
     return static_cast<float>(std::sqrt(r * r + d * d + 2 * r * d * cosine) - earth_radius_m);
 }
 
-/// Over its most.
-float ozone_part(float height_m) { return std::max(0.f, 1 - std::abs(height_m - ozone_height_m) / ozone_reach_m); }
+/// Returns the ozone concentration relative to its maximum, [0, 1].
+float relative_ozone(float height_m) {
+    return std::max(0.f, 1 - std::abs(height_m - ozone_height_m) / ozone_reach_m);
+}
 
 }  // namespace
 
@@ -53,15 +56,16 @@ glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
     const float length = distance_to_height(height_m, cosine, atmosphere_top_m);
     glm::vec3 depth(0);
     float before = 0;
-    // A ray that passes the earth on its way to a sun that has set meets most air in its middle.
+    // A ray towards a sun below the horizon passes close to the earth and meets the densest air in
+    // its middle.
     const int sun_samples = cosine < 0.05f ? 32 : 12;
     for (int i = 1; i <= sun_samples; ++i) {
-        // Steps grow with distance: the air that counts is near.
-        const float part = static_cast<float>(i) / static_cast<float>(sun_samples);
-        const float end = length * part * part;
+        // Steps grow with distance, because the densest air is near.
+        const float fraction = static_cast<float>(i) / static_cast<float>(sun_samples);
+        const float end = length * fraction * fraction;
         const float h = std::max(0.f, height_at(height_m, cosine, (before + end) / 2));
         depth += (rayleigh_per_m * std::exp(-h / rayleigh_height_m) + haze_per_m_ * std::exp(-h / mie_height_m) +
-                  ozone_per_m * ozone_part(h)) *
+                  ozone_per_m * relative_ozone(h)) *
                  (end - before);
         before = end;
     }
@@ -69,7 +73,7 @@ glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
 }
 
 glm::vec3 Atmosphere::sun_transmittance(float height_m) const {
-    // The earth's shadow, with a soft edge of the sun's own width: 0.27 degrees to either side.
+    // The earth's shadow has a soft edge of the sun's angular width: 0.27 degrees to either side.
     const float r = earth_radius_m;
     const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + height_m)) * (r / (r + height_m))));
     const float lit = glm::clamp((sun_.y - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
@@ -98,34 +102,38 @@ void Atmosphere::fill_line(int line) {
         glm::vec3 depth(0);
         float before = 0;
         for (int i = 1; i <= view_samples; ++i) {
-            const float part = static_cast<float>(i) / view_samples;
-            const float end = length * part * part, at = (before + end) / 2, step = end - before;
+            const float fraction = static_cast<float>(i) / view_samples;
+            const float end = length * fraction * fraction, at = (before + end) / 2, step = end - before;
             before = end;
             const float h = std::max(0.f, height_at(0, sine, at));
             const float air = std::exp(-h / rayleigh_height_m), haze = std::exp(-h / mie_height_m);
-            const glm::vec3 taken = (rayleigh_per_m * air + haze_per_m_ * haze + ozone_per_m * ozone_part(h)) * step;
-            // The zenith turns by the distance over the radius: it decides where the sun sets.
+            const glm::vec3 step_depth =
+                (rayleigh_per_m * air + haze_per_m_ * haze + ozone_per_m * relative_ozone(h)) * step;
+            // The zenith rotates by the horizontal distance over the earth's radius; the sun's
+            // elevation changes accordingly.
             const float turn = at * across / earth_radius_m;
             const float sun_sine = sun_.y * std::cos(turn) + sun_across * std::cos(azimuth) * std::sin(turn);
             const float r = earth_radius_m;
             const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + h)) * (r / (r + h))));
             const float lit = glm::clamp((sun_sine - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
             if (lit > 0) {
-                const glm::vec3 light = lit * glm::exp(-(depth + 0.5f * taken + optical_depth(h, sun_sine)));
+                const glm::vec3 light = lit * glm::exp(-(depth + 0.5f * step_depth + optical_depth(h, sun_sine)));
                 sum.rayleigh += light * rayleigh_per_m * (air * step);
                 sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
             }
             const glm::vec3 scattering = rayleigh_per_m * air + haze_per_m_ * mie_albedo * haze;
-            sum.again += glm::exp(-(depth + 0.5f * taken)) * scattering * (step / (4 * pi));
-            depth += taken;
+            sum.multiple += glm::exp(-(depth + 0.5f * step_depth)) * scattering * (step / (4 * pi));
+            depth += step_depth;
         }
         table_[static_cast<std::size_t>(line * azimuths + a)] = sum;
     }
 }
 
-// `again` holds how bright the sky would be if light of 1 came to every point from all around, in sum. What comes is the
-// light of the order before, taken as the same in all heights and directions; orders so shrink by a constant factor, and
-// their sum is a geometric series (the idea of Hillaire 2020, "A Scalable and Production Ready Sky", with one point).
+// Before this call, `multiple` holds the radiance of the sky for incident light that sums to 1 over
+// all directions at every point. Each scattering order is lit by the previous order, which is
+// assumed equal at all heights and in all directions. The orders therefore shrink by a constant
+// factor, and their sum is a geometric series (the method of Hillaire 2020, "A Scalable and
+// Production Ready Sky", with one point).
 void Atmosphere::finish() {
     glm::vec3 first(0), second(0);
     float weights = 0;
@@ -136,14 +144,14 @@ void Atmosphere::finish() {
             const glm::vec3 direction(across * std::cos(azimuth), sine, across * std::sin(azimuth));
             const Scattered& here = table_[static_cast<std::size_t>(e * azimuths + a)];
             const float to_sun = sun_.y * sine + std::sqrt(1 - sun_.y * sun_.y) * direction.x;
-            const float weight = root;  // of equal steps in the root of the sine
+            const float weight = root;  // for equal steps in the square root of the sine
             first += weight * (here.rayleigh * rayleigh_phase(to_sun) + here.mie * mie_phase(to_sun, mie_asymmetry));
-            second += weight * here.again;
+            second += weight * here.multiple;
             weights += weight;
         }
-    // Over the upper half; the sea sends little back up.
+    // Integrates over the upper hemisphere only, because the sea reflects little light upwards.
     const glm::vec3 light = first * (2 * pi / weights), ratio = second * (2 * pi / weights);
-    for (Scattered& entry : table_) entry.again *= light / (1.f - glm::min(ratio, glm::vec3(0.9f)));
+    for (Scattered& entry : table_) entry.multiple *= light / (1.f - glm::min(ratio, glm::vec3(0.9f)));
 }
 
 glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
@@ -158,13 +166,13 @@ glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
     const auto at = [&](int de, int da) -> const Scattered& {
         return table_[static_cast<std::size_t>((e + de) * azimuths + a + da)];
     };
-    const auto mixed = [&](glm::vec3 Scattered::*part) {
-        return (1 - fe) * ((1 - fa) * at(0, 0).*part + fa * at(0, 1).*part) +
-               fe * ((1 - fa) * at(1, 0).*part + fa * at(1, 1).*part);
+    const auto mixed = [&](glm::vec3 Scattered::*field) {
+        return (1 - fe) * ((1 - fa) * at(0, 0).*field + fa * at(0, 1).*field) +
+               fe * ((1 - fa) * at(1, 0).*field + fa * at(1, 1).*field);
     };
     const float to_sun = glm::dot(direction, sun_);
     return mixed(&Scattered::rayleigh) * rayleigh_phase(to_sun) +
-           mixed(&Scattered::mie) * mie_phase(to_sun, mie_asymmetry) + mixed(&Scattered::again);
+           mixed(&Scattered::mie) * mie_phase(to_sun, mie_asymmetry) + mixed(&Scattered::multiple);
 }
 
 }  // namespace pelagic::gl

@@ -11,15 +11,17 @@ namespace pelagic::gl {
 namespace {
 
 constexpr float pi = 3.14159265f;
-/// The full moon's irradiance above the air; the sun's is 1.
+/// Irradiance of the full moon above the atmosphere, relative to the sun's.
 constexpr float full_moon = 1.f / 400'000;
-/// Of the night sky, cd/m^2, over what a radiance of 1 stands for; a little blue, as starlight is.
+/// Radiance of the night sky, 2e-4 cd/m^2, relative to the sun's irradiance; slightly blue, as
+/// starlight is.
 constexpr glm::vec3 night_radiance = glm::vec3(0.92f, 1.0f, 1.12f) * (2e-4f / sun_illuminance_lx);
-/// Lower than this the model's sun does not go: of its light only the glow at the horizon is left.
+/// Lowest elevation of the sun in the model. There, only the glow at the horizon remains.
 constexpr float lowest_modelled_rad = -6.0f * pi / 180;
-/// Published and modelled amounts change over between these elevations, degrees.
+/// The amount of light is interpolated between modelled and published values in this range of
+/// elevations, degrees.
 constexpr float model_alone_deg = 2, published_alone_deg = -3;
-/// Half floats hold 6e-5 exactly: the whole light of a scene is to be no less than this, in units.
+/// Lower bound of a scene's illuminance, in units. Half floats have full precision down to 6e-5.
 constexpr float min_light = 1.f / 32;
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -45,12 +47,12 @@ glm::vec3 irradiance_of(const Radiance& radiance) {
 
 double published_illuminance_lx(double elevation_deg) {
     struct Piece {
-        double from_deg, l0, l1, l2, l3;  // of log10, in powers of the elevation over 90 degrees
+        double from_deg, l0, l1, l2, l3;  // log10 as a polynomial in the elevation over 90 degrees
     };
     constexpr Piece pieces[] = {{20, 3.74, 3.97, -4.07, 1.47},         {5, 3.05, 13.28, -45.98, 64.33},
                                 {-0.8, 2.88, 22.26, -207.64, 1034.30}, {-5, 2.88, 21.81, -258.11, -858.36},
                                 {-12, 2.70, 12.17, -431.69, -1899.83}, {-18, 13.84, 262.72, 1447.42, 2797.93}};
-    // Below astronomical twilight nothing is left of the sun: it goes on to fall by ten in two degrees.
+    // Below astronomical twilight, the sunlight falls by a factor of ten in two degrees.
     if (elevation_deg < -18) return published_illuminance_lx(-18) * std::pow(10, (elevation_deg + 18) / 2);
     const double x = elevation_deg / 90;
     for (const Piece& piece : pieces)
@@ -75,7 +77,7 @@ ClearSky::ClearSky(const SkyOptions& options, Atmosphere::FillLater later)
                options.visibility_m, later),
       sun_is_up_(options.sun_elevation_rad > lowest_modelled_rad) {
     const glm::vec3 sun = sun_direction(options), moon = moon_direction(options);
-    // A moon in daylight adds nothing that one sees.
+    // A moon in daylight adds no visible light.
     if (moon.y <= 0 || sun.y >= 0) return;
     moon_air_.emplace(moon, options.visibility_m, later);
     const float phase_angle = std::acos(std::clamp(-glm::dot(sun, moon), -1.f, 1.f));

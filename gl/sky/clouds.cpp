@@ -9,11 +9,13 @@
 namespace pelagic::gl {
 namespace {
 
-// Extinction inside a cumulus, 1/m: 100 droplets of 10 micrometres a cubic centimetre give about 0.06 (Hess, Koepke and
-// Schult 1998, clean marine cumulus 0.025 to 0.07); thinner here, for the noise leaves soft edges no thickness.
+// Extinction inside a cumulus, 1/m: 100 droplets of 10 micrometres per cubic centimetre give about
+// 0.06 (Hess, Koepke and Schult 1998: 0.025 to 0.07 for clean marine cumulus). The value is lower
+// here, because the noise gives clouds soft, thin edges.
 constexpr float extinction_per_m = 0.03f;
-// Droplets scatter forwards: Henyey-Greenstein with g = 0.8, and a weak lobe back, the usual fit of Mie's curve.
-constexpr float forward_asymmetry = 0.8f, backward_asymmetry = -0.2f, backward_part = 0.35f;
+// Scattering by droplets: a forward Henyey-Greenstein lobe with g = 0.8 and a weak backward lobe,
+// the usual fit of the Mie phase function.
+constexpr float forward_asymmetry = 0.8f, backward_asymmetry = -0.2f, backward_weight = 0.35f;
 
 float random_at(std::int32_t x, std::int32_t y, std::int32_t z, unsigned seed) {
     std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(y) * 0x85ebca77u ^
@@ -23,7 +25,8 @@ float random_at(std::int32_t x, std::int32_t y, std::int32_t z, unsigned seed) {
     return static_cast<float>((h ^ h >> 15) >> 8) * (1.f / 16777216.f);
 }
 
-/// Value noise in [0, 1] with continuous second derivatives; repeats after `period` along x and z.
+/// Returns value noise in [0, 1] with continuous second derivatives, periodic with `period` along x
+/// and z.
 float noise(glm::vec3 p, int period, unsigned seed) {
     const glm::vec3 floor = glm::floor(p), f = p - floor;
     const glm::vec3 u = f * f * f * (f * (f * 6.f - 15.f) + 10.f);
@@ -44,7 +47,8 @@ float henyey_greenstein(float cosine, float g) {
 }  // namespace
 
 void CloudShape::fill_row(int row, unsigned seed) {
-    // Cells across the box in each octave; heaps of 1150 m first. Weights halve and a little more.
+    // Noise cells across the box in each octave, from 1150 m wide. Each weight is about half the
+    // previous one.
     constexpr int cells[] = {4, 8, 17, 37, 75};
     constexpr float weights[] = {0.53f, 0.26f, 0.12f, 0.06f, 0.03f};
     for (int x = 0; x < side; ++x)
@@ -85,32 +89,35 @@ CloudLayer::CloudLayer(const CloudOptions& options, const ClearSky& sky, const C
       key_(sky.key_light(options.base_m + options.thickness_m)),
       sky_light_(sky.irradiance() * (1 / 3.14159265f)) {}
 
-/// How much noise a cloud needs at its base, there: low where clouds gather, kilometres wide.
+/// Returns the noise level above which a cloud forms at its base. It varies over kilometres and is
+/// low where clouds cluster.
 float CloudLayer::threshold(glm::vec3 at) const {
     constexpr int never = 1 << 20;
     const float gathering = noise(at * glm::vec3(1 / 4300.f, 0, 1 / 4300.f), never, options_.seed + 7);
     return glm::mix(0.72f, 0.22f, options_.cover) + 0.30f * (0.5f - gathering);
 }
 
-/// Flat bases, round tops: the higher, the rarer.
-float CloudLayer::density(glm::vec3 at, float height_part, float threshold) const {
+/// Returns the relative density, [0, 1]. Clouds have flat bases and round tops, and become rarer
+/// with height.
+/// \param relative_height  height in the layer, 0 at the base, 1 at the top
+float CloudLayer::density(glm::vec3 at, float relative_height, float threshold) const {
     const float shape =
-        shape_.at(at - glm::vec3(0, options_.base_m, 0)) - threshold - 0.34f * height_part * height_part;
+        shape_.at(at - glm::vec3(0, options_.base_m, 0)) - threshold - 0.34f * relative_height * relative_height;
     if (shape <= 0) return 0;
-    return glm::smoothstep(0.f, 0.12f, height_part) * std::min(1.f, shape * 7);
+    return glm::smoothstep(0.f, 0.12f, relative_height) * std::min(1.f, shape * 7);
 }
 
-float CloudLayer::depth_towards_sun(glm::vec3 at, float height_part, float threshold) const {
+float CloudLayer::depth_towards_sun(glm::vec3 at, float relative_height, float threshold) const {
     const glm::vec3 sun = key_.direction;
-    // Slanted light leaves the layer at its top, or far away.
-    const float length = std::min((1 - height_part) * options_.thickness_m / std::max(sun.y, 0.08f), 1200.f);
+    // Slanted light leaves the layer at its top, or after at most 1200 m.
+    const float length = std::min((1 - relative_height) * options_.thickness_m / std::max(sun.y, 0.08f), 1200.f);
     float depth = 0, before = 0;
     constexpr int samples = 5;
     for (int i = 1; i <= samples; ++i) {
-        const float part = static_cast<float>(i) / samples;
-        const float end = length * part * part;
+        const float fraction = static_cast<float>(i) / samples;
+        const float end = length * fraction * fraction;
         const float middle = (before + end) / 2;
-        const float h = height_part + middle * sun.y / options_.thickness_m;
+        const float h = relative_height + middle * sun.y / options_.thickness_m;
         depth += density(at + sun * middle, std::min(h, 1.f), threshold) * (end - before);
         before = end;
     }
@@ -119,7 +126,7 @@ float CloudLayer::depth_towards_sun(glm::vec3 at, float height_part, float thres
 
 CloudLight CloudLayer::along(glm::vec3 direction) const {
     CloudLight light;
-    // Bent down with the earth: the layer's distance at the horizon is finite.
+    // The layer follows the earth's curvature, so its distance at the horizon is finite.
     const auto distance_to = [&](float height_m) {
         const float b = earth_radius_m * direction.y;
         return 2 * earth_radius_m * height_m / (b + std::sqrt(b * b + 2 * earth_radius_m * height_m));
@@ -130,8 +137,8 @@ CloudLight CloudLayer::along(glm::vec3 direction) const {
     constexpr float furthest_m = 90e3f;
     if (start > furthest_m) return light;
 
-    // Steps of about 45 m, coarser towards the horizon. Each ray starts elsewhere within a step, so that steps do not
-    // show as slices.
+    // Steps are about 45 m long, and longer towards the horizon. Each ray starts at a random offset
+    // within a step, so that no slices are visible.
     const int samples = std::clamp(static_cast<int>((end - start) / 45), 20, 72);
     const float step = (end - start) / static_cast<float>(samples);
     const auto bits = [](float f) { return static_cast<std::int32_t>(f * 65536); };
@@ -139,8 +146,8 @@ CloudLight CloudLayer::along(glm::vec3 direction) const {
     float gathered = threshold(direction * start);
     const float cosine = glm::dot(direction, key_.direction);
     glm::vec3 sum(0);
-    float left = 1;
-    for (int i = 0; i < samples && left > 0.01f; ++i) {
+    float transmittance = 1;
+    for (int i = 0; i < samples && transmittance > 0.01f; ++i) {
         const float h = (static_cast<float>(i) + jitter) / static_cast<float>(samples);
         const float distance = start + (static_cast<float>(i) + jitter) * step;
         const glm::vec3 at(direction.x * distance, options_.base_m + h * options_.thickness_m,
@@ -149,26 +156,26 @@ CloudLight CloudLayer::along(glm::vec3 direction) const {
         const float here = density(at, h, gathered);
         if (here <= 0) continue;
         const float depth = depth_towards_sun(at, h, gathered);
-        // Light scattered more than once, as octaves of weaker, rounder and further-reaching light (Wrenninge 2013,
-        // "Oz: The Great and Volumetric").
+        // Multiple scattering as octaves of weaker light with lower extinction and a rounder phase
+        // function (Wrenninge 2013, "Oz: The Great and Volumetric").
         float sunlight = 0, weight = 1, reach = 1, roundness = 1;
         for (int octave = 0; octave < 4; ++octave) {
             const float phase = glm::mix(henyey_greenstein(cosine, forward_asymmetry * roundness),
-                                         henyey_greenstein(cosine, backward_asymmetry * roundness), backward_part);
+                                         henyey_greenstein(cosine, backward_asymmetry * roundness), backward_weight);
             sunlight += weight * phase * std::exp(-depth * reach);
             weight *= 0.6f;
             reach *= 0.35f;
             roundness *= 0.5f;
         }
         const glm::vec3 radiance = key_.irradiance * sunlight + sky_light_ * (0.35f + 0.65f * h) * 0.55f;
-        const float taken = 1 - std::exp(-here * extinction_per_m * step);
-        sum += left * taken * radiance;
-        left *= 1 - taken;
+        const float opacity = 1 - std::exp(-here * extinction_per_m * step);
+        sum += transmittance * opacity * radiance;
+        transmittance *= 1 - opacity;
     }
-    // Haze and air in front of the cloud: it takes the sky's colour with distance.
+    // Haze and air in front of the cloud: its colour approaches the sky's with distance.
     const glm::vec3 through = sky_.transmittance(direction.y, start);
-    light.radiance = sum * through + sky_.radiance(direction) * (1 - left) * (1.f - through);
-    light.transmittance = left;
+    light.radiance = sum * through + sky_.radiance(direction) * (1 - transmittance) * (1.f - through);
+    light.transmittance = transmittance;
     return light;
 }
 

@@ -1,4 +1,5 @@
-// A layer of cumulus above the sea, marched along a ray: noise for its shape, Beer-Lambert for its light.
+// A layer of cumulus clouds above the sea, computed by ray marching: noise for the shape,
+// Beer-Lambert for the light.
 #pragma once
 
 #include <cstdint>
@@ -10,55 +11,58 @@
 namespace pelagic::gl {
 
 struct CloudOptions {
-    float cover = 0.4f;       ///< part of the sky that clouds take, about; [0, 1]
-    float base_m = 900;       ///< height of the flat bases: the usual one of fair-weather cumulus
-    float thickness_m = 900;  ///< up to the highest tops
+    float cover = 0.4f;       ///< approximate fraction of the sky that clouds cover; [0, 1]
+    float base_m = 900;       ///< height of the flat bases; typical of fair-weather cumulus
+    float thickness_m = 900;  ///< from the bases to the highest tops
     unsigned seed = 1;
 };
 
-/// Noise that heaps clouds up, in a box that repeats: five octaves, kept as bytes so that a ray's samples hit the cache.
+/// Periodic 3D noise that shapes the clouds: five octaves, stored as bytes for cache locality along
+/// a ray.
 class CloudShape {
    public:
     static constexpr int side = 256, layers = 48;
     static constexpr float width_m = 4600, height_m = 900;
 
     CloudShape() : values_(std::size_t{side} * side * layers) {}
-    /// One row of all layers; rows are independent.
+    /// Computes one row of all layers. Threads may fill different rows concurrently.
+    /// \param row  [0, side)
     void fill_row(int row, unsigned seed);
-    /// In [0, 1], trilinear; repeats along x and z.
+    /// Returns the noise at a point with trilinear interpolation, [0, 1]. Periodic along x and z.
     float at(glm::vec3 point_m) const;
 
    private:
-    std::vector<std::uint8_t> values_;  ///< layer fastest: a ray climbs
+    std::vector<std::uint8_t> values_;  ///< the layer is the fastest index, because rays ascend
 };
 
-/// What a ray from sea level meets.
+/// Cloud light along a ray from sea level.
 struct CloudLight {
-    glm::vec3 radiance{0};    ///< towards the eye, haze in front of it included
-    float transmittance = 1;  ///< of the sky behind
+    glm::vec3 radiance{0};    ///< towards the eye, including haze in front of the cloud
+    float transmittance = 1;  ///< for the light of the sky behind the clouds
 };
 
 class CloudLayer {
    public:
-    /// In the units of `sky`.
+    /// \param sky  must outlive this object; radiances are in its unit
+    /// \param shape  must outlive this object; may be filled later
     CloudLayer(const CloudOptions& options, const ClearSky& sky, const CloudShape& shape);
 
+    /// Computes the cloud light along a ray from sea level. \pre the CloudShape is filled
     /// \param direction  unit vector
-    /// \pre `shape` is filled
     CloudLight along(glm::vec3 direction) const;
-    /// Part of the light from above that comes through to the eye at sea level.
+    /// Returns the transmittance of the clouds in a direction; 0 below the horizon.
     float visibility(glm::vec3 direction) const { return direction.y > 0 ? along(direction).transmittance : 0; }
 
    private:
     float threshold(glm::vec3 at) const;
-    float density(glm::vec3 at, float height_part, float threshold) const;
-    float depth_towards_sun(glm::vec3 at, float height_part, float threshold) const;
+    float density(glm::vec3 at, float relative_height, float threshold) const;
+    float depth_towards_sun(glm::vec3 at, float relative_height, float threshold) const;
 
     CloudOptions options_;
     const ClearSky& sky_;
     const CloudShape& shape_;
-    KeyLight key_;         ///< at the tops: the sun reaches them longer than the sea
-    glm::vec3 sky_light_;  ///< what they get from everywhere
+    KeyLight key_;         ///< light at the cloud tops, where the sun sets later
+    glm::vec3 sky_light_;  ///< mean radiance of the sky that lights the clouds
 };
 
 }  // namespace pelagic::gl

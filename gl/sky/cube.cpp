@@ -7,7 +7,9 @@
 namespace pelagic::gl {
 namespace {
 
-/// OpenGL ES 3.0, table 3.21: the direction through a texel of a face, s and t in [-1, 1], not normalised.
+/// Returns the direction through a point of a face, not normalised (OpenGL ES 3.0, table 3.21).
+/// \param s  [-1, 1]
+/// \param t  [-1, 1]
 glm::vec3 face_direction(int face, float s, float t) {
     switch (face) {
         case 0: return {1, -t, -s};

@@ -6,9 +6,9 @@
 
 namespace pelagic::gl {
 
-/// Six square faces of colours.
+/// Six square faces of RGB texels.
 struct Cube {
-    int side = 0;
+    int side = 0;  ///< texels along a side of a face
     std::vector<glm::vec3> texels;
 
     explicit Cube(int size) : side(size), texels(std::size_t{6} * size * size) {}
@@ -16,9 +16,10 @@ struct Cube {
         return texels[(static_cast<std::size_t>(face) * side + y) * side + static_cast<std::size_t>(x)];
     }
     const glm::vec3& at(int face, int x, int y) const { return const_cast<Cube*>(this)->at(face, x, y); }
-    /// Through the middle of a texel; a unit vector.
+    /// Returns the direction through the centre of a texel; a unit vector.
     glm::vec3 direction(int face, int x, int y) const;
-    /// Bilinear within a face; at its edges the nearest texel, which is enough for averages.
+    /// Samples with bilinear interpolation within a face, clamped at its edges, which suffices for
+    /// averages.
     glm::vec3 sample(glm::vec3 direction) const;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float degree = 3.14159265f / 180;
 
-// Azimuths suit the usual camera, which looks towards 45 degrees.
+// Azimuths suit the default camera, which looks towards 45 degrees.
 constexpr std::array presets = {
     LightPreset{"noon",
                 "sun 65 degrees high, few clouds, clear air",

@@ -1,4 +1,4 @@
-// Light by name: where the sun or the moon stands, the clouds, the air, and how bright a photographer would have it.
+// Named light presets: position of the sun or the moon, clouds, visibility, and exposure bias.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@ namespace pelagic::gl {
 
 struct LightPreset {
     std::string_view name;
-    std::string_view meaning;  ///< one line for people
+    std::string_view meaning;  ///< description for help texts, one line
     SkyOptions sky;
-    float bias_stops = 0;  ///< CameraSettings::bias_stops
+    float bias_stops = 0;  ///< value for CameraSettings::bias_stops
 };
 
-/// noon, golden-hour, overcast, storm, moonlight.
+/// Returns all presets: noon, golden-hour, overcast, storm, moonlight.
 std::span<const LightPreset> light_presets();
-/// Null if there is none.
+/// Returns the preset with that name, or null.
 const LightPreset* light_preset_named(std::string_view name);
 
 }  // namespace pelagic::gl

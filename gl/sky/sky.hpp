@@ -1,4 +1,4 @@
-// A sky: what is wanted, and what was baked.
+// The options of a sky, and a baked sky.
 #pragma once
 
 #include <cstdint>
@@ -13,51 +13,61 @@
 namespace pelagic::gl {
 
 struct SkyOptions {
-    float sun_azimuth_rad = 0.6f;     ///< from +x towards +z; any
+    float sun_azimuth_rad = 0.6f;     ///< from +x towards +z; any finite value
     float sun_elevation_rad = 0.45f;  ///< above the horizon; [-pi/2, pi/2]
-    float cloud_cover = 0.35f;        ///< part of the sky that clouds take; [0, 1]
-    float visibility_m = 40e3f;       ///< where contrast falls to 2 %; [500, 300e3]
+    float cloud_cover = 0.35f;        ///< fraction of the sky that clouds cover; [0, 1]
+    float visibility_m = 40e3f;       ///< distance at which contrast falls to 2 %; [500, 300e3]
     unsigned cloud_seed = 4;
-    bool places_moon = false;      ///< else it stands opposite the sun: full, and up when the sun is down
-    float moon_azimuth_rad = 0;    ///< any
-    float moon_elevation_rad = 0;  ///< [-pi/2, pi/2]; its phase follows from where the sun is
+    /// If false, the moon is full and opposite the sun.
+    bool places_moon = false;
+    float moon_azimuth_rad = 0;    ///< from +x towards +z; any finite value
+    float moon_elevation_rad = 0;  ///< [-pi/2, pi/2]; the phase follows from the sun's position
 
     bool operator==(const SkyOptions&) const = default;
 };
 
-/// The numeric options with ranges, in the order of the struct.
+/// Returns the numeric options with their ranges, in the order of the struct.
 std::span<const NumericField<SkyOptions>> sky_fields();
 
-/// Empty if usable, else the first bad field: "cloud_cover is 2, needs [0, 1]".
+/// Returns an empty text if the options are valid, else a message about the first invalid field:
+/// "cloud_cover is 2, needs [0, 1]".
 std::string check(const SkyOptions& options);
 
-/// Towards the sun: a unit vector, +y up.
+/// Returns the direction to the sun: a unit vector, +y up.
 glm::vec3 sun_direction(const SkyOptions& options);
+/// Returns the direction to the moon: a unit vector, +y up.
 glm::vec3 moon_direction(const SkyOptions& options);
 
-/// A baked sky. Radiances are relative to the sun's irradiance above the air, which is 1, and at night to a part of it, `unit`. The
-/// key light is what has a disc and a glint: the sun, or the moon where that is the brighter one at the sea.
+/// A baked sky. Radiances are relative to `unit` times the sun's irradiance above the atmosphere.
+/// The key light is the light source that has a disc and a glint: the sun, or the moon if it is
+/// brighter at sea level.
 struct Sky {
     SkyOptions options;
     int face_size = 0;
-    int levels = 0;  ///< level m holds a mirror of GGX roughness alpha = (m / (levels - 1))^2; face_size >> m texels
-    /// Half floats, RGBA (A: in level 0 how much of the stars' light clouds let through, else 1): level by level, in each the faces +x, -x, +y, -y, +z, -z, rows as GL wants them.
+    /// Number of levels. Level m holds the sky reflected by a GGX mirror of roughness alpha = (m /
+    /// (levels - 1))^2. Its faces have face_size >> m texels on a side.
+    int levels = 0;
+    /// RGBA half floats. A: in level 0 the clouds' transmittance for starlight, else 1. Order:
+    /// levels, then the faces +x, -x, +y, -y, +z, -z, then rows in GL's order.
     std::vector<std::uint16_t> texels;
-    glm::vec3 sun_direction{0, 1, 0};  ///< towards the key light
-    glm::vec3 sun_irradiance{
-        0};  ///< the key light's, across its rays at the sea, through air, haze and the clouds before it
+    glm::vec3 sun_direction{0, 1, 0};  ///< direction to the key light
+    /// Irradiance of the key light at sea level on a plane perpendicular to its rays, after air,
+    /// haze and clouds.
+    glm::vec3 sun_irradiance{0};
     bool key_is_moon = false;
-    glm::vec3 sky_irradiance{0};  ///< on a level plane, the key light's disc not counted
-    glm::vec3 haze_per_m{0};      ///< extinction along the sea
-    float unit = 1;               ///< the radiance that a value of 1 stands for: 1 by day, less at night
-    float exposure = 1;           ///< makes an image under this sky neither dark nor bright
+    glm::vec3 sky_irradiance{0};  ///< on a horizontal plane, without the key light's disc
+    glm::vec3 haze_per_m{0};      ///< extinction along the sea surface, 1/m
+    float unit = 1;               ///< radiance of a stored value of 1: 1 by day, less at night
+    float exposure = 1;           ///< suggested exposure of an image under this sky
 
-    /// Of a radiance of 1, cd/m^2.
+    /// Returns the luminance of a stored radiance of 1, cd/m^2.
     float luminance_of_unit() const { return sun_illuminance_lx * unit; }
+    /// Returns the texels of one face of one level.
     std::span<const std::uint16_t> face(int level, int face) const;
 };
 
-/// Faces of at least 16 texels keep a level of 4, which is the roughest.
+/// Returns the number of levels. The roughest level has faces of 4 x 4 texels.
+/// \param face_size  texels on a side, a power of two, at least 16
 int sky_levels(int face_size);
 
 }  // namespace pelagic::gl

@@ -23,25 +23,33 @@ namespace {
 
 constexpr float pi = 3.14159265f;
 constexpr float half_max = 65504;
-/// Where the exposure puts a white card in the open: the filmic curve shows that as 80 % white.
+/// Exposed radiance of a white card in the open. The filmic curve shows it as 80 % white.
 constexpr float white_card = 1.35f;
-/// What a mean sea gives back of the sky, for the mirrors' lower half: Fresnel averaged over a clouded sky, 0.066
-/// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
+/// Albedo of a mean sea, for the lower hemisphere of reflections: the Fresnel reflectance averaged
+/// over a cloudy sky, 0.066 (Payne 1972, "Albedo of the sea surface"). The reflectance increases
+/// towards the horizon.
 constexpr float sea_albedo = 0.066f;
 
-/// The solid angle of a texel, over that of one in the middle of the face.
+/// Returns the solid angle of a texel relative to that of a texel at the centre of the face.
 float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f); }
 
 }  // namespace
 
-// The stages, in order: `sky air` (lines of its tables), `sky light` (their sum) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level
-// 0, rows of each face), `sky averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`. No job takes longer than a
-// frame of a page, some 10 ms, so that an application with one thread can bake between frames (sliced_executor.hpp).
+// Stages in order:
+//   * `sky air`: lines of the atmosphere tables;
+//   * `sky light` (sum of the tables) and `sky heaps` (cloud noise, once for each seed);
+//   * `sky faces`: level 0, rows of each face;
+//   * `sky averages`: box mips, which the next stage samples;
+//   * `sky mirrors`: GGX levels;
+//   * `sky packing`: conversion to half floats.
+//
+// A job takes at most about 10 ms, a frame of a web page, so that an application with one thread
+// can bake between frames (sliced_executor.hpp).
 struct SkyBaker::State {
     State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
         for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);
         for (int side = size; side >= 4; side /= 2) mirrors.emplace_back(side);
-        clearnesses.resize(mirrors[0].texels.size());
+        cloud_transmittances.resize(mirrors[0].texels.size());
         for (Sky& sky : skies) {
             sky.face_size = size;
             sky.levels = sky_levels(size);
@@ -54,16 +62,16 @@ struct SkyBaker::State {
                                                clear->fill_line(static_cast<int>(line));
                                        }});
         const StageId light = graph.add({"sky light", 1, 1, {air}, [this](auto, auto) { prepare_light(); }});
-        const StageId heaps =
+        const StageId noise =
             graph.add({"sky heaps", CloudShape::side, 4, {}, [this](std::size_t begin, std::size_t end) {
-                           if (has_heaps() || target().options.cloud_cover <= 0) return;
+                           if (has_noise() || target().options.cloud_cover <= 0) return;
                            for (std::size_t row = begin; row < end; ++row)
                                shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
                        }});
         const StageId faces = graph.add({"sky faces",
                                          6 * static_cast<std::size_t>(size),
                                          4,
-                                         {light, heaps},
+                                         {light, noise},
                                          [this](std::size_t begin, std::size_t end) {
                                              for (std::size_t row = begin; row < end; ++row)
                                                  bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);
@@ -77,13 +85,13 @@ struct SkyBaker::State {
                        }});
         graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
                        pack();
-                       if (target().options.cloud_cover > 0) heaps_seed = target().options.cloud_seed;
+                       if (target().options.cloud_cover > 0) noise_seed = target().options.cloud_seed;
                    }});
         run = executor->prepare(graph);
     }
 
     Sky& target() { return skies[writing]; }
-    bool has_heaps() { return heaps_seed == target().options.cloud_seed; }
+    bool has_noise() { return noise_seed == target().options.cloud_seed; }
 
     void prepare_light() {
         Sky& sky = target();
@@ -107,16 +115,17 @@ struct SkyBaker::State {
         for (int x = 0; x < size; ++x) {
             const glm::vec3 d = cube.direction(face, x, y);
             glm::vec3 radiance;
-            float& clearness = clearnesses[texel_number(face, x, y)];
+            float& transmittance = cloud_transmittances[texel_number(face, x, y)];
             if (d.y >= 0) {
                 const CloudLight cloud = clouds->along(d);
                 radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
-                clearness = cloud.transmittance;
+                transmittance = cloud.transmittance;
             } else {
-                // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
+                // Below the horizon, a mirror reflects other waves, which reflect the sky. The
+                // reflectance falls towards the nadir.
                 const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
                 const glm::vec3 up(d.x, -d.y, d.z);
-                clearness = 0;
+                transmittance = 0;
                 radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
             }
             cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
@@ -156,16 +165,17 @@ struct SkyBaker::State {
         const glm::vec3 key = clear->key_light().irradiance;
         sky.sun_irradiance = key * clouds->visibility(sky.sun_direction);
         sky.sky_irradiance = irradiance * (4 * pi / weights);
-        // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
-        // take an evening for a night.
+        // Rec. 709 luminance of a white card in the open, tilted halfway from horizontal towards
+        // the sun. A horizontal card would underestimate the light of an evening.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
-        // A cloud before the sun dims this place, not the whole view.
+        // A cloud in front of the sun darkens this position, not the whole view.
         const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * key);
         const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
-        // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
+        // An overcast sky is as bright as the card. The sky's luminance is added, so that the sky
+        // is not overexposed.
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-        // What a meter would see of that card is middle grey.
+        // Luminance of a middle-grey card, as a light meter measures it.
         const float grey = 0.18f * luminance * sky.luminance_of_unit();
         sky.exposure = white_card / std::max(luminance, 1e-6f) * night_darkening(grey);
     }
@@ -174,7 +184,7 @@ struct SkyBaker::State {
         std::uint16_t* to = target().texels.data();
         for (std::size_t level = 0; level < mirrors.size(); ++level)
             for (std::size_t i = 0; i < mirrors[level].texels.size(); ++i) {
-                const float alpha = level == 0 ? clearnesses[i] : 1;
+                const float alpha = level == 0 ? cloud_transmittances[i] : 1;
                 const std::uint64_t halves = glm::packHalf4x16(glm::vec4(mirrors[level].texels[i], alpha));
                 for (int c = 0; c < 4; ++c) *to++ = static_cast<std::uint16_t>(halves >> 16 * c);
             }
@@ -183,16 +193,16 @@ struct SkyBaker::State {
     std::shared_ptr<Executor> executor;
     int size;
     CloudShape shape;
-    std::optional<unsigned> heaps_seed;  ///< of what `shape` holds
+    std::optional<unsigned> noise_seed;  ///< seed of the noise in `shape`
     std::optional<ClearSky> clear;
     std::optional<CloudLayer> clouds;
     std::vector<Cube> averages, mirrors;
-    std::vector<float> clearnesses;  ///< of level 0's texels
+    std::vector<float> cloud_transmittances;  ///< cloud transmittance of level 0's texels
     std::array<Sky, 2> skies;
     std::size_t writing = 0;
     bool in_flight = false;
     JobGraph graph;
-    std::unique_ptr<GraphRun> run;  // last: it waits for what is in flight
+    std::unique_ptr<GraphRun> run;  // last member: its destructor waits for jobs in flight
 };
 
 SkyBaker::SkyBaker(std::shared_ptr<Executor> executor, int face_size) {

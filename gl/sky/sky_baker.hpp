@@ -1,9 +1,10 @@
-// The sky as a cube map, baked by jobs: atmosphere and clouds in level 0, and in the levels behind it what mirrors of
-// growing roughness show. The sun's disc is not in it: the shaders add it, behind the sea and as its glint.
+// Bakes the sky into a cube map with jobs. Level 0 holds atmosphere and clouds. The further levels
+// hold reflections of increasing roughness. The shaders add the sun's disc behind the sea and its
+// glint on the sea.
 //
 //   SkyBaker baker(executor, 256);
 //   baker.schedule({.sun_elevation_rad = 0.5f});
-//   ... some frames later, when baker.is_done(): sky_texture.upload(baker.complete());
+//   if (baker.is_done()) sky_texture.upload(baker.complete());  // some frames later
 #pragma once
 
 #include <memory>
@@ -15,16 +16,20 @@ namespace pelagic::gl {
 
 class SkyBaker {
    public:
-    /// \param face_size  a power of two, 16 to 2048; else std::invalid_argument
+    /// \param face_size  texels along a side of level 0: a power of two, [16, 2048]
+    /// \throws std::invalid_argument if face_size is invalid
     SkyBaker(std::shared_ptr<Executor> executor, int face_size);
-    ~SkyBaker();  ///< waits for work in flight
+    ~SkyBaker();  ///< waits for jobs in flight
     SkyBaker(const SkyBaker&) = delete;
     SkyBaker& operator=(const SkyBaker&) = delete;
 
-    /// Starts to bake; throws std::invalid_argument(check(options)). \pre no sky is being baked
+    /// Starts baking. \pre no sky is being baked
+    /// \throws std::invalid_argument with the text of check(options) if an option is invalid
     void schedule(const SkyOptions& options);
+    /// Returns true if complete() does not have to wait.
     bool is_done() const;
-    /// Waits, helping. The sky stays as it is until the second schedule() from now.
+    /// Waits for the scheduled sky; the calling thread executes jobs meanwhile. The result is valid
+    /// until the second schedule() after this call.
     const Sky& complete();
 
    private:

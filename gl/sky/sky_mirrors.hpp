@@ -1,4 +1,4 @@
-// What mirrors of growing roughness show of a sky.
+// Prefiltered reflections of a sky for increasing roughness.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,16 @@
 
 namespace pelagic::gl {
 
-/// Hammersley's points on the square.
+/// Returns point i of the Hammersley sequence of `count` points on the unit square.
 glm::vec2 hammersley(std::uint32_t i, std::uint32_t count);
 
-/// One row of one face of a level from 1 on, counted through all of them: samples of GGX's lobe around the direction, each taken
-/// from the average whose texels are as large as the sample (Karis 2013, "Real Shading in Unreal Engine 4"; Krivanek and
-/// Colbert 2008, "Real-time Shading with Filtered Importance Sampling").
-/// \param averages  box mips of level 0, side by side with the levels
+/// Computes one row of one face of a level from 1. Importance-samples the GGX lobe around each
+/// texel's direction. Each sample reads the box mip whose texels match the sample's solid angle
+/// (Karis 2013, "Real Shading in Unreal Engine 4"; Krivanek and Colbert 2008, "Real-time Shading
+/// with Filtered Importance Sampling").
+/// \param averages  box mips of level 0, one for each level
+/// \param mirrors  all levels; level 0 is not written
+/// \param row  row number, counted through the faces of all levels from 1
 void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mirrors, std::size_t row);
 
 }  // namespace pelagic::gl

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Level 0, as floats.
+/// Returns level 0 as floats.
 Cube finest_level(const Sky& sky) {
     Cube cube(sky.face_size);
     auto* to = cube.texels.data();
