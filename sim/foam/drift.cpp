@@ -5,7 +5,7 @@
 namespace pelagic {
 namespace {
 
-/// round(n whole / ticks) - round((n - 1) whole / ticks), halves up.
+/// Returns round(n whole / ticks) - round((n - 1) whole / ticks); halves are rounded up.
 int texels_of_tick(std::int64_t n, std::int64_t whole, std::int64_t ticks) {
     const auto rounded = [&](std::int64_t of) {
         const std::int64_t twice = 2 * of * whole + ticks, unit = 2 * ticks;

@@ -1,4 +1,4 @@
-// How far foam drifts: with the wind, and with the waves that carry what floats on them.
+// Foam drift, from the wind and the Stokes drift of the waves, in whole texels.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 
 namespace pelagic {
 
-/// Whole texels along a cascade's axes, of any sign.
+/// Drift along a cascade's axes, in texels of either sign.
 struct DriftTexels {
     int x, z;
 };
 
-/// In a whole loop: the nearest to what the drift comes to. A loop ends where it began, so foam does, too.
+/// Returns the drift in a loop, rounded to whole texels, so that foam repeats with the loop.
 DriftTexels drift_a_loop(const SeaStatistics& statistics, const CascadeGrid& grid, int resolution,
                          const TickClock& clock);
 
-/// From tick number - 1 to `number`: round(n r) - round((n - 1) r) with the loop's whole texels over its ticks as r, n counted
-/// within the loop. It adds up to the loop's, and knows of no tick but this.
+/// Returns the drift from tick number - 1 to `number`: round(n r) - round((n - 1) r), where r is
+/// the loop's drift divided by its ticks, and n the tick's number in the loop. The result depends
+/// on no other tick, and the drifts of a loop's ticks add up to drift_a_loop().
 DriftTexels drift_of(const SeaStatistics& statistics, const CascadeGrid& grid, int resolution, const TickClock& clock,
                      std::int64_t number);
 

@@ -1,4 +1,4 @@
-// What a cascade's threshold means for the foam of its texels.
+// Conversion of a cascade's whitecap threshold to the factors of the foam kernels.
 #pragma once
 
 #include "pelagic/sim/cascade.hpp"
@@ -6,7 +6,8 @@
 
 namespace pelagic {
 
-/// Half covered where J is Cascade::whitecap_jacobian, nothing and all of it half of Cascade::whitecap_ramp beyond and before.
+/// Returns the linear ramp of foam over the Jacobian J: 1/2 at J = Cascade::whitecap_jacobian, 0 at
+/// half of Cascade::whitecap_ramp above it, and 1 at half of it below.
 FoamSource foam_source(const Cascade& cascade);
 
 }  // namespace pelagic

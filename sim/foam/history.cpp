@@ -46,7 +46,7 @@ void FoamHistory::tick_rows(std::size_t cascade, std::size_t job) {
     if (memory.ticks_to_fade == 0) return;  // both maps are empty
     const int n = slots_.resolution();
     const CascadeGrid& grid = memory.at_tick.grid;
-    // The derivatives are those of the stage that makes the half floats.
+    // The derivatives are those of the stage that writes the half floats.
     const bool is_one = cascades_.size() == 1;
     const double near = is_one ? 0.5 : SlopesJob::near_weight, far = is_one ? 0 : SlopesJob::far_weight;
     kernels_.foam_tick({.surface = slots_.buffers(cascade).surface.data(),
@@ -70,8 +70,8 @@ void FoamHistory::set_drift(std::size_t cascade, int texels_x, int texels_z) {
     const auto wrapped = [n](int texels) { return static_cast<std::size_t>((texels % n + n) % n); };
     cascades_[cascade].shift_x = wrapped(texels_x);
     cascades_[cascade].shift_z = wrapped(texels_z);
-    int& left = cascades_[cascade].ticks_to_fade;
-    left = cascades_[cascade].at_tick.makes_whitecaps() ? ticks_to_empty : std::max(0, left - 1);
+    int& remaining = cascades_[cascade].ticks_to_fade;
+    remaining = cascades_[cascade].at_tick.makes_whitecaps() ? ticks_to_empty : std::max(0, remaining - 1);
 }
 
 void FoamHistory::forget() {

@@ -1,9 +1,10 @@
-// Foam that lasts: what breaking water leaves behind, cascade by cascade.
+// Foam accumulation and decay, for each cascade:
 //
 //   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 9
 //
-// Texels rest, so a texel is the water that foam floats on, and orbital motion carries foam for nothing. What the wind drifts
-// is moved by whole texels at ticks. After W = ceil(255 / F) = 29 ticks a full byte has faded: the past is forgotten exactly.
+// A texel is an undisplaced position, so orbital motion needs no advection. Drift moves foam by
+// whole texels at ticks. After W = ceil(255 / F) = 29 ticks a full byte has decayed to 0, so older
+// ticks have no effect.
 #pragma once
 
 #include <array>
@@ -24,29 +25,32 @@ class FoamHistory {
     FoamHistory(const FoamHistory&) = delete;  // stages point into it
     FoamHistory& operator=(const FoamHistory&) = delete;
 
-    /// Ticks after which foam has faded completely, so a frame needs no earlier ones.
+    /// Ticks after which foam has decayed to 0: a frame depends on no earlier ticks.
     static constexpr int warm_up_ticks = (255 + FoamTickJob::fade - 1) / FoamTickJob::fade;
 
-    /// Adds the stages of one tick. \param surfaces_done  the stages that compute the tick's displacement, by cascade
-    /// Returns the stages after which the tick is stored, by cascade.
+    /// Adds the stages of one tick. Returns the stages after which the tick is stored, by cascade.
+    /// \param surfaces_done  the stages that compute the tick's displacement, by cascade
     std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done);
     /// Clears all foam.
     void forget();
     /// Moves to the next tick, which the next run of the stages computes. \pre no run is in flight
     void advance();
 
-    /// The foam as bytes, the same on every machine. \pre `bytes` has saved_bytes()
+    /// Save and restore the foam as bytes, which are identical on every machine.
+    /// \pre `bytes` has saved_bytes() elements
     std::size_t saved_bytes() const;
     void save(std::span<std::uint8_t> bytes) const;
     void restore(std::span<const std::uint8_t> bytes);
     std::size_t bytes() const;
 
-    /// The cascade at the tick to come: its grid and what is white there.
+    /// Returns the cascade's description at the next tick: its grid and whitecap threshold.
     Cascade& cascade(std::size_t cascade) { return cascades_[cascade].at_tick; }
-    /// How far its foam drifts in that tick, along the cascade's axes, in texels of any sign. \pre cascade() says what is white
+    /// Sets the drift of the cascade's foam in the next tick, in texels of either sign along its
+    /// axes.
+    /// \pre cascade() has the whitecap threshold of the tick
     void set_drift(std::size_t cascade, int texels_x, int texels_z);
 
-    /// N^2 bytes, as the last tick leaves them.
+    /// Returns N^2 bytes of foam, as of the last tick.
     const std::uint8_t* remembered(std::size_t cascade) const { return cascades_[cascade].maps[newest_].data(); }
 
    private:
@@ -56,7 +60,7 @@ class FoamHistory {
     struct CascadeMemory {
         Cascade at_tick;
         std::size_t shift_x = 0, shift_z = 0;
-        int ticks_to_fade = 0;  ///< until both maps are empty, if no more water breaks: weather may turn calm
+        int ticks_to_fade = 0;  ///< ticks until both maps are 0, if no more water breaks
         std::array<AlignedBuffer<std::uint8_t>, 2> maps;
     };
     FrameSlots& slots_;

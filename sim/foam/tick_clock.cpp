@@ -15,20 +15,22 @@ TickClock::TickClock(double loop_period_s)
     : loop_period_s_(loop_period_s),
       ticks_(std::max(1, static_cast<int>(std::floor(ticks_a_second * loop_period_s + 0.5)))) {}
 
-// A tick's own fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added before it is cut.
+// A tick's fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added
+// before truncation.
 TickPlace TickClock::at(double time_s) const {
     const std::uint64_t turns = loop_fraction(time_s, loop_period_s_).turns;
     const std::uint64_t ticks = static_cast<std::uint64_t>(ticks_);
     const std::uint64_t place = turns * ticks + ticks;
-    // The loop whose fraction that is: the nearest, because a fraction may have been rounded up to the next one's 0.
+    // The loop number is rounded, because the fraction may have been rounded up to 0 of the next
+    // loop.
     const double loops = std::floor(time_s / loop_period_s_ - static_cast<double>(turns) * 0x1p-32 + 0.5);
     const auto whole = static_cast<std::int64_t>(std::clamp(loops, -max_loops, max_loops));
     return {whole * ticks_ + static_cast<std::int64_t>(place >> 32), static_cast<std::uint32_t>(place)};
 }
 
 int TickClock::in_loop(std::int64_t number) const {
-    const std::int64_t rest = number % ticks_;
-    return static_cast<int>(rest < 0 ? rest + ticks_ : rest);
+    const std::int64_t remainder = number % ticks_;
+    return static_cast<int>(remainder < 0 ? remainder + ticks_ : remainder);
 }
 
 double TickClock::time_in_loop_s(std::int64_t number) const { return in_loop(number) * loop_period_s_ / ticks_; }

@@ -1,17 +1,18 @@
-// When histories remember: ticks of about a tenth of a second, as many as fit a loop.
+// Times of foam ticks: about ten a second, and a whole number of them in a loop.
 #pragma once
 
 #include <cstdint>
 
 namespace pelagic {
 
-/// The place of a moment among ticks.
+/// A time, in ticks.
 struct TickPlace {
     std::int64_t number = 0;  ///< of the last tick, counted from t = 0
-    std::uint32_t part = 0;   ///< since then, in units of 2^-32 of a tick
+    std::uint32_t part = 0;   ///< fraction of a tick since then, in units of 2^-32
 };
 
-/// Tick n is at n T / round(10 T), T being the loop's period, so that a loop holds whole ticks.
+/// Tick n is at n T / round(10 T), where T is the loop period, so that a loop has a whole number of
+/// ticks.
 class TickClock {
    public:
     explicit TickClock(double loop_period_s);
@@ -19,13 +20,14 @@ class TickClock {
     int ticks_a_loop() const { return ticks_; }
     double tick_s() const { return loop_period_s_ / ticks_; }
 
-    /// The same part for moments that a whole number of loops parts. Beyond 2^40 loops ticks count as those of the loop there.
-    /// \pre time_s is finite
+    /// Converts a time to ticks. Times that differ by a whole number of loops have identical
+    /// fractions. Beyond 2^40 loops the loop number is clamped to 2^40. \pre time_s is finite
     TickPlace at(double time_s) const;
     double time_s(std::int64_t number) const { return static_cast<double>(number) * loop_period_s_ / ticks_; }
-    /// In the first loop, where the sea is the same.
+    /// Returns the time of the corresponding tick in the first loop, at which the waves are
+    /// identical.
     double time_in_loop_s(std::int64_t number) const;
-    /// 0 to ticks_a_loop() - 1.
+    /// Returns a tick's number in its loop, 0 to ticks_a_loop() - 1.
     int in_loop(std::int64_t number) const;
 
    private:

@@ -10,13 +10,14 @@
 namespace pelagic {
 namespace {
 
-/// Less wind than this makes no waves that anybody sees, and its power would leave the range of numbers.
+/// Lower bound of the wind speed, below which waves are invisible and the power would underflow.
 constexpr double min_wind_mps = 0.01;
 
-/// Jacobians are floats near 1: where they vary less than this, their rounding is a step of foam's bytes.
+/// Lower bound of the Jacobian's deviation. Jacobians are floats near 1; at lower deviations their
+/// rounding is as large as a step of the foam bytes.
 constexpr double min_deviation = 1e-4;
 
-/// Part of a Gaussian's ramp that is left at least, however bent the distribution of Jacobians is.
+/// Minimum of the ramp, as a fraction of a Gaussian's ramp, for skewed distributions of Jacobians.
 constexpr double min_ramp = 0.125;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How much of the sea is white: the wind says how much, the Jacobian says where.
+// Whitecap cover: its amount is a function of the wind, and its place a function of the Jacobian.
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"
@@ -6,25 +6,29 @@
 
 namespace pelagic {
 
-/// Part of a sea that whitecaps cover: 3.84e-6 U10^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.4.
+/// Returns the fraction of the sea that whitecaps cover: 3.84e-6 U10^3.41, at most 0.4 (Monahan and
+/// O'Muircheartaigh 1980). \param wind_speed_mps  U10, m/s
 double whitecap_cover(double wind_speed_mps);
-/// In a sea's wind, of its waves: none of few waves, which are no steeper than 0.4 and below where waves break (k A = 0.443, Michell 1893), or
-/// a pond's.
+/// Returns the whitecap cover of a sea. It is 0 for pond waves, and for analytic waves, whose
+/// steepness of at most 0.4 is below the breaking limit k A = 0.443 (Michell 1893).
 double whitecap_cover(const SeaState& sea);
 
-/// What each of some cascades has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
+/// Returns the cover that each cascade needs for their union to have the cover `cover`, if the
+/// cascades are independent: 1 - (1 - cover)^(1 / cascades).
 double cover_of_each(double cover, int cascades);
 
-/// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
+/// Whitecap threshold: a texel with Jacobian J generates the foam clamp(1/2 + (jacobian - J) /
+/// ramp, 0, 1).
 struct WhitecapThreshold {
-    float jacobian;  ///< Cascade::no_whitecaps where nothing folds
-    float ramp;      ///< from no foam to all of it; above 0
+    float jacobian;  ///< Cascade::no_whitecaps if there are none
+    float ramp;      ///< range of J from no foam to full foam, above 0
 };
 
-/// The threshold at which foam that lasts (foam_accumulation.hpp) covers that part of the sea, in the mean over time and place; crests
-/// that fold most are white, whatever the choppiness. Takes microseconds.
-/// \param tick_s  between two moments at which foam is made, about 0.1
-/// \pre cover is in (0, 0.4]
+/// Returns the threshold for which accumulated foam (accumulation.hpp) covers the fraction `cover`
+/// of the sea, in the mean over time and space. At any choppiness, the crests with the lowest
+/// Jacobians are white. Takes microseconds.
+/// \param cover   in (0, 0.4]
+/// \param tick_s  time between two ticks of foam, seconds; about 0.1
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s);
 
 }  // namespace pelagic
