@@ -21,7 +21,7 @@ constexpr double two_pi = 6.28318530717958647693;
 
 constexpr double lowest_m = -11000, highest_m = 9000;
 
-/// A wave of so many texels keeps 97 % of its height in the middle between four of them.
+/// Wavelength in texels at which 97 % of the height remains in the middle between four texels.
 constexpr double texels_a_wave = 8;
 
 constexpr std::array fields = {

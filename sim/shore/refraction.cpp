@@ -10,20 +10,20 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-// Sweeps in each of the four orders; a floor of islands takes some.
+// Upper bound of the rounds, of four sweeps each. Floors with islands need several.
 constexpr int max_rounds = 64;
 constexpr double still_rad = 1e-9;
 
-// Fluxes that come in where contours turn away from the waves, or towards them.
+// Bounds of the flux where contours diverge from the waves or converge towards them.
 constexpr double min_flux = 0.25, max_flux = 2;
 
-// Of the whole rectangle; less is an even floor with something on it.
+// Slope of the fitted plane below which the floor counts as level.
 constexpr double min_slope = 1e-3;
 
-// A wave whose way is nearer to an edge than this runs along it.
+// Lower bound of the inward component of the direction of a wave that enters across an edge.
 constexpr double min_inward = 1e-9;
 
-/// Of the way that straight waves are followed; any would do.
+/// Wavelength of straight waves, in texels. The result does not depend on it.
 constexpr double straight_texels = 8;
 
 }  // namespace
@@ -41,8 +41,8 @@ Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_stra
       height_(bed.texels()),
       shoaling_(bed.texels(), 1.0),
       flux_(bed.texels()),
-      way_x_(bed.texels()),
-      way_z_(bed.texels()),
+      direction_x_(bed.texels()),
+      direction_z_(bed.texels()),
       comes_in_(bed.texels()) {
     double open_k = two_pi / (straight_texels * bed.texel_m);
     if (is_straight) {
@@ -73,28 +73,31 @@ void Refraction::come_in(const IncomingWave& wave, double open_k) {
     come_in_along(wave, open_k, false);
 }
 
-/// Along the first column that a wave comes to, or the first row, away from the corner that both share. There the wave vector keeps its part
-/// along the contours of the floor (Snell), and what is between two rays keeps its energy.
+/// Sets phase, flux and direction along the first column or row that a wave reaches, starting at
+/// the corner of both. The wave vector keeps its component along the contours of the floor (Snell),
+/// and the energy between two rays is constant.
 void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool along_column) {
     const int step_i = wave.along_x < 0 ? -1 : 1, step_j = wave.along_z < 0 ? -1 : 1;
     const int first_i = step_i < 0 ? bed_.columns - 1 : 0, first_j = step_j < 0 ? bed_.rows - 1 : 0;
     // s along the edge, n into the rectangle.
-    const double way_s = std::fabs(along_column ? wave.along_z : wave.along_x);
-    const double way_n = std::fabs(along_column ? wave.along_x : wave.along_z);
-    if (way_n < min_inward) return;
-    // g down the slope, c along the contours. Over an even floor the wave has come straight on, as if contours lay across its way.
+    const double direction_s = std::fabs(along_column ? wave.along_z : wave.along_x);
+    const double direction_n = std::fabs(along_column ? wave.along_x : wave.along_z);
+    if (direction_n < min_inward) return;
+    // Unit vectors: g down the slope, c along the contours. Over a level floor the contours are
+    // taken as perpendicular to the wave's direction, so the wave is not refracted.
     const double steepness = std::sqrt(bed_.slope_x * bed_.slope_x + bed_.slope_z * bed_.slope_z);
     const double slope_s = along_column ? bed_.slope_z * step_j : bed_.slope_x * step_i;
     const double slope_n = along_column ? bed_.slope_x * step_i : bed_.slope_z * step_j;
     const bool is_even = steepness < min_slope;
-    const double g_s = is_even ? way_s : slope_s / steepness, g_n = is_even ? way_n : slope_n / steepness;
+    const double g_s = is_even ? direction_s : slope_s / steepness, g_n = is_even ? direction_n : slope_n / steepness;
     const int count = along_column ? bed_.rows : bed_.columns;
     double phase = 0, slowness_before = 0;
     for (int s = 0; s < count; ++s) {
         const std::size_t texel =
             along_column ? bed_.at(first_i, first_j + s * step_j) : bed_.at(first_i + s * step_i, first_j);
         const double c_s = g_n, c_n = 0 - g_s;
-        const double kept = open_k * (way_s * c_s + way_n * c_n), across = way_s * g_s + way_n * g_n;
+        const double kept = open_k * (direction_s * c_s + direction_n * c_n),
+                     across = direction_s * g_s + direction_n * g_n;
         const double k = std::max(k_[texel], std::fabs(kept));
         const double turned = std::sqrt(k * k - kept * kept) * (across < 0 ? -1 : 1);
         const double slowness = std::max(0.0, kept * c_s + turned * g_s);
@@ -103,13 +106,14 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
         slowness_before = slowness;
         if (!bed_.is_water(texel)) continue;
         const double length = std::sqrt(slowness * slowness + inward * inward);
-        const double way_along = length > 0 ? slowness / length : 0, way_in = length > 0 ? inward / length : 1;
+        const double direction_along = length > 0 ? slowness / length : 0,
+                     direction_in = length > 0 ? inward / length : 1;
         const double spread = std::fabs(turned) > 0 ? std::fabs(across) * k / std::fabs(turned) : 1;
         phase_[texel] = phase;
         comes_in_[texel] = 1;
         flux_[texel] = std::clamp(spread, min_flux, max_flux);
-        way_x_[texel] = static_cast<float>((along_column ? way_in : way_along) * step_i);
-        way_z_[texel] = static_cast<float>((along_column ? way_along : way_in) * step_j);
+        direction_x_[texel] = static_cast<float>((along_column ? direction_in : direction_along) * step_i);
+        direction_z_[texel] = static_cast<float>((along_column ? direction_along : direction_in) * step_j);
     }
 }
 
@@ -155,15 +159,16 @@ Refraction::Upstream Refraction::upstream(std::size_t texel) const {
                   .z = earlier(j > 0, texel - columns, j + 1 < static_cast<std::size_t>(bed_.rows), texel + columns),
                   .share_x = 0,
                   .share_z = 0};
-    const auto way_from = [&](std::size_t other) {
+    const auto phase_from = [&](std::size_t other) {
         return phase_[other] < phase_[texel] ? phase_[texel] - phase_[other] : 0.0;
     };
-    const double x = way_from(from.x), z = way_from(from.z), squared = x * x + z * z;
+    const double x = phase_from(from.x), z = phase_from(from.z), squared = x * x + z * z;
     if (squared > 0) from.share_x = x * x / squared, from.share_z = z * z / squared;
     return from;
 }
 
-// Upwind and conservative: what leaves a texel through a side is its flux times the way's part across that side.
+// An upwind, conservative scheme: the energy that leaves a texel through a side is its flux times
+// the component of its direction across that side.
 void Refraction::carry_energy() {
     for (std::size_t texel = 0; texel < phase_.size(); ++texel)
         if (phase_[texel] < nowhere) order_.push_back(static_cast<std::uint32_t>(texel));
@@ -174,13 +179,16 @@ void Refraction::carry_energy() {
         if (comes_in_[texel]) continue;
         const Upstream from = upstream(texel);
         const double toward_x = from.x < texel ? 1 : -1, toward_z = from.z < texel ? 1 : -1;
-        const double way_x = std::sqrt(from.share_x), way_z = std::sqrt(from.share_z);
+        const double direction_x = std::sqrt(from.share_x), direction_z = std::sqrt(from.share_z);
         double comes = 0;
-        if (way_x > 0) comes += std::max(0.0, static_cast<double>(way_x_[from.x]) * toward_x) * flux_[from.x];
-        if (way_z > 0) comes += std::max(0.0, static_cast<double>(way_z_[from.z]) * toward_z) * flux_[from.z];
-        if (way_x + way_z > 0) flux_[texel] = std::min(comes / (way_x + way_z), max_focus * max_focus);
-        way_x_[texel] = static_cast<float>(way_x * toward_x);
-        way_z_[texel] = static_cast<float>(way_z * toward_z);
+        if (direction_x > 0)
+            comes += std::max(0.0, static_cast<double>(direction_x_[from.x]) * toward_x) * flux_[from.x];
+        if (direction_z > 0)
+            comes += std::max(0.0, static_cast<double>(direction_z_[from.z]) * toward_z) * flux_[from.z];
+        if (direction_x + direction_z > 0)
+            flux_[texel] = std::min(comes / (direction_x + direction_z), max_focus * max_focus);
+        direction_x_[texel] = static_cast<float>(direction_x * toward_x);
+        direction_z_[texel] = static_cast<float>(direction_z * toward_z);
     }
 }
 

@@ -1,10 +1,13 @@
-// How one long wave goes over a floor: where its crests are, and how high.
+// Refraction of one long wave over a sea floor: phase and height at each texel.
 //
-//   phase    |grad phase| = k(x), omega^2 = g k tanh(k d): the eikonal equation, its first arrival (Zhao 2005, fast sweeping)
-//   energy   div(E Cg grad phase / k) = 0 along the rays (Munk and Traylor 1947): height = Ks Kr, Ks = sqrt(Cg0 / Cg). Fluxes go from
-//            texel to texel in the order of the phases, so what lies behind an island gets what comes round it and no more
+//   phase    |grad phase| = k(x), omega^2 = g k tanh(k d): the eikonal equation. The phase is that
+//            of the first arrival, by fast sweeping (Zhao 2005).
+//   energy   div(E Cg grad phase / k) = 0 along the rays (Munk and Traylor 1947): height = Ks Kr,
+//            Ks = sqrt(Cg0 / Cg). Fluxes propagate from texel to texel in the order of the phases,
+//            so water behind an island receives only energy that passes around it.
 //
-// Where the waves come in, Snell's law says how they ran up to there, over contours as straight as those of the plane that fits the floor.
+// At the edges where the wave enters, Snell's law gives its phase and direction. There the contours
+// of the floor are assumed straight, as those of the plane that fits the floor.
 #pragma once
 
 #include <cstddef>
@@ -16,41 +19,48 @@
 
 namespace pelagic {
 
-/// A wave before it feels the floor.
+/// A wave in the open sea, before the depth affects it.
 struct IncomingWave {
     double omega;             ///< rad/s
-    double along_x, along_z;  ///< where it runs to, a unit vector
-    double depth_m;           ///< of the open sea
+    double along_x, along_z;  ///< unit vector of the direction in which it travels
+    double depth_m;           ///< depth of the open sea
 };
 
 class Refraction {
    public:
-    /// Behind caustics rays cross, which heights of one phase can't tell: no wave is higher by refraction than this, Kr.
+    /// Upper bound of Kr. Behind caustics rays cross, which one phase per texel cannot represent.
     static constexpr double max_focus = 1.5;
-    /// A wave keeps so many texels, whatever the depth: shorter ones could not be drawn.
+    /// Lower bound of the wavelength in texels, at any depth: the grid cannot represent shorter
+    /// waves.
     static constexpr double min_texels = 4;
 
     Refraction(const SeaBed& bed, const IncomingWave& wave);
-    /// Straight on: the floor is no more than where land is.
+    /// Propagates a wave without refraction: the depth has no effect, and land blocks the wave.
     static Refraction straight(const SeaBed& bed, double along_x, double along_z);
 
     static constexpr double nowhere = std::numeric_limits<double>::infinity();
-    /// Radians that the wave is behind the rectangle's corner where it comes in first; `nowhere` on land and where no way leads.
+    /// Returns the phase lag by texel, in radians, from the corner of the rectangle where the wave
+    /// enters first. It is `nowhere` on land and at texels that the wave does not reach.
     const std::vector<double>& phase() const { return phase_; }
-    /// Its height over that in the open sea; 0 where it is nowhere.
+    /// Returns the wave's height divided by its height in the open sea; 0 where phase() is
+    /// `nowhere`.
     const std::vector<double>& height() const { return height_; }
-    /// Ks alone; 1 on land.
+    /// Returns the shoaling coefficient Ks; 1 on land.
     double shoaling(std::size_t texel) const { return shoaling_[texel]; }
-    /// Texels where it is, in the order in which it comes there.
+    /// Returns the texels that the wave reaches, in the order of arrival.
     const std::vector<std::uint32_t>& order() const { return order_; }
-    /// The share of what comes to a texel that comes along x and along z, from the neighbours upstream. \pre not at an edge where it comes in
+    /// Upstream neighbours of a texel along x and z, and the fraction of the energy that each
+    /// supplies.
     struct Upstream {
         std::size_t x, z;         ///< texels
-        double share_x, share_z;  ///< 0 if nothing comes from there; together 1, or 0
+        double share_x, share_z;  ///< 0 if the neighbour supplies nothing; the sum is 1 or 0
     };
+    /// \pre !comes_in_at(texel)
     Upstream upstream(std::size_t texel) const;
+    /// Returns whether the wave enters the rectangle at the texel.
     bool comes_in_at(std::size_t texel) const { return comes_in_[texel] != 0; }
-    /// Radians at the corner where it comes in first, for a phase of 0 in the world's origin.
+    /// Returns the phase, radians, at the corner where the wave enters first, if it is 0 at the
+    /// world's origin.
     double corner_phase() const { return corner_phase_; }
 
    private:
@@ -63,8 +73,8 @@ class Refraction {
 
     const SeaBed& bed_;
     std::vector<double> k_, phase_, height_, shoaling_;
-    std::vector<double> flux_;          ///< E Cg over that of the open sea
-    std::vector<float> way_x_, way_z_;  ///< unit vector
+    std::vector<double> flux_;                      ///< E Cg divided by its value in the open sea
+    std::vector<float> direction_x_, direction_z_;  ///< unit vector
     std::vector<std::uint8_t> comes_in_;
     std::vector<std::uint32_t> order_;
     double corner_phase_ = 0;

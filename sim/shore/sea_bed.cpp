@@ -6,11 +6,11 @@
 namespace pelagic {
 namespace {
 
-constexpr int whole = 16;  // columns and rows come in these
+constexpr int whole = 16;  // columns and rows are multiples of it
 
 int rounded_up(double texels) { return std::max(1, static_cast<int>(std::ceil(texels / whole))) * whole; }
 
-/// Bilinear; beyond the edges the field goes on as high as they are.
+/// Returns a bilinear sample; coordinates are clamped to the edges of the field.
 double height_at(const ShoreOptions& field, double column, double row) {
     const double u = std::clamp(column, 0.0, static_cast<double>(field.columns - 1));
     const double v = std::clamp(row, 0.0, static_cast<double>(field.rows - 1));
@@ -39,7 +39,7 @@ SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(optio
         for (int i = 0; i < columns; ++i)
             depth_m[at(i, j)] = 0 - height_at(options, i * samples_a_texel, j * samples_a_texel);
 
-    // On a whole grid the columns and rows of a plane's least squares don't mix.
+    // On a full grid, the least-squares slopes along x and z are independent.
     double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {

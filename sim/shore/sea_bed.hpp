@@ -1,4 +1,4 @@
-// The floor of a shore on the grid of what frames show of it.
+// Floor of a shore, resampled to the grid of ShoreSurface.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 namespace pelagic {
 
 struct SeaBed {
-    /// Columns and rows are sampled bilinearly from the options' field. \pre check(options) is empty
+    /// Samples the heights of the options bilinearly. \pre check(options) is empty
     explicit SeaBed(const ShoreOptions& options);
 
     int columns, rows;  ///< multiples of 16
     double texel_m, x_m, z_m;
-    std::vector<double> depth_m;  ///< of still water, by texel; below 0 on land
-    /// How the depth grows along x and z, of the plane that fits it best, land counting as 0.
+    std::vector<double> depth_m;  ///< depth of still water by texel; below 0 on land
+    /// Slope of the depth along x and z, of the least-squares plane; land counts as depth 0.
     double slope_x = 0, slope_z = 0;
 
-    /// Water that is shallower is land to waves.
+    /// Shallower water counts as land.
     static constexpr double min_depth_m = 0.02;
 
     std::size_t at(int i, int j) const {

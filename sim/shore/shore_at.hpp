@@ -1,10 +1,13 @@
-// A shore at one place: what sample() of shore.hpp returns, field by field, so that a query computes only what it writes.
+// Interpolation of a shore at one position. It computes the fields of sample() in shore.hpp one by
+// one, so that a query computes only the fields that it writes.
 //
-// What is made of waves is cubic between texels, what the floor makes is bilinear. In one dimension a wave of 8 texels keeps at least
-// 0.991 of its amplitude with the cubic convolution of Keys (1981), the four texels around a place; bilinear leaves cos(pi / 8) = 0.924.
-// The derivative of that cubic is 0.90 to 1.05 of the wave's, good enough for a normal, which has to fit the heights. A velocity has no
-// such partner: it is the derivative of the cubic through the two nearest texels whose slopes there are differences of the fourth
-// order, six texels, 0.988 to 1.005.
+// Fields of the waves are interpolated cubically, fields of the floor bilinearly. In one dimension
+// the cubic convolution of Keys (1981), of the four texels around a position, keeps at least 0.991
+// of the amplitude of a wave of 8 texels. Bilinear interpolation keeps cos(pi / 8) = 0.924. The
+// derivative of that cubic is 0.90 to 1.05 of the wave's derivative; normals use it, because they
+// must match the heights. Velocities use six texels: the derivative of the cubic through the two
+// nearest texels, whose slopes are fourth-order differences. It is 0.988 to 1.005 of the wave's
+// derivative.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +34,12 @@ class ShoreAt {
         down_ = near_v - j_;
     }
 
-    bool is_place() const { return is_place_; }    ///< false where x or z is no number
-    bool is_within() const { return is_within_; }  ///< false beyond the rectangle, where waves are 0
+    bool is_place() const { return is_place_; }    ///< false if x or z is not a number
+    bool is_within() const { return is_within_; }  ///< false outside the rectangle
 
-    /// Bilinear, of `texel(place)`; beyond the rectangle that of the nearest place of its edge.
+    /// Interpolates `texel(index)` bilinearly. Positions outside the rectangle are clamped to its
+    /// edge.
+    /// \pre is_place()
     template <class Texel>
     double linear(const Texel& texel) const {
         const std::size_t row = place(i_, j_), below = row + static_cast<std::size_t>(shore_.columns);
@@ -43,26 +48,27 @@ class ShoreAt {
         return upper + down_ * (lower - upper);
     }
 
-    /// Of a cascade.
+    /// Returns the weight of a cascade, in [0, 1]. \pre is_place()
     double part(std::size_t cascade) const {
         return linear([this, cascade](std::size_t texel) {
             return static_cast<double>(shore_.parts_rgba8[texel] >> 8 * cascade & 255) * (1.0 / 255);
         });
     }
 
-    /// 0 to 1. \pre is_within()
+    /// Returns the foam, in [0, 1]. \pre is_within()
     double foam() const {
         return linear([this](std::size_t texel) { return static_cast<double>(shore_.foam[texel]) * (1.0 / 255); });
     }
 
     struct Cubic {
-        double value = 0, along_x = 0, along_z = 0;  ///< derivatives are those of a metre
+        double value = 0, along_x = 0, along_z = 0;  ///< derivatives per metre
     };
+    /// Interpolates a plane cubically (Keys 1981); zeros outside the rectangle.
     Cubic cubic(std::span<const float> plane) const {
         if (!is_within_) return {};
         return between<4>(plane, keys(right_), keys(down_));
     }
-    /// The gradient of ShoreSurface::potential_m2ps, m/s.
+    /// Returns the gradient of ShoreSurface::potential_m2ps, m/s; zeros outside the rectangle.
     std::array<double, 2> velocity() const {
         if (!is_within_) return {};
         const Cubic at = between<6>(shore_.potential_m2ps, fourth_order(right_), fourth_order(down_));
@@ -70,7 +76,7 @@ class ShoreAt {
     }
 
    private:
-    /// Of the texels from `1 - count / 2` on.
+    /// Weights of `count` texels, of which the first is at offset 1 - count / 2.
     template <std::size_t count>
     struct Weights {
         std::array<double, count> value, derivative;
@@ -96,7 +102,7 @@ class ShoreAt {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(shore_.columns) + static_cast<std::size_t>(i);
     }
 
-    /// Beyond the rectangle texels are those of its edge.
+    /// Texel indices are clamped to the rectangle.
     template <std::size_t count>
     Cubic between(std::span<const float> plane, const Weights<count>& along, const Weights<count>& across) const {
         constexpr int first = 1 - static_cast<int>(count) / 2;

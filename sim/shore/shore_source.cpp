@@ -16,39 +16,45 @@ constexpr double two_pi = 6.28318530717958647693;
 constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
 constexpr std::size_t groups_an_item = 64;
 
-// Ways along which the shelter of shorter waves is found: those of as many long waves, neighbours in frequency, which run to all sides.
-constexpr std::size_t max_ways = 8;
+// Upper bound of the directions for which the shelter of short waves is computed. They are those of
+// long waves with adjacent frequencies, which travel in different directions.
+constexpr std::size_t max_shelter_waves = 8;
 
-// Depths for which a table says what they leave of a cascade, by the square root of the depth.
+// Intervals of a cascade's table of attenuation by depth, uniform in the square root of the depth.
 constexpr int depths = 256;
 
-// So far from water there is some over the sand, and less with each texel.
+// Distance from the water to which waves run up on sand, with a height that falls with each texel.
 constexpr int swash_texels = 8;
-// As far everywhere, for what is interpolated at the waterline; further only where the ground is no higher than some times the swash.
+// Run-up distance on any ground, for interpolation at the waterline. Beyond it, waves run up only
+// where the ground is at most max_ground_over_swash times the swash height.
 constexpr int steep_swash_texels = 2;
 constexpr double max_ground_over_swash = 2;
 
-// What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
+// Lower amplitudes are set to 0, so that no sum has denormal numbers, which are slow.
 constexpr double min_amplitude_m = 1e-9;
 
 constexpr double min_envelope_m = 1e-6;
 
-/// Second-order crests over first-order ones are no higher, or troughs would have humps.
+/// Upper bound of the second-order crest divided by the first-order one. Above it, troughs would
+/// have a secondary crest.
 constexpr double max_sharp = 0.25;
 
-// Crests of a cascade in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
-// crest of the long waves.
+// Crest heights of a cascade, in standard deviations. The probability of a higher one at a position
+// and time is 1 in 10 million for the first. It is 1 in 30,000 for the second, which is used for
+// cascades under a crest of the long waves.
 constexpr double highest_crest = 5.2, high_crest = 4;
 
-/// Bounds of a sum of Keys' weights in two dimensions, 9/8 and -1/8 at most in one: so much of the range is beyond each end of it.
+/// Overshoot of Keys' interpolation at each end of the texels' range, as a fraction of the range.
+/// In one dimension the positive weights sum to at most 9/8, and the negative ones to at least
+/// -1/8.
 constexpr double max_overshoot = 0.28125;
 
-double eased(double part) {
-    const double u = std::clamp(part, 0.0, 1.0);
+double eased(double fraction) {
+    const double u = std::clamp(fraction, 0.0, 1.0);
     return u * u * (3 - 2 * u);
 }
 
-/// The factor that brings `value` down to a maximum.
+/// Returns the factor, at most 1, that limits `value` to a maximum.
 double attenuation_to(double max, double value) { return value > max ? max / value : 1; }
 
 /// Calls take(texel) for the neighbours of a texel along both axes.
@@ -61,7 +67,8 @@ void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
     if (j + 1 < bed.rows) take(here + columns);
 }
 
-/// What comes over sand from water: phase and height of the nearest texels with waves, later and lower texel by texel.
+/// Extrapolates phase and height from water to sand. With each texel, the phase lag grows and the
+/// height falls.
 void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m) {
     std::vector<double> phase_after = phase, height_after = height;
     for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
@@ -109,10 +116,10 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
         depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
     std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
 
-    const std::size_t ways = std::min(max_ways, waves_.size());
-    const auto first_way = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - ways) / 2);
-    bake_->ways.assign(first_way, first_way + static_cast<std::ptrdiff_t>(ways));
-    bake_->shelters.resize(ways);
+    const std::size_t shelters = std::min(max_shelter_waves, waves_.size());
+    const auto first = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - shelters) / 2);
+    bake_->shelter_waves.assign(first, first + static_cast<std::ptrdiff_t>(shelters));
+    bake_->shelters.resize(shelters);
     bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
     bake_->variances.push_back(DepthPart(sea, plans.front()).variance());
     bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
@@ -149,7 +156,7 @@ double ShoreSource::inside(std::size_t texel) const {
 void ShoreSource::add_bake_stages(JobGraph& graph) {
     const std::size_t waves = waves_.size();
     const StageId waves_done = graph.add({.name = "shore refraction",
-                                          .count = waves + bake_->ways.size(),
+                                          .count = waves + bake_->shelter_waves.size(),
                                           .body = for_each_item([this, waves](std::size_t item) {
                                               item < waves ? bake_wave(item) : bake_shelter(item - waves);
                                           }),
@@ -179,29 +186,30 @@ void ShoreSource::bake_wave(std::size_t number) {
     auto refraction = std::make_unique<Refraction>(
         bed_,
         IncomingWave{.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
-    const Refraction& way = *refraction;
-    std::vector<double> phase = way.phase(), height = way.height();
+    std::vector<double> phase = refraction->phase(), height = refraction->height();
     const double k =
         std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
     run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
-        // Where cascades give way, energies add up to one.
+        // Cross-fade with the coarsest cascade: the squared weights, and so the energies, add up to
+        // one.
         const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
         const double amplitude_m = wave.amplitude_m * height[texel] * fade;
         if (!(amplitude_m > min_amplitude_m)) continue;
         const auto [sine, cosine] =
-            det::sine_cosine_of_turns((phase[texel] + way.corner_phase()) / two_pi + wave.phase_turns);
+            det::sine_cosine_of_turns((phase[texel] + refraction->corner_phase()) / two_pi + wave.phase_turns);
         float* const at = amplitudes_.data() + place_of(texel, number);
         at[0] = static_cast<float>(amplitude_m * cosine);
         at[group_texels] = static_cast<float>(amplitude_m * sine);
     }
     if (number == waves_.size() / 2) {
-        bake_limits(way, wave.omega);
-        bake_->main_way = std::move(refraction);
+        bake_limits(*refraction, wave.omega);
+        bake_->main_refraction = std::move(refraction);
     }
 }
 
-/// How high waves stand: those that broke on a bar don't rise again behind it, so the least of 0.78 d / 2 over Ks along the way counts.
+/// Computes the limit of the envelope, 0.78 d / 2. Waves that broke on a bar do not grow again
+/// behind it, so the limit is the minimum of 0.78 d / 2 / Ks along the wave's path, times Ks.
 void ShoreSource::bake_limits(const Refraction& wave, double omega) {
     double open_m = 0;
     for (const ShoreWave& each : waves_) open_m += each.amplitude_m;
@@ -221,7 +229,8 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
         const double stands_m =
             max[texel] < Refraction::nowhere ? max[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
         highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
-        // Stokes 1847, to the second order: crests rise by k a^2 (3 - t^2) / (4 t^3), t = tanh k d.
+        // Stokes 1847, second order: crests are higher by k a^2 (3 - t^2) / (4 t^3), with t = tanh
+        // k d.
         const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
         const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
         sharpness_.data()[texel] = static_cast<float>(
@@ -230,8 +239,8 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
 }
 
 void ShoreSource::bake_shelter(std::size_t number) {
-    const ShoreWave& way = bake_->ways[number];
-    const Refraction straight = Refraction::straight(bed_, way.along_x, way.along_z);
+    const ShoreWave& wave = bake_->shelter_waves[number];
+    const Refraction straight = Refraction::straight(bed_, wave.along_x, wave.along_z);
     std::vector<float>& energy = bake_->shelters[number];
     energy.resize(bed_.texels());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
@@ -262,13 +271,13 @@ double ShoreSource::wave_depth_m(std::size_t texel) const {
 
 void ShoreSource::bake_parts(std::size_t row) {
     double all = 0;
-    for (const ShoreWave& way : bake_->ways) all += way.variance();
+    for (const ShoreWave& wave : bake_->shelter_waves) all += wave.variance();
     for (int i = 0; i < bed_.columns; ++i) {
         const std::size_t texel = bed_.at(i, static_cast<int>(row));
         const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
         double comes = 0;
-        for (std::size_t way = 0; way < bake_->ways.size(); ++way)
-            comes += bake_->ways[way].variance() * static_cast<double>(bake_->shelters[way][texel]);
+        for (std::size_t wave = 0; wave < bake_->shelter_waves.size(); ++wave)
+            comes += bake_->shelter_waves[wave].variance() * static_cast<double>(bake_->shelters[wave][texel]);
         const double sheltered = all > 0 ? std::min(1.0, std::sqrt(comes / all)) : 1;
         const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
         bake_->parts[0][texel] = static_cast<float>(coarsest);
@@ -286,17 +295,19 @@ void ShoreSource::bake_parts(std::size_t row) {
     }
 }
 
-/// Amplitudes that have shoaled as if none broke are cut to the deviation that a depth bears. What broke stays lost behind it: the least
-/// factor on the way of the wave in the middle counts. Dry sand has that of the water beside it.
+/// Limits the amplitudes of the long waves, which have shoaled without breaking, to
+/// deviation_over_depth. Energy lost by breaking stays lost: the attenuation is the minimum along
+/// the path of the wave at the median of the energy. Dry sand has the attenuation of the nearest
+/// water.
 void ShoreSource::bake_breaking() {
     std::vector<double>& attenuation = bake_->attenuation;
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         attenuation[texel] = attenuation_to(deviation_over_depth * wave_depth_m(texel), bake_->deviation_m[texel]);
-    if (!bake_->main_way) return;
-    const Refraction& way = *bake_->main_way;
-    for (const std::uint32_t texel : way.order()) {
-        if (way.comes_in_at(texel)) continue;
-        const Refraction::Upstream from = way.upstream(texel);
+    if (!bake_->main_refraction) return;
+    const Refraction& wave = *bake_->main_refraction;
+    for (const std::uint32_t texel : wave.order()) {
+        if (wave.comes_in_at(texel)) continue;
+        const Refraction::Upstream from = wave.upstream(texel);
         if (from.share_x + from.share_z > 0)
             attenuation[texel] =
                 std::min(attenuation[texel], (from.share_x > 0 ? from.share_x * attenuation[from.x] : 0) +
@@ -327,7 +338,7 @@ void ShoreSource::bake_heights(std::size_t row) {
     for (int i = 0; i < bed_.columns; ++i) {
         const std::size_t texel = bed_.at(i, static_cast<int>(row));
         const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
-        // At the edges what stands is that of the depth alone, as beyond them.
+        // At the edges the attenuation depends on the local depth only, as outside the rectangle.
         double variance = 0;
         for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade) {
             const double part = static_cast<double>(bake_->parts[cascade][texel]);
@@ -343,7 +354,8 @@ void ShoreSource::bake_heights(std::size_t row) {
                      << 8 * cascade;
         parts_.data()[texel] = parts;
 
-        // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the cascades.
+        // Waves of one period interfere and form standing patterns, so their variance over the loop
+        // is limited too, together with that of the cascades.
         const double max_m = deviation_over_depth * wave_depth_m(texel), cascades_m = stands * deviation_m;
         const double here_m = bake_->attenuation[texel] * std::sqrt(variance_of_waves(texel).here);
         const double attenuation =

@@ -1,7 +1,8 @@
-// Waves over the floor of a shore (shore.hpp), frame by frame, and how much of each cascade there is.
+// Waves over the floor of a shore (shore.hpp), and the weight of each cascade there.
 //
-// Baked once, on jobs: each long wave's way over the floor (refraction.hpp) as a complex amplitude a texel; what comes of the cascades' own
-// waves; how much of all of them together stands at a depth. A frame turns the amplitudes by a phase a wave and adds them up.
+// Jobs bake once, by texel: each refracted long wave (refraction.hpp) as a complex amplitude; the
+// weights of the cascades; and the attenuation of all waves together by breaking. A frame rotates
+// the amplitudes by one phase for each wave, and adds them.
 #pragma once
 
 #include <array>
@@ -24,29 +25,34 @@ namespace pelagic {
 
 class ShoreSource {
    public:
-    /// Height over depth of a wave that breaks on an even slope, at most (McCowan 1894).
+    /// Upper bound of the height of a single wave divided by the depth, on a uniform slope (McCowan
+    /// 1894).
     static constexpr double breaking_height_over_depth = 0.78;
-    /// Of all waves at a place together: standard deviation over depth, at most, Hrms = 0.42 d where Hrms^2 is 8 variances (Thornton and
-    /// Guza 1983), so Hm0 is at most 0.6 d; and the height of a crest above still water over depth. Such waves are Rayleigh distributed, so
-    /// the first alone would let one crest of 20,000 be higher than 0.66 d.
+    /// Upper bounds for the sum of all waves, divided by the depth d: its standard deviation, and
+    /// the height of a crest above still water. The first follows from Hrms = 0.42 d, where Hrms^2
+    /// is 8 variances (Thornton and Guza 1983), so Hm0 is at most 0.6 d. Such waves are Rayleigh
+    /// distributed: without the second bound, one crest in 20,000 would be higher than 0.66 d.
     static constexpr double deviation_over_depth = 0.42 / 2.8284271247461903, crest_over_depth = 0.66;
 
-    /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the sea's cascades
+    /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the
+    /// sea's cascades
     ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
                 const Kernels& kernels, const Allocator& memory = {});
     ShoreSource(const ShoreSource&) = delete;  // stages point into it
     ShoreSource& operator=(const ShoreSource&) = delete;
 
-    /// To be run once, before all frames.
+    /// Adds the stages that bake the waves. Run them once, then call end_bake(), before any frame.
     void add_bake_stages(JobGraph& graph);
     void end_bake();
 
+    /// Adds the stage that computes a frame's waves.
     void add_frame_stage(JobGraph& graph);
-    /// Makes room for the next frame, before anything of it can fail; drop_frame() gives it back.
+    /// Makes the other slot the back slot, for the next frame. It cannot fail; drop_frame() reverts
+    /// it.
     void turn() { back_ = 1 - back_; }
-    /// \pre turn() for this frame
+    /// Sets the time that the next run of the stage computes. \pre turn() was called for this frame
     void begin_frame(double time_s);
-    /// Of the last run. Valid until the second begin_frame() from then.
+    /// Returns the views of the last frame. They are valid until the second begin_frame() after it.
     ShoreSurface end_frame();
     void drop_frame() { turn(); }
 
@@ -60,16 +66,20 @@ class ShoreSource {
     void bake_parts(std::size_t row);
     void bake_breaking();
     void bake_heights(std::size_t row);
-    /// Of the long waves, m^2: the sum of each wave's; and the mean over the loop, where waves of one harmonic interfere.
+    /// Variance of the long waves, m^2.
     struct Variance {
-        double of_all, here;
+        double of_all;  ///< sum of the waves' variances
+        double here;    ///< mean over the loop, with interference of waves of one harmonic
     };
-    std::size_t place_of(std::size_t texel, std::size_t wave) const;  ///< of its two numbers in amplitudes_
+    /// Returns the index in amplitudes_ of a wave's real part; the imaginary part is group_texels
+    /// later.
+    std::size_t place_of(std::size_t texel, std::size_t wave) const;
     Variance variance_of_waves(std::size_t texel) const;
-    /// Of still water, and as deep as the swash is high where it is shallower.
+    /// Returns the depth of still water, or the depth whose crest limit is the swash height, if
+    /// larger.
     double wave_depth_m(std::size_t texel) const;
     void rows(std::size_t item);
-    /// 0 at the rectangle's edges, 1 inside.
+    /// Returns the fade weight: 0 at the rectangle's edges, 1 beyond fade_m from them.
     double inside(std::size_t texel) const;
 
     SeaBed bed_;
@@ -78,23 +88,28 @@ class ShoreSource {
     const Kernels& kernels_;
     std::vector<ShoreWave> waves_;
 
-    AlignedBuffer<float> amplitudes_;  ///< as ShoreRowsJob::waves
+    AlignedBuffer<float> amplitudes_;  ///< laid out as ShoreRowsJob::waves
     std::vector<std::uint8_t> has_waves_;
     AlignedBuffer<float> highest_envelope_, breaking_envelope_, sharpness_, depth_;
     AlignedBuffer<std::uint32_t> parts_;
     float parts_change_per_m_ = 0;
 
-    /// While it is baked.
+    /// Data of the bake stages.
     struct Bake {
-        std::vector<ShoreWave> ways;                   ///< along which shorter waves come
-        std::vector<std::vector<float>> shelters;      ///< energy that comes along each, by texel
-        std::vector<std::vector<double>> depth_parts;  ///< of each cascade but the coarsest, by depth
+        /// Directions of short waves, for the shelter of land.
+        std::vector<ShoreWave> shelter_waves;
+        /// Fraction of the energy that arrives from each direction, by texel.
+        std::vector<std::vector<float>> shelters;
+        /// DepthPart of each cascade except the coarsest, by depth.
+        std::vector<std::vector<double>> depth_parts;
         double deepest_m;
-        std::vector<double> variances;          ///< of each cascade, m^2
-        std::vector<std::vector<float>> parts;  ///< of each cascade, by texel, before waves break
-        std::unique_ptr<Refraction> main_way;   ///< of the wave in the middle of the energy; none without waves
-        std::vector<double> deviation_m;        ///< of all waves, by texel, before they break
-        std::vector<double> attenuation;        ///< of the long waves' amplitudes by breaking, by texel
+        std::vector<double> variances;  ///< of each cascade, m^2
+        /// Weight of each cascade by texel, before breaking.
+        std::vector<std::vector<float>> parts;
+        /// Refraction of the wave at the median of the energy; null without waves.
+        std::unique_ptr<Refraction> main_refraction;
+        std::vector<double> deviation_m;  ///< of all waves by texel, before breaking
+        std::vector<double> attenuation;  ///< of the long waves' amplitudes by breaking, by texel
     };
     std::unique_ptr<Bake> bake_;
 

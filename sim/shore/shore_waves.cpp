@@ -15,16 +15,17 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-// Of a band of wave numbers, by their logarithm; and of the circle.
+// Numerical resolution: logarithmic shells of a band of wave numbers, and directions of a circle.
 constexpr int shells = 256, directions = 180;
 
-// Which of the directions' eight quantiles a wave takes, so that neighbours in frequency run far apart.
+// Eighths of the energy over direction, one for each wave in turn. The order gives waves of similar
+// frequency different directions.
 constexpr std::array quantiles = {3, 6, 0, 5, 2, 7, 1, 4};
 
-// Waves are drawn as if they were waves of a cascade that no stack has.
+// Cascade number of the random draws; no cascade of a stack has it.
 constexpr int shore_draws = 1000;
 
-/// Wave numbers of a cascade: as far as its grid reaches where a band has no end.
+/// Range of wave numbers of a cascade: its band, limited to its grid.
 struct Reach {
     double min_k, max_k;
     explicit Reach(const CascadePlan& cascade)
@@ -32,7 +33,7 @@ struct Reach {
           max_k(std::min(cascade.max_k, 0.5 * cascade.resolution * cascade.spacing())) {}
 };
 
-/// Calls with (k, energy of the shell) from long waves to short ones.
+/// Calls take(k, energy of the shell) for each shell, from long waves to short ones.
 template <class Take>
 void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take take) {
     const Reach reach(cascade);
@@ -41,9 +42,9 @@ void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take t
     for (int shell = 0; shell < shells; ++shell, k *= ratio) take(k, spectrum.radial_density(k) * k * step);
 }
 
-/// Where the energy of a wave number runs to: the direction below which there is that part of it, counted from the one against the
-/// wind.
-double direction_turns(const WaveSpectrum& spectrum, double k, double wind_turns, double part) {
+/// Returns the direction, in turns, that is a quantile of the energy of a wave number over
+/// direction. Directions are counted from the one against the wind. \param quantile  in [0, 1]
+double direction_turns(const WaveSpectrum& spectrum, double k, double wind_turns, double quantile) {
     const WaveSpectrum::Shell shell = spectrum.shell(k);
     std::array<double, directions> energy;
     double sum = 0;
@@ -55,8 +56,8 @@ double direction_turns(const WaveSpectrum& spectrum, double k, double wind_turns
     double below = 0;
     for (int i = 0; i < directions; ++i) {
         const double here = energy[static_cast<std::size_t>(i)];
-        if (below + here >= part * sum && here > 0)
-            return wind_turns - 0.5 + (i + (part * sum - below) / here) / directions;
+        if (below + here >= quantile * sum && here > 0)
+            return wind_turns - 0.5 + (i + (quantile * sum - below) / here) / directions;
         below += here;
     }
     return wind_turns;
@@ -71,7 +72,7 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coars
     constexpr double count = max_shore_waves;
     std::vector<ShoreWave> waves;
     double below = 0, share = 0, share_k = 0;
-    // Of a draw: the part of draws that are longer is even in (0, 1].
+    // Returns a uniform number in (0, 1]: the probability of a longer Gaussian draw.
     const auto evenly = [&](int number, int which) {
         return det::exp(-0.5 * gaussian_pair_square(sea.seed, shore_draws, number, which));
     };
@@ -79,20 +80,20 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coars
         const int number = static_cast<int>(waves.size());
         const double k = share_k / share;
         const std::uint32_t harmonic = loop_harmonic(angular_frequency(k, spectrum.water()), sea.loop_period_s);
-        const double part = (quantiles[static_cast<std::size_t>(number) % quantiles.size()] + evenly(number, 1)) /
-                            static_cast<double>(quantiles.size());
-        const auto [sine_of_way, cosine_of_way] =
-            det::sine_cosine_of_turns(direction_turns(spectrum, k, sea.wind_direction_rad / two_pi, part));
+        const double quantile = (quantiles[static_cast<std::size_t>(number) % quantiles.size()] + evenly(number, 1)) /
+                                static_cast<double>(quantiles.size());
+        const auto [sine, cosine] =
+            det::sine_cosine_of_turns(direction_turns(spectrum, k, sea.wind_direction_rad / two_pi, quantile));
         waves.push_back({.amplitude_m = std::sqrt(2 * all / count),
                          .harmonic = harmonic,
                          .omega = two_pi * harmonic / sea.loop_period_s,
-                         .along_x = cosine_of_way,
-                         .along_z = sine_of_way,
+                         .along_x = cosine,
+                         .along_z = sine,
                          .phase_turns = evenly(number, 0)});
         share = share_k = 0;
     };
     for_shells(spectrum, coarsest, [&](double k, double energy) {
-        // A shell that an end of a wave's share cuts belongs to both.
+        // A shell at the boundary of two waves' bands is divided between them.
         while (energy > 0) {
             const double end = all * static_cast<double>(waves.size() + 1) / count;
             const double taken = waves.size() + 1 < max_shore_waves ? std::min(energy, end - below) : energy;
@@ -155,11 +156,12 @@ DepthPart::DepthPart(const SeaState& sea, const CascadePlan& cascade) {
 
 double DepthPart::at(double depth_m) const {
     if (!(depth_m > 0) || bands_.empty()) return 0;
-    double left = 0;
+    double remaining = 0;
     for (const Band& band : bands_)
-        left += band.variance * std::min(1.0, depth_factor(wave_number(band.omega, depth_m), depth_m) / band.factor);
-    const double highest_m = highest_over_depth * depth_m, height_m = 4 * std::sqrt(left);
-    return std::sqrt(left / variance_) * std::min(1.0, highest_m / height_m);
+        remaining +=
+            band.variance * std::min(1.0, depth_factor(wave_number(band.omega, depth_m), depth_m) / band.factor);
+    const double highest_m = highest_over_depth * depth_m, height_m = 4 * std::sqrt(remaining);
+    return std::sqrt(remaining / variance_) * std::min(1.0, highest_m / height_m);
 }
 
 }  // namespace pelagic

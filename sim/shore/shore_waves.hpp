@@ -1,5 +1,5 @@
-// The waves of a sea that a shore takes from the cascades: the long ones, few enough to follow each over the floor; and what a depth
-// leaves of those that stay.
+// Waves of a sea at a shore. Long waves move from the coarsest cascade to the shore, which refracts
+// each of them over the floor. The waves of the other cascades are attenuated by depth.
 #pragma once
 
 #include <cstdint>
@@ -16,31 +16,35 @@ inline constexpr std::size_t max_shore_waves = 32;
 struct ShoreWave {
     double amplitude_m;
     std::uint32_t harmonic;   ///< periods in a loop
-    double omega;             ///< rad/s, of that harmonic
-    double along_x, along_z;  ///< where it runs to, a unit vector
+    double omega;             ///< rad/s, of the harmonic
+    double along_x, along_z;  ///< unit vector of the direction in which it travels
     double phase_turns;
 
     double variance() const { return 0.5 * amplitude_m * amplitude_m; }
 };
 
-/// Of the coarsest cascade of a sea, longest first, with its whole energy. Of a spectrum 32 waves of equal energy, which share the
-/// frequencies among them; at each the direction is a quantile of the energy's, and the phase is drawn by the seed. Of an analytic
-/// sea the cascade's own waves, the 32 strongest. None where the cascade holds no energy.
+/// Returns the waves of the coarsest cascade of a sea, longest first. Empty if the cascade has no
+/// energy. For a spectrum, they are 32 waves of equal energy with the cascade's total energy. Each
+/// has a band of frequencies, a direction from a quantile of the energy over direction, and a
+/// random phase from the seed. For an analytic sea, they are the up to 32 waves of the cascade with
+/// the largest amplitudes.
 /// \pre check(sea) is empty; the waves are a physical spectrum's or an analytic sea's
 std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coarsest);
 
-/// How much of the height of a cascade's waves a depth leaves: no more energy than the TMA spectrum bears there (Bouws et al. 1985), wave
-/// number by wave number, and no higher than water breaks (highest_over_depth). 0 on land, at most 1.
+/// Attenuation of a cascade's wave heights by depth. At each wave number the energy is at most that
+/// of the TMA spectrum (Bouws et al. 1985). The significant height is at most highest_over_depth
+/// times the depth, because of breaking.
 class DepthPart {
    public:
-    /// \pre as above
+    /// \pre check(sea) is empty; the waves are a physical spectrum's or an analytic sea's
     DepthPart(const SeaState& sea, const CascadePlan& cascade);
+    /// Returns the factor on the heights at a depth, in [0, 1]; 0 on land.
     double at(double depth_m) const;
-    double variance() const { return variance_; }  ///< m^2, of the cascade's heights in the open sea
+    double variance() const { return variance_; }  ///< of heights in the open sea, m^2
 
    private:
     struct Band {
-        double omega, variance, factor;  ///< rad/s, m^2; what the sea's own depth leaves already
+        double omega, variance, factor;  ///< rad/s; m^2; TMA factor at the depth of the open sea
     };
     std::vector<Band> bands_;
     double variance_ = 0;
