@@ -6,7 +6,7 @@
 namespace pelagic {
 namespace {
 
-/// With 24 bits of depth waves are then told apart by 0.1 m at 400 m, 2.5 m at 2 km.
+/// With a 24-bit depth buffer the depth resolution is 0.1 m at 400 m and 2.5 m at 2 km.
 constexpr double near_m = 0.1;
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr double near_m = 0.1;
 glm::dvec3 Camera::right() const {
     const glm::dvec3 forward = glm::normalize(target_m - position_m);
     const glm::dvec3 level = glm::cross(forward, glm::dvec3(0, 1, 0));
-    // Straight down or up +x is at the top.
+    // For a view straight down or up, +x is at the top of the image.
     if (glm::length(level) < 1e-9) return {0, 0, forward.y < 0 ? 1 : -1};
     return glm::normalize(level);
 }

@@ -1,4 +1,4 @@
-// A camera as people describe it, and its matrix.
+// Perspective cameras and their view-projection matrix.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -8,15 +8,17 @@ namespace pelagic {
 
 struct Camera {
     glm::dvec3 position_m{0, 4, 0};
-    glm::dvec3 target_m{100, 2, 0};  ///< elsewhere than the position
-    double vertical_view_rad = 0.8;
+    glm::dvec3 target_m{100, 2, 0};  ///< must differ from the position
+    double vertical_view_rad = 0.8;  ///< vertical field of view
 
-    /// A unit vector. A camera that looks straight up or down has +x at the top of its image.
+    /// Returns the unit vector to the right of the image. If the camera looks straight up or down,
+    /// +x is at the top of the image.
     glm::dvec3 right() const;
-    /// The same camera, `metres` to the right.
+    /// Returns this camera, moved to the right by `metres`.
     Camera moved_right(double metres) const;
-    /// OpenGL's convention; what is nearer than 0.1 m is not drawn, and there is no far plane, which would cut the sea
-    /// before the horizon. \param aspect  width over height
+    /// Returns the view-projection matrix in OpenGL's convention. The near plane is at 0.1 m; the
+    /// far plane is at infinity, so that the sea reaches the horizon. \param aspect  width over
+    /// height
     glm::dmat4 clip_from_world(double aspect) const;
 };
 

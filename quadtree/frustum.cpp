@@ -15,8 +15,8 @@ bool is_finite(const glm::dmat4& m) {
     return true;
 }
 
-/// Gaussian elimination of the matrix with rows and columns scaled to largest element 1, so that metres far from the
-/// origin or a tiny near plane don't pass for singularity.
+/// Tests by Gaussian elimination. Columns and rows are scaled to a largest element of 1 first, so
+/// that positions far from the origin or a tiny near plane do not make the matrix appear singular.
 bool is_singular(glm::dmat4 m) {
     for (int c = 0; c < 4; ++c) {
         double largest = 0;
@@ -35,7 +35,7 @@ bool is_singular(glm::dmat4 m) {
         int row = step;
         for (int r = step; r < 4; ++r)
             if (std::abs(m[r][step]) > std::abs(m[row][step])) row = r;
-        // Views of float matrices carry 1e-7; an honest one keeps pivots far above 1e-12.
+        // Float matrices have errors of 1e-7; pivots of a regular matrix are far above 1e-12.
         if (std::abs(m[row][step]) < 1e-12) return true;
         std::swap(m[row], m[step]);
         for (int r = step + 1; r < 4; ++r) m[r] -= m[step] * (m[r][step] / m[step][step]);
@@ -62,7 +62,7 @@ bool Frustum::may_see(const Box& box) const {
         const glm::dvec3 size = glm::abs(normal);
         const double middle = glm::dot(normal, box.centre) + plane.w;
         const double reach = glm::dot(size, box.half);
-        // What rounding may have taken from the sum: a few units in the last place of its largest part.
+        // Bound of the rounding error: a few units in the last place of the sum's largest term.
         const double rounding = 1e-14 * (glm::dot(size, glm::abs(box.centre)) + std::abs(plane.w) + reach);
         if (middle + reach + rounding < 0) return false;
     }

@@ -1,4 +1,4 @@
-// What a view can see: six planes out of its matrix, and boxes that are certainly outside of them.
+// View frusta: the six clip planes of a view-projection matrix, and conservative culling of boxes.
 #pragma once
 
 #include <array>
@@ -10,28 +10,30 @@ namespace pelagic {
 
 struct Box {
     glm::dvec3 centre{};
-    glm::dvec3 half{};  ///< half extents, metres
+    glm::dvec3 half{};  ///< half extents in metres
 };
 
-/// The depths that a clip space keeps. A matrix alone does not tell.
+/// The depth range of a clip space, which cannot be derived from a matrix.
 enum class ClipDepth {
-    either,            ///< takes the wider one, -w to w: loses nothing, may keep what lies beyond a depth plane
+    either,            ///< the wider range, -w to w: may keep boxes beyond a depth plane
     minus_one_to_one,  ///< OpenGL: -w <= z <= w
     zero_to_one        ///< Vulkan, Direct3D, Metal, glClipControl: 0 <= z <= w
 };
 
 /// The half spaces dot(plane.xyz, p) + plane.w >= 0 of a clip volume.
 ///
-/// Planes are the sums and differences of the matrix' rows (Gribb and Hartmann 2001). Forward and reversed depth, with
-/// a far plane or without, perspective or not: an infinite far plane yields a half space that holds everything.
+/// Planes are sums and differences of the rows of the matrix (Gribb and Hartmann 2001). Supports
+/// forward and reversed depth, finite and infinite far planes, perspective and orthographic
+/// projections. An infinite far plane yields a half space that contains every point.
 struct Frustum {
     std::array<glm::dvec4, 6> planes{};
 
-    /// Throws std::invalid_argument if the matrix has no inverse or holds something that is no number.
+    /// Extracts the planes of the matrix.
+    /// \throws std::invalid_argument  if the matrix is singular or contains NaN or infinity
     explicit Frustum(const glm::dmat4& clip_from_world, ClipDepth depth = ClipDepth::either);
 
-    /// False only if the box is outside: its corner furthest along a plane's normal, the positive vertex, lies behind
-    /// that plane (VR Ocean, equations 59 and 60).
+    /// Returns false only if the box is outside: its positive vertex, the corner furthest along a
+    /// plane's normal, lies behind that plane (VR Ocean, equations 59 and 60).
     bool may_see(const Box& box) const;
 };
 

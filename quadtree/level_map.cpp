@@ -9,11 +9,12 @@ namespace {
 
 constexpr auto zone = static_cast<float>(LevelMap::morph_zone);
 
-/// The radius, in squares of tau s, within which a node matters to the levels above: each adds k to what it demands,
-/// so at level l nothing with a measure of -l k or less can split anybody.
+/// Returns the squared radius, in units of (tau s)^2, within which a node affects coarser levels.
+/// Each level adds k to its demand, so at level l a node with a measure of -l k or less causes no
+/// split.
 double reach_squared(int level) { return 1 + LevelMap::morph_zone * level; }
 
-/// Clips before it converts: a viewer may be very far away.
+/// Clamps before the conversion, because the viewer may be very far away.
 std::int32_t to_cell(double x, std::int32_t cells) {
     return static_cast<std::int32_t>(std::floor(std::clamp(x, 0.0, static_cast<double>(cells))));
 }
@@ -25,7 +26,8 @@ LevelMap::LevelMap(const QuadtreeOptions& options)
       lod_scale_(options.lod_scale),
       deepest_(pelagic::deepest_level(options.size_m)),
       windows_(static_cast<std::size_t>(deepest_)) {
-    // Room for the widest window at each level: its own disc and what the finer level demands.
+    // Allocates the largest window of each level: its own disc and the parents that the finer level
+    // demands.
     std::int32_t side = 0;
     for (int level = deepest_ - 1; level >= 0; --level) {
         const auto disc = static_cast<std::int32_t>(2 * lod_scale_ * std::sqrt(reach_squared(level))) + 4;
@@ -38,7 +40,7 @@ LevelMap::LevelMap(const QuadtreeOptions& options)
 std::size_t LevelMap::max_patches() const {
     std::size_t splits = 0;
     for (const Window& window : windows_) splits += window.measures.size();
-    return 1 + 3 * splits;  // each split puts four in the place of one
+    return 1 + 3 * splits;  // each split replaces one patch by four
 }
 
 void LevelMap::update(const glm::dvec3& viewer_m) {
@@ -100,7 +102,7 @@ void LevelMap::demand_of_parents(int level) {
                 if (coarser.holds(px, pz)) coarser.at(px, pz) = std::max(coarser.at(px, pz), demand);
             };
             raise(x >> 1, z >> 1);
-            // Two neighbours are siblings; the others stand on this node's side of its parent.
+            // Two neighbours are siblings; the other two lie on this node's side of its parent.
             raise((x >> 1) + (x % 2 == 0 ? -1 : 1), z >> 1);
             raise(x >> 1, (z >> 1) + (z % 2 == 0 ? -1 : 1));
         }
@@ -108,8 +110,8 @@ void LevelMap::demand_of_parents(int level) {
 }
 
 std::uint16_t LevelMap::weight(float measure) {
-    const float part = std::clamp(measure / zone, 0.f, 1.f);
-    return static_cast<std::uint16_t>(part * 65535.f + 0.5f);
+    const float fraction = std::clamp(measure / zone, 0.f, 1.f);
+    return static_cast<std::uint16_t>(fraction * 65535.f + 0.5f);
 }
 
 int LevelMap::level_at(std::int32_t cell_x, std::int32_t cell_z) const {

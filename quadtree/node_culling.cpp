@@ -19,7 +19,8 @@ NodeCulling::NodeCulling(const Frustum& view, const QuadtreeGrid& grid, const Bo
             const glm::dvec2 half = node_m * boxes.cull_scale / 2 + boxes.horizontal_m;
             return size.x * half.x + size.y * half_height_m + size.z * half.y;
         };
-        // A few units in the last place of the largest part of any sum.
+        // Bound of the rounding error: a few units in the last place of the largest term of any
+        // sum.
         const double rounding = 1e-14 * (size.x * furthest.x + size.y * std::abs(middle_m) + size.z * furthest.y +
                                          std::abs(plane.w) + reach_of(grid.size_m()));
         for (int level = 0; level <= grid.deepest_level; ++level) {
@@ -39,7 +40,7 @@ NodeCulling::Sight NodeCulling::sight_of(std::int32_t level, std::int32_t x, std
         outside |= std::bit_cast<std::uint64_t>(middle + of.reach[p]);
         cut |= std::bit_cast<std::uint64_t>(middle - of.reach[p]);
     }
-    return outside >> 63 ? Sight::none : cut >> 63 ? Sight::part : Sight::whole;
+    return outside >> 63 ? Sight::none : cut >> 63 ? Sight::partial : Sight::whole;
 }
 
 }  // namespace pelagic

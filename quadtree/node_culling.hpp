@@ -1,5 +1,5 @@
-// What a view sees of a tree's nodes: Frustum::may_see(), of which all that is the same for a level's boxes is done once,
-// and the rest for six planes at a time.
+// Culling of a tree's nodes. Equivalent to Frustum::may_see(), but terms that are constant for a
+// level are computed once, and six planes are tested at a time.
 #pragma once
 
 #include <array>
@@ -12,20 +12,22 @@
 
 namespace pelagic {
 
-/// How far boxes reach beyond their nodes.
+/// Extents of boxes relative to their nodes.
 struct BoxesOfNodes {
     double low_m, high_m;
-    glm::dvec2 horizontal_m;  ///< along x and z
-    double cull_scale;        ///< times their nodes' size; 1 or more, so that a child's box is inside its parent's
+    glm::dvec2 horizontal_m;  ///< margin along x and z
+    /// Scale of the node's size; at least 1, so that a child's box is inside its parent's.
+    double cull_scale;
 };
 
 class NodeCulling {
    public:
-    enum class Sight { none, part, whole };
+    enum class Sight { none, partial, whole };
 
     NodeCulling(const Frustum& view, const QuadtreeGrid& grid, const BoxesOfNodes& boxes);
 
-    /// None only if the box is outside, whole only if all of it is inside.
+    /// Returns none only if the node's box is outside the view, whole only if all of the box is
+    /// inside.
     Sight sight_of(std::int32_t level, std::int32_t x, std::int32_t z) const;
 
    private:
@@ -34,10 +36,10 @@ class NodeCulling {
 
     glm::dvec2 corner_m_;
     Planes along_x_, along_z_;
-    Planes middle_;  ///< of a box around x = z = 0
+    Planes middle_;  ///< distance of the centre of a box at x = z = 0 from each plane
     struct Level {
         double size_m;
-        Planes reach;  ///< of a box along the plane's normal, and what rounding may take
+        Planes reach;  ///< half extent of a box along each plane's normal, plus the rounding bound
     };
     std::array<Level, max_levels> levels_;
 };

@@ -10,11 +10,12 @@
 namespace pelagic {
 namespace {
 
-/// Cells side by side in a band: ten new vertices for each sixteen triangles as long as the cache keeps the row of five
-/// before, which one of 16 entries nearly does. Wider bands need fewer vertices with 32 entries and many more with 16.
+/// Cells across a band. A band needs ten new vertices for sixteen triangles if the cache holds the
+/// previous row of five vertices, which a cache of 16 entries nearly does. Wider bands need fewer
+/// vertices with 32 entries and many more with 16.
 constexpr int band_cells = 2;
 
-/// The sides of a cell that lie on a stitched side of its patch, equation 65.
+/// Returns the sides of a cell that lie on a stitched side of its patch (equation 65).
 unsigned cell_stitches(int x, int z, int cells, unsigned patch) {
     unsigned touched = 0;
     if (x == cells - 1) touched |= 1u << east;

@@ -1,4 +1,4 @@
-// The one mesh that every patch is an instance of (VR Ocean, section 5.4).
+// The mesh that all patches share as instances (VR Ocean, section 5.4).
 #pragma once
 
 #include <array>
@@ -17,17 +17,19 @@ struct PatchMesh {
         std::uint8_t i, j;  ///< 0 to V; equation 67 without the division
     };
 
-    /// Throws std::invalid_argument unless V is even and from 2 to 128.
+    /// \param vertices  V, even, 2 to 128
+    /// \throws std::invalid_argument  if V is out of range
     explicit PatchMesh(int vertices);
 
     int vertices;                        ///< V
     std::vector<Vertex> positions;       ///< vertex i + j (V + 1), equation 68
-    std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from above, ordered for the cache
+    std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise from above, cache order
     std::array<Range, 16> ranges{};      ///< by stitch configuration
 };
 
-/// The order in which the cells of a patch are drawn: bands a few cells wide, so that the vertices of one row are still
-/// in a small post-transform cache when the next row uses them. Cell numbers are x + z * cells.
+/// Returns the draw order of the cells of a patch: bands a few cells wide, so that a small
+/// post-transform cache still holds the vertices of one row when the next row uses them. Cell
+/// numbers are x + z * cells.
 std::vector<std::uint32_t> cells_in_cache_order(int cells);
 
 }  // namespace pelagic

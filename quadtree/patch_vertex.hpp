@@ -1,13 +1,16 @@
-// Where a patch's vertex rests and where it is drawn. A vertex shader does the same.
+// Reference position and displaced position of a patch's vertex. The vertex shader computes the
+// same.
 //
-// A patch has the vertices of the next coarser level, (i, j) both even, and extra ones between them. An extra one rests
-// in the middle between two coarser vertices, a step to either side: along x if only i is odd, along z if only j is,
-// else along the diagonal by which the coarser patch cuts that square. Its displacement is
+// A patch has the vertices of the next coarser level, (i, j) both even, and extra vertices between
+// them. The reference position of an extra vertex is the middle of two coarser vertices at offsets
+// -o and +o. The offset is along x if only i is odd, along z if only j is odd, else along the
+// diagonal of the coarser patch in that square. The displacement of the extra vertex is
 //
 //   D = w D(rest) + (1 - w) (D(rest - o) + D(rest + o)) / 2
 //
-// With w = 0 it lies on the coarser level's surface, with w = 1 in its own place; w is the patch's inner weight, or the
-// weight of the edge on which the vertex lies, which both patches of that edge know. The reference position never moves.
+// where rest is the reference position, which never changes. With w = 0 the vertex lies on the
+// coarser level's surface, with w = 1 on its own position. w is the patch's inner weight, or the
+// weight of the edge on which the vertex lies, which is equal in both patches of that edge.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +23,8 @@
 
 namespace pelagic {
 
-/// Metres; the same bits for every patch that has the vertex, whatever the grid's corner.
+/// Returns the reference position of vertex (i, j), x and z in metres. The result is bit-identical
+/// for every patch that shares the vertex and for every corner of the grid.
 inline glm::dvec2 rest_position(const QuadtreeGrid& grid, const PatchInstance& patch, int i, int j) {
     const std::int32_t stride = grid.stride(patch.level);
     const glm::tvec2<std::int64_t> index(grid.corner.x + patch.corner_x + i * stride,
@@ -28,14 +32,14 @@ inline glm::dvec2 rest_position(const QuadtreeGrid& grid, const PatchInstance& p
     return glm::dvec2(index) * grid.step_m;
 }
 
-/// The part of the displacement that is left near the border: 1 inside, 0 where the skirt begins.
+/// Returns the attenuation of the displacement near the border: 1 inside, 0 at the skirt.
 inline double border_fade(const QuadtreeGrid& grid, glm::dvec2 rest) {
     const glm::dvec2 away = glm::abs(rest - grid.fade_centre);
-    const double left = (grid.fade_end_m - std::max(away.x, away.y)) / (grid.fade_end_m - grid.fade_start_m);
-    return std::clamp(left, 0.0, 1.0);
+    const double fade = (grid.fade_end_m - std::max(away.x, away.y)) / (grid.fade_end_m - grid.fade_start_m);
+    return std::clamp(fade, 0.0, 1.0);
 }
 
-/// The weight w above, 0 to 1; 1 for the vertices of the coarser level.
+/// Returns the weight w above, 0 to 1. It is 1 for the vertices of the coarser level.
 inline double vertex_weight(const PatchInstance& patch, int vertices, int i, int j) {
     if (i % 2 == 0 && j % 2 == 0) return 1;
     std::uint16_t weight = patch.inner_weight;
@@ -46,18 +50,22 @@ inline double vertex_weight(const PatchInstance& patch, int vertices, int i, int
     return static_cast<double>(weight) / full_weight;
 }
 
-/// The offset o above, in vertices of the patch; (0, 0) for the vertices of the coarser level.
+/// Returns the offset o above, in vertices of the patch. It is (0, 0) for the vertices of the
+/// coarser level.
 inline glm::ivec2 coarser_offset(const PatchInstance& patch, int i, int j) {
     const bool odd_i = i % 2 != 0, odd_j = j % 2 != 0;
     if (odd_i && odd_j) {
-        // Fans around the middles of 3 x 3 cells: the diagonals of the squares alternate.
+        // The diagonals of the squares alternate, because each cell of 3 x 3 vertices is a fan.
         const bool is_falling = ((i / 2 + j / 2 + patch.diagonals) & 1) != 0;
         return {1, is_falling ? -1 : 1};
     }
     return {odd_i ? 1 : 0, odd_j ? 1 : 0};
 }
 
-/// Where the vertex is drawn, metres. `displacement` maps a reference position to glm::dvec3(Dx, height, Dz), the sum of all cascades.
+/// Returns the displaced position of a vertex in metres.
+/// \param displacement  function from a reference position to glm::dvec3(Dx, height, Dz), the sum
+///                      of all
+///                      cascades
 template <class Displacement>
 glm::dvec3 patch_vertex(const QuadtreeGrid& grid, const PatchInstance& patch, int i, int j,
                         const Displacement& displacement) {

@@ -10,8 +10,9 @@
 namespace pelagic {
 namespace {
 
-// Every tau of ours is well above 1.58, where neighbours two levels apart begin (errata), so hardly a patch is split
-// for its neighbour's sake. A cull scale of 1 suffices because the boxes hold the frame's own extremes.
+// Below tau = 1.58 neighbours can be two levels apart (errata). Pelagic's presets have larger
+// values, so patches are rarely split because of a neighbour. A cull scale of 1 suffices, because
+// the boxes contain the frame's extremes.
 constexpr QuadtreePreset presets[] = {
     {"low", 16, 1.8, 1.0},        {"medium", 32, 2.0, 1.0},      {"high", 64, 2.2, 1.0},
     {"ultra", 128, 2.4, 1.0},     {"paper_low", 16, 2.0, 1.2},   {"paper_medium", 32, 1.5, 1.5},

@@ -1,4 +1,4 @@
-// What a quadtree can be: its size, its detail, and the named qualities.
+// Options of a quadtree: size, level of detail, culling, and presets.
 #pragma once
 
 #include <span>
@@ -9,18 +9,21 @@ namespace pelagic {
 
 /// A square sea of level-of-detail patches around the viewer (VR Ocean, section 5.1).
 struct QuadtreeOptions {
-    double size_m = 2048;    ///< S, the side of the square; [256, 8192]
-    int vertices = 64;       ///< V, steps along a patch's side, V + 1 vertices; even, [2, 128]
-    double lod_scale = 2.2;  ///< tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8]
-    double cull_scale =
-        1;                ///< beta: widens the boxes that are culled, for applications that displace further; [1, 4]
-    int batch_limit = 0;  ///< most instances in one draw call; 0 for no limit
+    double size_m = 2048;  ///< S, the side of the square; [256, 8192]
+    int vertices = 64;     ///< V, steps along a patch's side, V + 1 vertices; even, [2, 128]
+    /// tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8]
+    double lod_scale = 2.2;
+    /// beta: scales the boxes for culling, for applications that add displacement; [1, 4]
+    double cull_scale = 1;
+    int batch_limit = 0;  ///< maximum number of instances in one draw call; 0: no limit
 };
 
-/// Empty if usable, else the first bad field: "vertices is 7, needs an even number from 2 to 128".
+/// Returns an empty string if the options are valid, else a message about the first invalid field:
+/// "vertices is 7, needs an even number from 2 to 128".
 std::string check(const QuadtreeOptions& options);
 
-/// The level of the smallest patches, equation 56: they measure about 64 m. The root has level 0.
+/// Returns the level of the smallest patches (equation 56), whose side is about 64 m. The root has
+/// level 0.
 int deepest_level(double size_m);
 
 struct QuadtreePreset {
@@ -32,11 +35,12 @@ struct QuadtreePreset {
     QuadtreeOptions options(double size_m) const { return {size_m, vertices, lod_scale, cull_scale}; }
 };
 
-/// low, medium, high, ultra: each has more triangles and finer ones than the one before. Then paper_low ... paper_ultra
-/// with the values of the paper's Table 2, whose order is upside down: a larger tau means more detail (errata).
+/// Returns the presets: low, medium, high, ultra, in increasing number of triangles and detail;
+/// then paper_low ... paper_ultra with the values of the paper's Table 2. The order of that table
+/// is reversed: a larger tau means more detail (errata).
 std::span<const QuadtreePreset> quadtree_presets();
 
-/// None: no preset has that name.
+/// Returns null if no preset has this name.
 const QuadtreePreset* quadtree_preset_named(std::string_view name);
 
 }  // namespace pelagic

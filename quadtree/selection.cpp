@@ -11,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double furthest_m = 1e8;  // steps of the finest vertices still fit an exact double
+constexpr double furthest_m = 1e8;  // positions in steps are exact doubles up to here
 
 QuadtreeOptions checked(const QuadtreeOptions& options) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
@@ -37,7 +37,7 @@ void check_bounds(const SurfaceBounds& b) {
 
 constexpr std::size_t max_views = 32;
 
-/// The neighbour's place across a side.
+/// Offset of the neighbour across each Side.
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
 constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 
@@ -61,7 +61,7 @@ const DrawList& Selection::select(const SelectionInput& input) {
     check_position("centre_m", &centre.x, 2);
     check_bounds(input.bounds);
     if (input.views.size() > max_views) throw std::invalid_argument("views are more than 32");
-    next_frusta_.clear();  // apart, so that a bad view leaves the list as it is
+    next_frusta_.clear();  // separate, so that an invalid view does not change the list
     for (const glm::dmat4& view : input.views) next_frusta_.emplace_back(view, input.depth);
 
     frusta_.swap(next_frusta_);
@@ -81,34 +81,35 @@ QuadtreeGrid Selection::grid_around(glm::dvec2 centre_m) const {
     grid.deepest_level = levels_.deepest_level();
     grid.side = levels_.width() * options_.vertices;
     grid.step_m = options_.size_m / grid.side;
-    const std::int32_t snap = grid.side / 4;  // whole: the width is a multiple of 4
+    const std::int32_t snap = grid.side / 4;  // exact: the width is a multiple of 4
     const double snap_m = options_.size_m / 4;
     for (int axis = 0; axis < 2; ++axis)
         grid.corner[axis] =
             static_cast<std::int64_t>(std::floor(centre_m[axis] / snap_m + 0.5)) * snap - grid.side / 2;
     grid.fade_centre = centre_m;
     grid.fade_start_m = options_.size_m * 5 / 16;
-    grid.fade_end_m = options_.size_m * 3 / 8;  // half of S less half of a snap
+    grid.fade_end_m = options_.size_m * 3 / 8;  // half of S less half of a snap step
     return grid;
 }
 
-/// The views that see a node, of those that see its parent. Who sees all of the parent isn't asked.
+/// Returns the views that see a node. Tests only views that see its parent partially: a view that
+/// sees all of the parent sees all of the node.
 Selection::Views Selection::views_that_see(const Node& node) const {
     Views views = node.parent;
-    for (std::uint32_t left = node.parent.part; left != 0; left &= left - 1) {
-        const std::uint32_t view = left & (0 - left);
-        const NodeCulling& culling = culling_[static_cast<std::size_t>(std::countr_zero(left))];
+    for (std::uint32_t remaining = node.parent.partial; remaining != 0; remaining &= remaining - 1) {
+        const std::uint32_t view = remaining & (0 - remaining);
+        const NodeCulling& culling = culling_[static_cast<std::size_t>(std::countr_zero(remaining))];
         switch (culling.sight_of(node.level, node.x, node.z)) {
-            case NodeCulling::Sight::none: views.part ^= view; break;
-            case NodeCulling::Sight::part: break;
-            case NodeCulling::Sight::whole: views.part ^= view, views.whole |= view;
+            case NodeCulling::Sight::none: views.partial ^= view; break;
+            case NodeCulling::Sight::partial: break;
+            case NodeCulling::Sight::whole: views.partial ^= view, views.whole |= view;
         }
     }
     return views;
 }
 
 void Selection::walk(const SurfaceBounds& bounds) {
-    // Reference level included: the waves fade out.
+    // The boxes include the undisplaced level, because the waves fade out.
     const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
                              .high_m = std::max(bounds.height_max_m, 0.0),
                              .horizontal_m = {bounds.horizontal_x_max_m, bounds.horizontal_z_max_m},
@@ -120,18 +121,18 @@ void Selection::walk(const SurfaceBounds& bounds) {
 
     found_.clear();
     stack_.clear();
-    stack_.push_back({0, 0, 0, {.part = all_views, .whole = 0}});
+    stack_.push_back({0, 0, 0, {.partial = all_views, .whole = 0}});
     while (!stack_.empty()) {
         const Node node = stack_.back();
         stack_.pop_back();
         ++list_.statistics.nodes_visited;
         const Views views = views_that_see(node);
-        if (culls && (views.part | views.whole) == 0) continue;
+        if (culls && (views.partial | views.whole) == 0) continue;
         if (!levels_.splits(node.level, node.x, node.z)) {
             emit(node);
             continue;
         }
-        for (const std::int32_t child : {3, 2, 1, 0})  // the lowest x and z comes off first
+        for (const std::int32_t child : {3, 2, 1, 0})  // the lowest x and z is popped first
             stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2, views});
     }
 }
@@ -142,7 +143,8 @@ void Selection::emit(const Node& node) {
     found.patch.corner_x = static_cast<std::uint16_t>(node.x * side);
     found.patch.corner_z = static_cast<std::uint16_t>(node.z * side);
     found.patch.level = static_cast<std::uint8_t>(node.level);
-    // The coarser squares alternate over the whole parent; this quadrant begins V/2 of them in.
+    // The diagonals of the coarser squares alternate over the whole parent. A child starts at a
+    // multiple of V/2 squares in the parent.
     found.patch.diagonals = static_cast<std::uint8_t>((node.x + node.z) * (options_.vertices / 2) & 1);
     if (node.level > 0) {
         const int above = node.level - 1;
@@ -154,8 +156,9 @@ void Selection::emit(const Node& node) {
             const std::int32_t x = (node.x + step_x[side_of]) >> 1, z = (node.z + step_z[side_of]) >> 1;
             std::uint16_t& weight = found.patch.edge_weights[side_of];
             weight = inner;
-            if (x == parent_x && z == parent_z) continue;                  // a sibling
-            if (x < 0 || z < 0 || x >= parents || z >= parents) continue;  // the skirt takes every vertex
+            if (x == parent_x && z == parent_z) continue;  // a sibling
+            // The skirt shares every vertex of the border.
+            if (x < 0 || z < 0 || x >= parents || z >= parents) continue;
             const float measure = levels_.measure(above, x, z);
             weight = std::min(inner, LevelMap::weight(measure));
             if (!(measure > 0)) found.stitches |= static_cast<std::uint8_t>(1u << side_of);
@@ -190,7 +193,8 @@ void Selection::walk_border() {
     for (const Side side : {east, north, west, south}) walk_side(side, 0, 0);
 }
 
-/// The nodes of a level that touch a side, from the one at `along` of its nodes down to what is drawn.
+/// Adds skirt pieces for the drawn nodes along a side, in the subtree of the level's border node
+/// `along`.
 void Selection::walk_side(Side side, std::int32_t level, std::int32_t along) {
     const std::int32_t across = side == east || side == north ? (std::int32_t{1} << level) - 1 : 0;
     const bool along_z = side == east || side == west;

@@ -1,10 +1,12 @@
-// Chooses the patches to draw: one list for all views of a frame.
+// Selection of the patches to draw: one draw list for all views of a frame.
 //
 //   Selection selection(quadtree_preset_named("high")->options(2048));
-//   const DrawList& list = selection.select({.viewer_m = eyes, .views = both_eyes, .bounds = frame.bounds});
+//   const DrawList& list = selection.select({.viewer_m = eyes, .views = both_eyes,
+//                                            .bounds = frame.bounds});
 //
-// The tree is walked with a stack; subtrees that no view can see are left out whole, so it visits what it draws and
-// the nodes above. What is split depends on the viewer alone (level_map.hpp), never on what is seen.
+// The tree is traversed with a stack. Subtrees that no view can see are skipped, so that only
+// visible nodes and their ancestors are visited. Splits depend on the viewer's position only
+// (level_map.hpp), never on the views.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -22,7 +24,7 @@
 
 namespace pelagic {
 
-/// How far the surface leaves its rest anywhere; a frame's own extremes, or those of all frames.
+/// Bounds of the displacement over the whole surface, of one frame or of all frames.
 struct SurfaceBounds {
     double height_min_m = 0;
     double height_max_m = 0;
@@ -35,7 +37,8 @@ struct SurfaceBounds {
           height_max_m(height_max),
           horizontal_x_max_m(horizontal_x_max),
           horizontal_z_max_m(horizontal_z_max) {}
-    /// A frame's bounds, or whatever else has members of these names: the quadtree does not know the sea.
+    /// Converts a frame's bounds, or any other type with members of these names. The quadtree does
+    /// not depend on the simulation.
     template <class Extremes>
     requires requires(const Extremes& e) {
         e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m;
@@ -45,36 +48,41 @@ struct SurfaceBounds {
 };
 
 struct SelectionInput {
-    glm::dvec3 viewer_m{};                 ///< decides the levels; between the eyes of a headset
-    std::optional<glm::dvec2> centre_m{};  ///< the grid is around it; none: around the viewer
-    std::span<const glm::dmat4> views{};   ///< clip from world: both eyes, a shadow's view; none: nothing is culled
+    glm::dvec3 viewer_m{};                 ///< defines the levels; for a headset, between the eyes
+    std::optional<glm::dvec2> centre_m{};  ///< x and z of the grid's centre; default: the viewer
+    /// View-projection matrices, for instance of both eyes and a shadow; if empty, nothing is
+    /// culled.
+    std::span<const glm::dmat4> views{};
     SurfaceBounds bounds{};
-    ClipDepth depth = ClipDepth::either;  ///< of all views
+    ClipDepth depth = ClipDepth::either;  ///< depth range of all views
 };
 
 class Selection {
    public:
-    /// Throws std::invalid_argument(check(options)).
+    /// \throws std::invalid_argument  if check(options) is not empty
     explicit Selection(const QuadtreeOptions& options);
 
-    /// The list stays valid until the next call. Throws std::invalid_argument if a number is not finite, the viewer or
-    /// the centre is further than 1e8 m from the origin, a view has no inverse, there are more than 32 or bounds are upside down; the list is
-    /// then the one before. Never allocates.
+    /// Computes the draw list, which stays valid until the next call. Never allocates.
     ///
-    /// The grid follows the centre in steps of S/4, by which every vertex and every patch from level 2 on stays where
-    /// it is; equation 69's S/(2V) keeps vertices but cuts the patches anew, which pops (errata). The waves fade out
-    /// between 5/16 S and 3/8 S from the centre, which is inside of the grid wherever it snapped to.
+    /// The grid follows the centre in steps of S/4. Every vertex, and every patch from level 2 on,
+    /// keeps its position. The step of equation 69, S/(2V), keeps vertices but changes the patches,
+    /// which is visible as popping (errata). The waves fade out between 5/16 S and 3/8 S from the
+    /// centre, which is inside the grid for every snapped position.
+    /// \throws std::invalid_argument  if a number is not finite, the viewer or the centre is
+    /// further than 1e8 m
+    ///                                from the origin, a view is singular, there are more than 32 views, or a
+    ///                                lower bound exceeds its upper bound; list() then stays unchanged
     const DrawList& select(const SelectionInput& input);
 
     const DrawList& list() const { return list_; }
-    /// The levels over the whole grid as of the last select().
+    /// Returns the levels over the whole grid of the last select().
     const LevelMap& level_map() const { return levels_; }
     const QuadtreeOptions& options() const { return options_; }
 
    private:
-    /// A bit for each view that sees a part of a node, and for each that sees all of it.
+    /// One bit for each view that sees a node partially or wholly.
     struct Views {
-        std::uint32_t part, whole;
+        std::uint32_t partial, whole;
     };
     struct Node {
         std::int32_t level, x, z;
@@ -98,7 +106,7 @@ class Selection {
     DrawList list_;
     std::vector<Frustum> frusta_, next_frusta_;
     std::vector<Node> stack_;
-    std::vector<NodeCulling> culling_;  ///< of each view
+    std::vector<NodeCulling> culling_;  ///< one for each view
     std::vector<Found> found_;
 };
 

@@ -3,7 +3,8 @@
 namespace pelagic {
 
 SkirtMesh::SkirtMesh(int v) : vertices(v) {
-    // t runs so that, seen from above, the sea outside lies to the right of it: see skirt_position().
+    // Seen from above, the outside lies to the right of the direction of increasing t: see
+    // skirt_position().
     for (int t = 0; t < v; ++t) {
         const auto inner = static_cast<std::uint16_t>(2 * t);
         for (const int k : {0, 2, 1, 1, 2, 3}) indices.push_back(static_cast<std::uint16_t>(inner + k));
@@ -11,7 +12,9 @@ SkirtMesh::SkirtMesh(int v) : vertices(v) {
 }
 
 glm::dvec2 skirt_position(const QuadtreeGrid& grid, const SkirtInstance& piece, int t, bool outer) {
-    // East runs up z and west down, north down x and south up: all four turn the same way round.
+    // Along the east side z increases with t, along the west side it decreases. Along the south
+    // side x increases, along the north side it decreases. All four sides have the same
+    // orientation.
     const bool runs_down = piece.side == north || piece.side == west;
     const std::int32_t along = piece.start + (runs_down ? grid.vertices - t : t) * grid.stride(piece.level);
     const std::int32_t across = piece.side == east || piece.side == north ? grid.side : 0;

@@ -1,5 +1,6 @@
-// The flat sea beyond the grid, out to the horizon: four strips of which each border patch draws its piece, so that
-// strip and patch share their vertices and no gap can open (VR Ocean, section 5.7, has three vertex pairs a side).
+// The flat sea beyond the grid up to the horizon: four strips. Each border patch draws its piece,
+// so that strip and patch share vertices and no gap can open (VR Ocean, section 5.7, has three
+// vertex pairs per side).
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,11 @@
 
 namespace pelagic {
 
-/// The strips end where the square of side 2 * skirt_reach * S ends: 10 S from its middle.
+/// The strips end at the square of side 2 * skirt_reach * S: 10 S from the grid's middle.
 inline constexpr double skirt_reach = 10;
 
-/// One mesh for every piece: vertex pairs t = 0 ... V along the border, outer = 0 or 1, number 2 t + outer.
+/// The mesh of every piece: vertex pairs t = 0 ... V along the border, outer = 0 or 1, index 2 t +
+/// outer.
 struct SkirtMesh {
     explicit SkirtMesh(int vertices);
 
@@ -21,7 +23,8 @@ struct SkirtMesh {
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from above
 };
 
-/// Where vertex (t, outer) of a piece lies; y is 0 there. The inner ones are the border patch's own vertices.
+/// Returns x and z of vertex (t, outer) of a piece; y is 0. Inner vertices are vertices of the
+/// border patch.
 glm::dvec2 skirt_position(const QuadtreeGrid& grid, const SkirtInstance& piece, int t, bool outer);
 
 }  // namespace pelagic
