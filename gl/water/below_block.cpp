@@ -1,4 +1,4 @@
-// What the shaders are told of the lens, the floor and the caustics.
+// Uniforms for the lens, the floor and the caustics.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,12 +12,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// Through deeper water nobody sees a floor: at the clearest wavelength exp(-2 k d) is below 1e-4.
+/// Deepest even floor that is visible from above. At the clearest wavelength exp(-2 k d) is then
+/// about 1e-4 in Jerlov type IB (k = 0.031 1/m) and less in more turbid water.
 constexpr double deepest_seen_m = 150;
-/// What repeats on sand does so after this length.
+/// Period of the patterns on sand.
 constexpr double sand_tile_m = 64;
 
-/// w of the near plane: how far ahead of the eye it lies. Which end of the depth range is near depends on the projection.
+/// Returns w of the near plane, which is its distance ahead of the eye. The projection determines
+/// which end of the depth range is near.
 double near_plane(const glm::dmat4& viewer_from_clip) {
     double nearest = 0;
     for (const double z : {-1.0, 1.0}) {
@@ -36,7 +38,7 @@ glm::vec4 lens_of(const DrawInput& input) {
     return {-above, water.slope.x, water.slope.y, near_m};
 }
 
-/// Radians that a pixel is high.
+/// Returns the height of a pixel in radians.
 double pixel_of(const Eye& eye) {
     const glm::dmat4& m = eye.clip_from_world;
     const double w = glm::length(glm::dvec3(m[0][3], m[1][3], m[2][3]));
@@ -44,8 +46,9 @@ double pixel_of(const Eye& eye) {
     return 2 * std::max(w, 1e-9) / (y * std::max(eye.viewport.height, 1));
 }
 
-/// Rows of crests that stand for caustics where an application hands in none: of 0.8 to 1.3 m, down the wind and to both sides of it,
-/// as fast as ripples drift. Whole turns in a loop.
+/// Sets the rows of crests that replace caustics if the application sets none. Their wavelengths
+/// are 0.8 to 1.3 m. They run downwind and to both sides of it, with the drift speed of ripples.
+/// Each row completes whole periods in a loop.
 void place_crests(SceneBlock& block, const SeaFacts& sea, glm::dvec2 viewer) {
     constexpr double lengths_m[] = {1.27, 0.93, 0.81}, turns_rad[] = {0.35, 2.31, -1.52}, drift_mps = 0.3;
     const double loop = sea.time_s / sea.sea.loop_period_s;
@@ -68,10 +71,11 @@ glm::ivec2 floor_cells(const FloorFacts& floor) {
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics) {
     const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
-    // Queries know the frame's waves, not small water: that is seen from the air only.
+    // Queries cover the frame's waves but not small water, which is rendered as seen from the air
+    // only.
     if (sea.surface == Surface::open) block.lens = lens_of(input);
     const bool is_field = floor.columns > 0;
-    // Samples stand in the middles of texels.
+    // Samples are the centres of texels.
     const glm::dvec2 size = glm::dvec2(floor.columns, floor.rows) * floor.metres_a_texel;
     const glm::dvec2 corner = floor.corner_m - viewer;
     if (is_field) {

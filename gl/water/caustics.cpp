@@ -17,17 +17,18 @@ namespace {
 
 constexpr double water_index = 1.333;
 constexpr int side = Caustics::side;
-/// Parts into which a cell's light is cut along each axis: they are half a texel apart, and stretched to four times that still
-/// overlap.
+/// Number of samples of a cell's light along each axis. They are half a texel apart and still
+/// overlap when the cell is stretched by a factor of four.
 constexpr int parts = 2;
-// Light is counted in whole numbers, whose sum does not depend on the order in which threads add: a part of mean light is 256 x
-// 32 x 32, so a texel overflows at 4096 times the mean.
+// Light is counted in integers, so that the sum does not depend on the order in which threads add.
+// A sample of mean light is 256 x 32 x 32, so a texel overflows at 4096 times the mean.
 constexpr float unit = 256;
 constexpr int weight_steps = 32;
-/// Widest blur, texels to either side.
+/// Maximum radius of the blur, texels.
 constexpr int max_radius = 10;
 
-/// Of a sun that stands lower shadows of waves would count, which nobody sees: hardly any light comes in.
+/// Minimum y of the direction to the sun. For a lower sun, waves would shadow each other, but
+/// hardly any light enters the water then.
 constexpr float lowest_sun = 0.1f;
 
 glm::vec3 as_high_as_needed(glm::vec3 sun) {
@@ -39,7 +40,8 @@ glm::vec3 as_high_as_needed(glm::vec3 sun) {
     return {ahead.x * across, lowest_sun, ahead.y * across};
 }
 
-/// Snell's law, from air into water. \param sun  towards it
+/// Refracts sunlight from air into water by Snell's law.
+/// \param sun  unit vector towards the sun
 glm::vec3 refracted(glm::vec3 sun, glm::vec3 normal) {
     constexpr auto eta = static_cast<float>(1 / water_index);
     const float cosine = std::max(glm::dot(sun, normal), 0.f);
@@ -51,7 +53,7 @@ std::size_t index_of(int i, int j) {
     return static_cast<std::size_t>(j & (side - 1)) * side + static_cast<std::size_t>(i & (side - 1));
 }
 
-/// The cascade whose waves gather light nearest the depth, by the ratio.
+/// Returns the cascade whose focal depth is nearest depth_m, measured by their ratio.
 const Cascade& cascade_for(const Frame& frame, double depth_m) {
     const auto off_by = [&](const Cascade& cascade) { return std::abs(std::log(focus_of(cascade) / depth_m)); };
     const Cascade* best = &frame.cascades[0];
@@ -60,8 +62,8 @@ const Cascade& cascade_for(const Frame& frame, double depth_m) {
     return *best;
 }
 
-/// How far waves that are finer than the cascade's move light on the plane, in texels: the root of the mean square along an axis. A
-/// slope turns a ray by (1 - 1/n) of itself.
+/// Returns the root mean square distance, per axis and in texels, by which waves shorter than the
+/// cascade's displace light on the plane. A slope deflects a ray by (1 - 1/n) of its angle.
 double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
     double variance = frame.statistics.unresolved_slopes.total();
     for (const Cascade* finer = &cascade + 1; finer < frame.cascades.data() + frame.cascades.size(); ++finer)
@@ -116,8 +118,13 @@ double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
     return static_cast<double>(*middle);
 }
 
-// The stages, in order: `caustics surface` (the cascade on a grid of `side`, along its own axes), `caustics rays` (where each corner's
-// ray meets the plane), `caustics splat` (light of the cells), `caustics rows` and `caustics columns` (blur), `caustics mips`.
+// Stages, in order:
+//
+//   caustics surface         resamples the cascade on a grid of `side` texels along its own axes
+//   caustics rays            intersects each corner's ray with the plane
+//   caustics splat           adds the light of the cells to the texels
+//   caustics rows, columns   blur
+//   caustics mips            normalises and generates the mips
 struct CausticsBaker::State {
     static constexpr std::size_t cells = std::size_t{side} * side;
 
@@ -156,15 +163,17 @@ struct CausticsBaker::State {
         const double sigma = std::min(blur_of(frame, chosen, options.depth_m), max_radius / 2.5);
         float sum = 0;
         for (int i = -max_radius; i <= max_radius; ++i) {
-            const double way = i / std::max(sigma, 0.3);  // 0.3: next to nothing
-            sum += kernel[static_cast<std::size_t>(i + max_radius)] = static_cast<float>(std::exp(-0.5 * way * way));
+            const double offset = i / std::max(sigma, 0.3);  // 0.3 texels: no visible blur
+            sum += kernel[static_cast<std::size_t>(i + max_radius)] =
+                static_cast<float>(std::exp(-0.5 * offset * offset));
         }
         for (float& weight : kernel) weight /= sum;
         for (std::atomic<std::uint32_t>& count : counts) count.store(0, std::memory_order_relaxed);
         in_flight = true;
     }
 
-    /// Row j of the grid: between the cascade's texels where it has fewer, every so many of them where it has more.
+    /// Resamples row j of the grid: interpolates if the cascade has fewer texels, and skips texels
+    /// if it has more.
     void sample_row(int j) {
         const int n = cascade.resolution();
         std::vector<float> rows[6];
@@ -191,8 +200,9 @@ struct CausticsBaker::State {
         }
     }
 
-    /// Where rays through row j meet the plane, from where they would through flat water; and how much light each cell takes in:
-    /// its area as the sun sees it.
+    /// Computes, for row j, where rays meet the plane relative to rays through flat water, and the
+    /// light that enters each cell, which is proportional to its area projected along the sun's
+    /// rays.
     void refract_row(int j) {
         const auto step = static_cast<float>(cascade.grid.side_m / side);
         const auto depth = static_cast<float>(making.options.depth_m);
@@ -202,13 +212,15 @@ struct CausticsBaker::State {
             const glm::vec3 along = glm::vec3(2 * step, 0, 0) + at(i + 1, j) - at(i - 1, j);
             const glm::vec3 across = glm::vec3(0, 0, 2 * step) + at(i, j + 1) - at(i, j - 1);
             glm::vec3 normal = glm::cross(across, along);
-            normal = normal.y > 0 ? glm::normalize(normal) : glm::vec3(0, 1, 0);  // folded over: as good as level
+            // Where the surface overturns, a level normal is used.
+            normal = normal.y > 0 ? glm::normalize(normal) : glm::vec3(0, 1, 0);
             const glm::vec3 ray = refracted(sun_in_cascade, normal);
             const glm::vec3 here = at(i, j);
             const glm::vec2 moved = glm::vec2(here.x, here.z) +
                                     glm::vec2(ray.x, ray.z) * ((depth + here.y) / std::max(-ray.y, 0.1f)) -
                                     glm::vec2(flat.x, flat.z) * (depth / -flat.y);
-            // Twice the cell's area, as the cross product of its diagonals, projected along the sun's rays.
+            // Twice the cell's area, as the cross product of its diagonals, projected along the
+            // sun's rays.
             const glm::vec3 down = glm::vec3(step, 0, step) + at(i + 1, j + 1) - here;
             const glm::vec3 up = glm::vec3(step, 0, -step) + at(i + 1, j) - at(i, j + 1);
             const float area =
@@ -233,9 +245,9 @@ struct CausticsBaker::State {
         }
     }
 
-    /// Shared among the four texels around a place, by bilinear weights in whole parts.
+    /// Distributes light among the four nearest texels with integer bilinear weights.
     void add_light(glm::vec2 at, std::uint32_t light) {
-        // A texel's middle is half a texel in.
+        // Texel centres are at half-integer coordinates.
         const auto steps = [](float value) {
             return static_cast<int>(std::floor((value - 0.5f) * weight_steps + 0.5f));
         };
@@ -270,7 +282,8 @@ struct CausticsBaker::State {
         }
     }
 
-    /// Divided by all the light that came in, which folds of the surface change a little.
+    /// Divides by the mean light, which differs slightly from 1 where the surface folds, and
+    /// generates the mips.
     void pack() {
         std::uint64_t all = 0;
         for (const std::uint32_t count : counts) all += count;
@@ -298,13 +311,14 @@ struct CausticsBaker::State {
     glm::vec3 sun_in_cascade{0, 1, 0};
     std::array<float, 2 * max_radius + 1> kernel{};
     std::vector<glm::vec3> surface;  ///< displacement along, up, across
-    std::vector<glm::vec3>
-        target;  ///< xy: texels from the corner to where its ray meets the plane; z: light of the cell
+    /// xy: texels from the corner to the point where its ray meets the plane; z: light of the cell.
+    std::vector<glm::vec3> target;
     std::vector<std::atomic<std::uint32_t>> counts;
     std::vector<float> plain, blurred;
     bool in_flight = false;
     JobGraph graph;
-    std::unique_ptr<GraphRun> run;  // last: it waits for what is in flight
+    // Declared last: its destructor waits for jobs that use the other members.
+    std::unique_ptr<GraphRun> run;
 };
 
 CausticsBaker::CausticsBaker(std::shared_ptr<Executor> executor) : state_(new State(executor)) {}

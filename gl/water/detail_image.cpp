@@ -20,10 +20,12 @@ constexpr float two_pi = 6.2831853f;
 void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     std::vector<glm::vec2> slopes(texels.size(), glm::vec2(0));
     for (int wave = 0; wave < 96; ++wave) {
-        // Wave numbers are spread evenly in their logarithm; slopes fall slowly, as in the saturation range, where the
-        // slope spectrum is flat in the logarithm.
+        // Wave numbers are uniformly distributed in their logarithm. Slopes fall slowly with the
+        // wave number, as in the saturation range, where the slope spectrum per logarithmic
+        // interval is constant.
         const float k = 3 * std::pow(72.f / 3, (static_cast<float>(wave) + uniform(engine)) / 96);
-        // The sum of three uniform numbers is round enough for a spread of 45 degrees around the wind.
+        // The sum of three uniform numbers approximates a normal distribution, here of 45 degrees
+        // around the wind.
         const float angle = (uniform(engine) + uniform(engine) + uniform(engine) - 1.5f) * 1.6f;
         const float kx = std::round(k * std::cos(angle)), kz = std::round(k * std::sin(angle));
         const float phase = uniform(engine), length = std::max(1.f, std::hypot(kx, kz));
@@ -43,7 +45,8 @@ void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     }
 }
 
-/// Distance to the nearest and to the second nearest of cells^2 points, one in each cell, in cells.
+/// Cellular noise: distances to the nearest and second nearest of cells^2 points, one in each cell,
+/// in cells.
 class Cells {
    public:
     Cells(int cells, std::minstd_rand& engine) : cells_(cells) {
@@ -83,7 +86,7 @@ void add_lace(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
         for (int x = 0; x < n; ++x) {
             float lace = 0, bend_x = 0, bend_z = 0;
             for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-                // Each layer is bent by the one before, which turns polygons into threads.
+                // Each layer is distorted by the previous one, which turns polygons into threads.
                 const float scale = static_cast<float>(counts[layer]) / n;
                 const float cells = static_cast<float>(counts[layer]);
                 const float u = std::fmod((static_cast<float>(x) + bend_x + n) * scale, cells);
@@ -96,7 +99,8 @@ void add_lace(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
             }
             values[static_cast<std::size_t>(z * n + x)] = lace;
         }
-    // Ranks instead of values: a threshold of a then covers the part 1 - a of the plane, exactly.
+    // Ranks replace the values, so that exactly the fraction 1 - a of the plane exceeds a threshold
+    // a.
     std::vector<std::uint32_t> order(values.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });

@@ -14,28 +14,29 @@ namespace {
 
 constexpr std::size_t texel_bytes = 2 * sizeof(std::uint32_t);
 
-/// To the nearest half, of two the even one; beyond the largest, and of no number, the largest. All choices are masks, so that compilers do
-/// several at once.
+/// Converts to the nearest half float, ties to even. Values beyond the range, and NaN, become the
+/// largest half. All choices are masks, so that compilers vectorise the loop.
 std::uint32_t half_of(float value) {
     constexpr auto largest = std::bit_cast<std::uint32_t>(65504.f),
                    normal_from = std::bit_cast<std::uint32_t>(0x1p-14f);
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t size = std::min(bits & 0x7fffffff, largest);
     const std::uint32_t normal = (size - (112u << 23) + 0xfff + (size >> 13 & 1)) >> 13;
-    // Added to a half, whose last bit is worth 2^-24 as that of a half below its normal ones, it is rounded there.
+    // The last bit of the float 0.5 is worth 2^-24, like that of a subnormal half. Adding 0.5
+    // therefore rounds to a subnormal half.
     const std::uint32_t tiny =
         std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
     const std::uint32_t is_tiny = 0u - static_cast<std::uint32_t>(size < normal_from);
     return (bits >> 16 & 0x8000) | (tiny & is_tiny) | (normal & ~is_tiny);
 }
 
-/// A row of the grid with those before and after it.
+/// A row of the grid with its neighbours.
 struct Rows {
     const float *before, *here, *after;
     const std::uint8_t* foam;
 };
 
-/// Two words a texel: a loop of these is one that compilers do in lanes.
+/// Packs a texel into two words. Compilers vectorise loops over this function.
 void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t right, float half_a_texel,
                 std::uint32_t* to) {
     to[2 * i] = half_of(rows.here[i]) | half_of((rows.here[right] - rows.here[left]) * half_a_texel) << 16;
@@ -46,19 +47,19 @@ void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t r
 }  // namespace
 
 std::string check(const DynamicWavesView& water, int largest_side) {
-    const auto refused = [](const char* what, auto value, const std::string& needs) {
+    const auto invalid = [](const char* what, auto value, const std::string& needs) {
         return invalid_value_message("Frame::dynamic_waves." + std::string(what), value, needs);
     };
     if (!water) return {};
     if (water.resolution > largest_side || std::popcount(static_cast<unsigned>(water.resolution)) != 1)
-        return refused("resolution", water.resolution,
+        return invalid("resolution", water.resolution,
                        "a power of two up to the driver's " + std::to_string(largest_side));
-    if (!(water.texel_m > 0) || !std::isfinite(water.texel_m)) return refused("texel_m", water.texel_m, "(0, inf)");
+    if (!(water.texel_m > 0) || !std::isfinite(water.texel_m)) return invalid("texel_m", water.texel_m, "(0, inf)");
     const std::size_t texels =
         static_cast<std::size_t>(water.resolution) * static_cast<std::size_t>(water.resolution);
     const std::string all = "resolution^2, " + std::to_string(texels);
-    if (water.height_m.size() != texels) return refused("height_m.size()", water.height_m.size(), all);
-    if (water.foam.size() != texels) return refused("foam.size()", water.foam.size(), all);
+    if (water.height_m.size() != texels) return invalid("height_m.size()", water.height_m.size(), all);
+    if (water.foam.size() != texels) return invalid("foam.size()", water.foam.size(), all);
     return {};
 }
 
@@ -103,7 +104,7 @@ void DynamicWaveTextures::upload(const DynamicWavesView& water) {
     const GlStateGuard keep(gl_);
     if (water.resolution != resolution_) make_textures(water.resolution);
     const auto words = std::size_t{2} * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
-    // GL's buffers are as aligned as TextureTargets are.
+    // Mapped GL buffers have the alignment that TextureTargets require.
     pack(water, {reinterpret_cast<std::uint32_t*>(pixels_->map()), words});
     const std::uintptr_t texels = pixels_->hand_over();
     set_ = 1 - set_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int n = FoamImage::side;
 
-/// Of a layer: what is ranked, two signed numbers, a part.
+/// Texels of a layer: the value to rank, two signed numbers, a number in [0, 1].
 using Texels = std::vector<glm::vec4>;
 
 std::size_t at(int x, int y, int side = n) {
@@ -23,7 +23,7 @@ std::size_t at(int x, int y, int side = n) {
            static_cast<std::size_t>(x & (side - 1));
 }
 
-/// A raft of round caps of three sizes: the small ones fill what the large ones leave.
+/// Round caps of three sizes. Small bubbles fill the gaps between large ones.
 class Bubbles {
    public:
     explicit Bubbles(std::minstd_rand& engine)
@@ -34,7 +34,7 @@ class Bubbles {
         float highest = 0;
         for (std::size_t size = 0; size < sizes_.size(); ++size) {
             const glm::vec2 d = sizes_[size].nearest(place);
-            const float across = std::clamp(1 - (d.y - d.x) * 1.6f, 0.f, 1.f);  // 1 at the wall
+            const float across = std::clamp(1 - (d.y - d.x) * 1.6f, 0.f, 1.f);  // 1 at a wall
             highest = std::max(highest, heights[size] * std::sqrt(1 - across * across));
         }
         return {highest, 0, 0, highest};
@@ -44,8 +44,8 @@ class Bubbles {
     std::array<CellNoise, 3> sizes_;
 };
 
-/// Threads along the walls of cells. Those around the largest cells are the last to go: foam that ages opens from the middle
-/// of its cells on. Weak places tear the threads.
+/// Threads along the walls of cells. As foam ages, holes grow from the centres of the cells, and
+/// threads around the largest cells vanish last. Low-frequency noise breaks the threads.
 class Lace {
    public:
     explicit Lace(std::minstd_rand& engine)
@@ -56,7 +56,7 @@ class Lace {
 
     glm::vec4 texel(glm::vec2 place) const {
         constexpr std::array strengths = {1.f, 0.84f, 0.62f};
-        constexpr std::array fading = {7.f, 9.f, 9.f};  // of strength, over a part of the cascade
+        constexpr std::array fading = {7.f, 9.f, 9.f};  // decrease of strength per texture period
         const glm::vec2 bent = place + 0.04f * glm::vec2(bend_[0].at(place), bend_[1].at(place)) +
                                0.010f * glm::vec2(fine_bend_[0].at(place), fine_bend_[1].at(place));
         float thread = 0, froth = 0;
@@ -74,7 +74,7 @@ class Lace {
     std::array<GradientNoise, 2> bend_, fine_bend_, weak_;
 };
 
-/// Ridges down the wind that meet and part, with breaks.
+/// Ridges along the wind that merge and split, with gaps.
 class Streaks {
    public:
     explicit Streaks(std::minstd_rand& engine)
@@ -105,7 +105,8 @@ class Streaks {
     std::array<GradientNoise, 2> warp_, fine_warp_, patches_;
 };
 
-/// Slopes of what is ranked by central differences, so scaled that few leave [-1, 1].
+/// Computes slopes of the value to rank by central differences, scaled so that few exceed [-1, 1]
+/// before clamping.
 void add_slopes(Texels& texels) {
     double square = 0;
     for (int y = 0; y < n; ++y)
@@ -122,7 +123,8 @@ void add_slopes(Texels& texels) {
     }
 }
 
-/// Ranks within (0, 1) instead of the values of one member: however they are distributed, thresholds then cover what they say.
+/// Replaces the values of one member by their ranks in (0, 1). For any distribution of values, the
+/// fraction 1 - a of the texels then exceeds a threshold a.
 void rank(Texels& texels, float glm::vec4::*member) {
     std::vector<std::pair<float, std::uint32_t>> order(texels.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {texels[i].*member, i};
@@ -141,12 +143,13 @@ Texels halved(const Texels& texels, int side) {
     return coarser;
 }
 
-std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::clamp(part, 0.f, 1.f) * 255 + 0.5f); }
+std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 std::uint8_t signed_byte_of(float value) {
     return static_cast<std::uint8_t>(128 + std::lround(std::clamp(value, -1.f, 1.f) * 127));
 }
 
-/// The first byte of a layer in a level; of level `levels` and layer 0: how many there are.
+/// Returns the offset of a layer in a level. Level `levels` and layer 0 give the total number of
+/// bytes.
 std::size_t start_of(int level, int layer) {
     std::size_t texels = 0;
     for (int m = 0; m < level; ++m) texels += std::size_t{FoamImage::layers} << 2 * (FoamImage::levels - 1 - m);
@@ -154,7 +157,8 @@ std::size_t start_of(int level, int layer) {
     return 4 * texels;
 }
 
-/// Stages: `foam rows` (values, rows of all layers) and `foam levels` (a job is a layer: slopes, ranks, mips).
+/// Stages: `foam rows` computes values for rows of all layers; `foam levels` computes slopes, ranks
+/// and mips, with one job per layer.
 class FoamBake {
    public:
     FoamBake() {
@@ -196,7 +200,8 @@ class FoamBake {
         rank(texels, &glm::vec4::x);
         for (int level = 0; level < FoamImage::levels; ++level) {
             Texels shown = texels;
-            // Averages crowd around the middle, where a threshold would cover all or nothing.
+            // Averages concentrate around 0.5, where a threshold would cover all or nothing, so
+            // they are ranked again.
             if (level > 0) rank(shown, &glm::vec4::x);
             std::uint8_t* to = &image_.texels[start_of(level, layer)];
             for (const glm::vec4& texel : shown) {

@@ -30,7 +30,7 @@ bool shows_foam(const Frame& frame) {
     return std::none_of(frame.cascades.begin(), frame.cascades.end(), has_no_foam);
 }
 
-/// Why the textures can't take the frame; empty if they can.
+/// Returns an empty string if the frame can be uploaded, else the reason.
 std::string invalid_value_of(const Frame& frame, int resolution, std::size_t cascades, bool is_mapped) {
     if (frame.cascades.size() != cascades)
         return "the frame has " + std::to_string(frame.cascades.size()) + " cascades, the renderer was made for " +
@@ -72,7 +72,7 @@ std::size_t FrameTextures::chain_bytes() const {
     return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * cascades_;
 }
 
-/// Level by level, so that one call takes a level of all cascades.
+/// Copies chains level by level, so that one GL call uploads a level of all cascades.
 template <class Texel>
 void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Cascade::*map) const {
     for (int level = 0; level < mip_levels(resolution_); ++level)
@@ -83,7 +83,7 @@ void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<con
         }
 }
 
-/// All cascades' displacement, then their slopes, then their moments.
+/// Copies the displacement of all cascades, then their slopes, then their moments.
 void FrameTextures::fill(std::byte* to, const Frame& frame) const {
     fill_chains(to + displacement_bytes(), frame, &Cascade::slopes_rgba8);
     fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Cascade::moments_rgba8);

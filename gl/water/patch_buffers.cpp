@@ -20,7 +20,7 @@ Buffer make_buffer(const Functions& gl, GLenum target, const std::vector<Item>& 
     return buffer;
 }
 
-/// Each edge of a range's triangles once.
+/// Returns the indices of each edge of a range's triangles once.
 std::vector<std::uint16_t> edges_of(const PatchMesh& mesh, const PatchMesh::Range& range) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t i = range.first; i < range.first + range.count; i += 3)
@@ -41,7 +41,7 @@ std::vector<std::uint16_t> edges_of(const PatchMesh& mesh, const PatchMesh::Rang
 }  // namespace
 
 PatchBuffers::PatchBuffers(const Functions& gl, int vertices) : gl_(gl), mesh_(vertices) {
-    gl.BindVertexArray(0);  // index buffers belong to the array that is bound
+    gl.BindVertexArray(0);  // index buffers are bound to the current vertex array
     vertices_ = make_buffer(gl, GL_ARRAY_BUFFER, mesh_.positions);
     triangles_ = make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices);
     const std::vector<std::uint16_t> skirt = SkirtMesh(vertices).indices;
@@ -74,7 +74,7 @@ PatchBuffers::PatchBuffers(const Functions& gl, int vertices) : gl_(gl), mesh_(v
     gl.BindVertexArray(0);
 }
 
-// The instances' attributes are pointed at in each draw: ES 3.0 has no first instance.
+// Each draw call sets the pointers of the instance attributes, because ES 3.0 has no base instance.
 void PatchBuffers::describe_patches(const Buffer& indices) {
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
@@ -93,7 +93,8 @@ std::size_t PatchBuffers::upload(const DrawList& list) {
     const std::size_t skirt_bytes = list.skirt.size() * sizeof(SkirtInstance);
     gl_.BindBuffer(GL_ARRAY_BUFFER, lists.instances.name());
     lists.capacity = std::max(lists.capacity, 2 * (patch_bytes + skirt_bytes));
-    // New storage each time: the driver keeps the old one until it is drawn.
+    // The buffer gets new storage on each upload. The driver keeps the old storage until its draws
+    // are complete.
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lists.capacity), nullptr, GL_STREAM_DRAW);
     gl_.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(patch_bytes), list.instances.data());
     lists.skirt_offset = patch_bytes;

@@ -1,4 +1,4 @@
-// Everything that the shaders are told, computed in double and relative to the viewer.
+// Computes the uniforms in double precision and relative to the viewer.
 #include "pelagic/gl/water/scene_block.hpp"
 
 #include <algorithm>
@@ -17,37 +17,42 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double gravity_mps2 = 9.81;
-/// The sun seen from the earth: 16 minutes of arc.
+/// Angular radius of the sun: 16 minutes of arc.
 constexpr float sun_radius_rad = 0.00465f;
 
-/// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
-constexpr float detail_part = 0.75f;
-/// A cascade of ripples in texels of the finest cascade: its longest waves, a third of it, are as long as the sea's shortest.
+/// Fraction of the unresolved (subgrid) mean square slope that ripples represent. Waves of the
+/// remainder are shorter than ripples.
+constexpr float detail_fraction = 0.75f;
+/// Period of the ripples in texels of the finest cascade. The longest ripples, a third of the
+/// period, are as long as the shortest waves of the cascade.
 constexpr double detail_texels = 6;
-/// Layers have no period in common: their sizes stand in powers of the golden ratio.
+/// Golden ratio. Sizes of layers are related by its powers, so that they have no common period.
 constexpr double golden = 1.6180339887;
-/// Where in the ripples each place looks follows a noise that repeats after so many cascades; scene.glsl has the same number.
+/// Period, in ripple periods, of the noise that offsets the texture coordinates of ripples.
+/// scene.glsl has this number too.
 constexpr double ripple_noise_tiles = 13;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
-/// The horizon softens over this angle below it.
+/// Angle below the horizon over which the horizon is softened.
 constexpr double softened_horizon_rad = 0.15 * pi / 180;
-/// The noise that tells the copies of a cascade apart repeats after so many sides, which no whole number of cascades comes near.
+/// Period, in sides of a cascade, of the noise that varies the copies of the cascade. The value is
+/// far from every integer.
 constexpr double noise_sides = 12 * golden;
 
-/// Of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
+/// Illuminance of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
 constexpr float star_illuminance_lx = 2.54e-6f;
 
 double fraction(double value) { return value - std::floor(value); }
 
-/// Where the viewer is in a square that is turned and repeats, [0, 1).
+/// Returns the coordinates of a point in a rotated periodic square, [0, 1).
 glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {fraction((c * at.x + s * at.y) / tile_m), fraction((c * at.y - s * at.x) / tile_m)};
 }
 
 void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
-    // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
+    // Texel (i, j) of a cascade lies at i L/N, j L/N. The centre of the texture's texel is half a
+    // texel further.
     const double half_texel = 0.5 / facts.resolution;
     for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
         const CascadeFacts& cascade = facts.cascades[i];
@@ -57,7 +62,7 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
                                   cascade.grid.cosine / side, cascade.grid.sine / side};
         const double noise_m = noise_sides * side;
         block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
-        // A texel of that mip is as long as the longest waves.
+        // Texels of the last mip are as long as the longest waves.
         const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
         block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};
         block.cascade_slope[i] = {cascade.ranges.slope, cascade.ranges.variance, cascade.slope_variance,
@@ -73,7 +78,8 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     for (int layer = 0; layer < 2; ++layer) {
         const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
         const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
-        // Ripples travel as waves of a tenth of the cascade do in deep water; the way in a loop is whole cascades.
+        // Ripples travel with the speed of deep-water waves of a tenth of the period. They cover a
+        // whole number of periods in a loop.
         const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
         const double repeats = std::round(speed * sea.loop_period_s / tile_m);
         noise[layer] = place_in_square(viewer, angle, ripple_noise_tiles * tile_m);
@@ -83,15 +89,17 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
     block.detail_noise = {glm::vec2(noise[0]), glm::vec2(noise[1])};
-    const glm::dvec4 cascades(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
-    block.noise_scale = glm::vec4(1.0 / cascades);
-    const glm::dvec2 turned(viewer.y, viewer.x);
-    const auto placed = [](glm::dvec2 at, double cascade) { return glm::vec2(place_in_square(at, 0, cascade)); };
-    block.gust_shift = {placed(viewer, cascades.z), placed(turned, cascades.w)};
+    // Periods in metres: bubbles, lace and two of gusts.
+    const glm::dvec4 periods_m(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);
+    block.noise_scale = glm::vec4(1.0 / periods_m);
+    const glm::dvec2 swapped(viewer.y, viewer.x);
+    const auto placed = [](glm::dvec2 at, double period_m) { return glm::vec2(place_in_square(at, 0, period_m)); };
+    block.gust_shift = {placed(viewer, periods_m.z), placed(swapped, periods_m.w)};
 }
 
-/// Texel i of the world stands at i texels and is kept in column i mod N. The outermost ones are 0 and have neighbours on the other
-/// side only: dynamic_waves.cpp's sample() leaves them out, too.
+/// Sets the placement of the dynamic-wave grid. World texel i lies at i texel_m and is stored in
+/// column i mod N. The outermost texels are 0, and their neighbours in the texture belong to the
+/// opposite side. They are excluded, as in sample() of dynamic_waves.cpp.
 void place_dynamic_waves(SceneBlock& block, const DynamicWaveFacts& dynamic_waves, glm::dvec2 viewer) {
     if (dynamic_waves.resolution == 0) return;
     const double n = dynamic_waves.resolution;
@@ -103,17 +111,18 @@ void place_dynamic_waves(SceneBlock& block, const DynamicWaveFacts& dynamic_wave
                                   0.5 * (n - 3) * dynamic_waves.texel_m, 0};
 }
 
-/// The moon's disc and the stars.
+/// Sets the uniforms of the moon's disc and the stars.
 void place_night(SceneBlock& block, const SkyLight& sky) {
-    const float lit_part = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
-    block.moon = {sky.true_sun_direction, sky.key_is_moon ? std::max(lit_part, 0.01f) : 0};
-    // While the sun is less than 6 degrees down nobody sees stars.
+    const float lit_fraction = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
+    block.moon = {sky.true_sun_direction, sky.key_is_moon ? std::max(lit_fraction, 0.01f) : 0};
+    // No stars are visible while the sun is less than 6 degrees below the horizon.
     constexpr float civil_twilight = -0.1045f;
     const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
 }
 
-/// Foam's structure drifts as foam does, along two directions of the world. In a loop that is whole cascades of the structure.
+/// Drift of the foam structure, which moves with the foam. Along each of two directions it covers a
+/// whole number of texture periods in a loop.
 class FoamDrift {
    public:
     explicit FoamDrift(const SeaFacts& facts)
@@ -121,7 +130,7 @@ class FoamDrift {
                          facts.sea.loop_period_s),
           loop_(fraction(facts.time_s / facts.sea.loop_period_s)) {}
 
-    /// Where the viewer is in a structure that repeats after so many metres along a direction, [0, 1).
+    /// Returns the viewer's coordinate along a direction in a texture of period tile_m, [0, 1).
     float place(glm::dvec2 viewer, glm::dvec2 direction, double tile_m) const {
         const double repeats = std::round(glm::dot(metres_a_loop_, direction) / tile_m);
         return static_cast<float>(fraction(glm::dot(viewer, direction) / tile_m - repeats * loop_));
@@ -147,13 +156,14 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     std::size_t cascades = 0;
     for (std::size_t i = 0; i < facts.cascades.size(); ++i)
         if (facts.has_foam && facts.cascades[i].makes_foam) cascades = i + 1;
-    // Windrows form above 3 m/s and are tight in a gale.
+    // Windrows form at wind speeds above 3 m/s and are narrow in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
     constexpr double fresh_foam_m = 0.12;
     block.foam_kind = {cascades, 0.5 - 0.2 * order, fresh_foam_m, order};
 }
 
-/// Texels stand where the shore says; a texture's have their middles half a texel further.
+/// Sets the placement of the shore. Samples lie at corner_m + (i, j) texel_m; the centres of the
+/// texture's texels are half a texel further.
 void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm::dvec2 viewer) {
     const glm::dvec2 texels(shore.columns, shore.rows);
     const glm::dvec2 place = (viewer - shore.corner_m) / shore.texel_m + 0.5;
@@ -162,7 +172,7 @@ void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm:
                         has_mips ? mip_levels(std::max(shore.columns, shore.rows)) - 1 : 0};
 }
 
-/// Mean of a cascade's foam, from a level whose texels are many enough to tell a thousandth.
+/// Returns the mean of a cascade's foam, from a level with enough texels to resolve a thousandth.
 float cover_of(const Cascade& cascade) {
     if (cascade.foam_r8.empty()) return 0;
     const std::span<const std::uint8_t> bytes =
@@ -183,8 +193,9 @@ SeaFacts facts_of(const Frame& frame) {
                                      .texel_m = frame.dynamic_waves.texel_m,
                                      .first_x = frame.dynamic_waves.first_x,
                                      .first_z = frame.dynamic_waves.first_z}};
-    // A finer cascade's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
-    // there are that it takes more of them (sim/cascade_plan.hpp).
+    // A finer cascade holds waves shorter than three texels of the coarser cascade
+    // (sim/spectrum/bands.cpp). With few analytic waves it also takes longer ones
+    // (sim/cascade_plan.hpp).
     double longest_wave_m = frame.cascades[0].grid.side_m;
     for (const Cascade& cascade : frame.cascades) {
         if (frame.sea.waves == WaveModel::analytic && !facts.cascades.empty())
@@ -230,7 +241,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {water.absorption_per_m, sea.depth_m};
     const float alpha = static_cast<float>(facts.statistics.roughness);
-    const float detail_square = detail_part * alpha * alpha;
+    const float detail_square = detail_fraction * alpha * alpha;
     block.water_backscattering = {water.backscattering_per_m, detail_square};
     block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;

@@ -55,7 +55,7 @@ FloorTexels texels_of(const SeaFloor& floor) {
     for (int level = 0;; ++level) {
         for (const float height : heights) texels.halves.push_back(glm::packHalf1x16(height));
         if (level + 1 == texels.levels) return texels;
-        // As GL counts levels: half of it, rounded down, at least one.
+        // GL's sizes of mip levels: half, rounded down, at least one.
         const int fewer_columns = std::max(columns / 2, 1), fewer_rows = std::max(rows / 2, 1);
         std::vector<float> coarser;
         for (int j = 0; j < fewer_rows; ++j)

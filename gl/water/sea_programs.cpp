@@ -14,7 +14,7 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
     if (variant.shore) defines += "#define SHORE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
-    // No water answers beyond the patches.
+    // Dynamic waves do not reach beyond the patches.
     const std::string of_patches = defines + (variant.dynamic_waves ? "#define DYNAMIC_WAVES\n" : "");
     return {{{"sea.vert.glsl", "sea.frag.glsl", of_patches},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},

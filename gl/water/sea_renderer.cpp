@@ -116,15 +116,15 @@ struct SeaRenderer::State {
         statistics.draw_driver_ms += counts.driver_ms;
     }
 
-    /// What a draw needs beyond the open sea. What nobody needs costs no pixel anything.
+    /// Optional features of a draw. Features that are off cost no time per pixel.
     struct Extras {
-        bool below = false;  ///< a floor shows, or a lens is near the water
+        bool below = false;  ///< a floor is visible, or a lens is near the water
         bool mirrors_scene = false;
         bool dynamic_waves = false;
         bool shore = false;
     };
 
-    /// Programs with extras are compiled when they are first needed.
+    /// Selects the programs for a set of features and compiles them at the first use.
     void choose_programs(const Extras& with) {
         const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
         std::unique_ptr<SeaPrograms>& chosen =
@@ -141,7 +141,8 @@ struct SeaRenderer::State {
         programs = chosen.get();
     }
 
-    /// Strips of a grid, made in the vertex shader. Seen from the air only where it may rise above the water.
+    /// Draws the floor as strips of a grid that the vertex shader generates. From the air it is
+    /// drawn only if it is a height field, which may rise above the water.
     void draw_floor(int eye) {
         const glm::ivec2 cells = floor_cells(floor_facts);
         programs->floor.use(gl, eye);
@@ -159,7 +160,7 @@ struct SeaRenderer::State {
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(*input.list));
         if (!input.draws_sky && !lens_is_wet) return;
-        // Behind the sea, where it did not draw: its triangle lies on the far plane.
+        // The triangle lies on the far plane, so only pixels without sea or floor are drawn.
         programs->background.use(gl, eye);
         gl.DepthMask(GL_FALSE);
         gl.BindVertexArray(empty.name());
@@ -170,7 +171,8 @@ struct SeaRenderer::State {
         ++statistics.sky_calls;
     }
 
-    /// Faces a little further away and nearly black, so that they hide the lines behind them.
+    /// Draws nearly black faces with a depth offset, so that they hide the lines behind them, then
+    /// the lines.
     void draw_wireframe(const DrawInput& input, int eye) {
         programs->wireframe.use(gl, eye);
         gl.Enable(GL_POLYGON_OFFSET_FILL);
@@ -188,9 +190,9 @@ struct SeaRenderer::State {
     DynamicWaveTextures dynamic_waves;
     ShoreTextures shore;
     SeaFacts facts;
-    /// By Extras: below, mirrors_scene, dynamic_waves, shore.
+    /// Indexed by Extras: below, mirrors_scene, dynamic_waves, shore.
     std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
-    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
+    SeaPrograms* programs = nullptr;  ///< programs of the current draw()
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, foam, sky, floor, caustics, flow;
     FloorFacts floor_facts;
@@ -360,7 +362,8 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     statistics.instance_bytes = s.buffers->upload(*input.list);
     s.bind_textures(mirrors_scene ? *input.application_scene : ApplicationScene{});
-    // The rest is as GlStateGuard begins. Crests that fold show their undersides: nothing is culled.
+    // GlStateGuard has set all other state. Faces are not culled, because folded crests show their
+    // undersides.
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
 

@@ -15,8 +15,8 @@ constexpr std::size_t water_bytes = 4 * sizeof(std::uint16_t), reach_bytes = siz
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
-/// To the nearest, of two equally near ones the even one; what is smaller than 6e-5 is 0 and what is larger than a half the largest, so
-/// that compilers make lanes of it.
+/// Converts to the nearest half float, ties to even. Magnitudes below 6e-5 become 0, and values
+/// beyond the range become the largest half, so that compilers vectorise the loop.
 std::uint16_t half_of(float value) {
     constexpr std::uint32_t min_normal = 0x38800000, largest = 0x477FE000;
     const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -25,14 +25,15 @@ std::uint16_t half_of(float value) {
     return static_cast<std::uint16_t>((bits >> 16 & 0x8000) | (magnitude < min_normal ? 0 : rounded - (112 << 10)));
 }
 
-/// Central differences; beyond the rectangle, as on its edges, the height is 0.
+/// Fills height, slopes and foam. Slopes are central differences. The height is 0 on the edges of
+/// the rectangle and beyond.
 void fill_water(std::uint16_t* to, const ShoreSurface& shore) {
     const float per_m = static_cast<float>(0.5 / shore.texel_m);
     const std::size_t columns = static_cast<std::size_t>(shore.columns), rows = static_cast<std::size_t>(shore.rows);
     for (std::size_t j = 0; j < rows; ++j) {
         const float* const h = shore.height_m.data() + j * columns;
-        const auto from_row = [&](bool is_there, std::ptrdiff_t way, std::size_t i) {
-            return is_there ? h[static_cast<std::ptrdiff_t>(i) + way * static_cast<std::ptrdiff_t>(columns)] : 0.f;
+        const auto from_row = [&](bool is_there, std::ptrdiff_t offset, std::size_t i) {
+            return is_there ? h[static_cast<std::ptrdiff_t>(i) + offset * static_cast<std::ptrdiff_t>(columns)] : 0.f;
         };
         for (std::size_t i = 0; i < columns; ++i, to += 4) {
             const float before_x = i > 0 ? h[i - 1] : 0, after_x = i + 1 < columns ? h[i + 1] : 0;
@@ -79,7 +80,7 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
 
     const std::size_t texels = shore.height_m.size();
     std::byte* const start = pixels_->map();
-    // Their address says nothing: another ocean may have other parts there.
+    // Contents are compared, because another ocean may have other weights at the same address.
     const bool has_other_parts =
         !std::equal(parts_rgba8_.begin(), parts_rgba8_.end(), shore.parts_rgba8.begin(), shore.parts_rgba8.end());
     if (has_other_parts) {

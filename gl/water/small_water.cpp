@@ -11,34 +11,36 @@ namespace pelagic::gl {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double gravity_mps2 = 9.81, surface_tension_m3ps2 = 7.4e-5;  // of water, over its density
+/// surface_tension_m3ps2 is the surface tension of water over its density.
+constexpr double gravity_mps2 = 9.81, surface_tension_m3ps2 = 7.4e-5;
 constexpr double golden = 1.6180339887;
 constexpr std::array<std::string_view, 5> names = {"open", "lake", "coast", "river", "pond"};
 
 double fraction(double value) { return value - std::floor(value); }
 
-/// Cycles in a loop of waves of that wave number, whole, so that the loop closes.
+/// Returns the number of cycles in a loop of waves with wave number k, rad/m, rounded so that the
+/// loop closes.
 double cycles(double k, double loop_s) {
     return std::round(std::sqrt(gravity_mps2 * k + surface_tension_m3ps2 * k * k * k) * loop_s / (2 * pi));
 }
 
-/// How far into the loop, [0, 1).
-double loop_part(const SeaFacts& facts) { return fraction(facts.time_s / facts.sea.loop_period_s); }
+/// Returns the elapsed fraction of the loop, [0, 1).
+double loop_fraction(const SeaFacts& facts) { return fraction(facts.time_s / facts.sea.loop_period_s); }
 
-/// Mean square slope of clean water, both axes (Cox and Munk 1954).
+/// Returns the mean square slope of clean water, summed over both axes (Cox and Munk 1954).
 double mean_square_slope(double wind_mps) { return 0.003 + 0.00512 * wind_mps; }
 
-/// Octaves of a kind of small water.
+/// Octaves of noise for a kind of small water.
 struct Octaves {
-    double largest_m;         ///< half a wave: a cell of the noise
-    double crest_length = 1;  ///< over that of a wave
-    double slope_square;      ///< of all together
-    double slope_growth = 1;  ///< of the slope, from an octave to the next
-    double turning = 0.2;     ///< how often gradients turn while a wave passes; at 1 the surface would boil
-    double drift = 0;         ///< how fast waves run down the wind, over the speed of waves of their length
+    double largest_m;         ///< noise cell of the first octave, which is half a wavelength
+    double crest_length = 1;  ///< length of crests over wavelength
+    double slope_square;      ///< mean square slope of all octaves
+    double slope_growth = 1;  ///< factor of the slope from one octave to the next
+    double turning = 0.2;     ///< rotations of gradients per wave period; 1 looks like boiling
+    double drift = 0;         ///< speed downwind over the phase speed of waves of this length
 };
 
-/// As noise_slope_square in the shader.
+/// Equals noise_slope_square in small_water.glsl.
 constexpr double noise_slope_square = 0.7796;
 constexpr int period_cells = 64;
 
@@ -61,27 +63,29 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     const double first_slope =
         std::sqrt(kind.slope_square / (squares * noise_slope_square * 0.5 * (1 + contraction * contraction)));
     for (std::size_t i = 0; i < block.bump_grid.size(); ++i) {
-        // A little less than half, so that no two grids share their lines; they fan out around the wind.
+        // The factor is slightly below one half, so that no two grids share their lines. The grids'
+        // directions spread around the wind.
         const double cell_m = kind.largest_m * std::pow(0.47, i);
         const double angle = sea.wind_direction_rad + 0.9 * (fraction(static_cast<double>(i) * golden) - 0.5) * 2;
         const double c = std::cos(angle), s = std::sin(angle);
         const double k = pi / cell_m, turns = cycles(k, sea.loop_period_s);
-        // The way in a loop is whole periods.
+        // Octaves drift by a whole number of periods in a loop.
         const double speed = kind.drift * turns * 2 * cell_m / sea.loop_period_s;
         const double periods = std::round(speed * sea.loop_period_s / (period_cells * cell_m));
-        const double along = (c * viewer.x + s * viewer.y) / cell_m - periods * period_cells * loop_part(facts);
+        const double along = (c * viewer.x + s * viewer.y) / cell_m - periods * period_cells * loop_fraction(facts);
         const double across = contraction * (c * viewer.y - s * viewer.x) / cell_m;
         const auto cell = [](double place) { return fraction(std::floor(place) / period_cells) * period_cells; };
         block.bump_grid[i] = {c, s, 1 / cell_m, first_slope * std::pow(kind.slope_growth, i) * cell_m};
         block.bump_place[i] = {fraction(along), fraction(across), cell(along), cell(across)};
         const double changes = std::max(1., std::round(kind.turning * turns));
-        block.bump_turn[i / 4][static_cast<int>(i % 4)] = static_cast<float>(fraction(changes * loop_part(facts)));
+        block.bump_turn[i / 4][static_cast<int>(i % 4)] =
+            static_cast<float>(fraction(changes * loop_fraction(facts)));
     }
     block.bump_kind = {contraction, 0, 0, 0};
     if (facts.surface != Surface::coast) return;
-    // Foam on crests from 5 m/s on, all that there is at 15.
+    // Foam forms on crests at wind speeds above 5 m/s and reaches its maximum at 15 m/s.
     const double foam = std::clamp((sea.wind_speed_mps - 5) / 10, 0., 1.);
-    const double warp = 0.9;  // metres along the wind for a metre of height
+    const double warp = 0.9;  // metres along the wind per metre of height
     block.bump_kind = {contraction, foam, -warp * std::cos(sea.wind_direction_rad),
                        -warp * std::sin(sea.wind_direction_rad)};
     block.waves.x = 4 * static_cast<float>(0.21 * first_slope * kind.largest_m * 1.2);
@@ -94,21 +98,23 @@ void place_pond(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     double squares = 0;
     for (std::size_t i = 0; i < block.pond_wave.size(); ++i)
         squares += std::pow(growth * weight, 2. * static_cast<double>(i));
-    // 0.1076: of a wave of slope 1, as in the shader.
+    // 0.1076: mean square slope of a wave with unit height times wave number, as in
+    // small_water.glsl.
     const double height = std::sqrt(0.5 * mean_square_slope(sea.wind_speed_mps) / (squares * 0.1076)) / first_k;
     for (std::size_t i = 0; i < block.pond_wave.size(); ++i) {
         const double k = first_k * std::pow(growth, i);
         const double angle =
             sea.wind_direction_rad + 1.1 * pi * (fraction(0.5 + static_cast<double>(i) * golden) - 0.5);
         const glm::dvec2 wave = k * glm::dvec2(std::cos(angle), std::sin(angle));
-        // A phase of its own, by the golden ratio's sequence; crests run the way the wave vector points.
+        // Each wave has its own phase from the golden ratio sequence. Crests travel along the wave
+        // vector.
         const double turns = (wave.x * viewer.x + wave.y * viewer.y) / (2 * pi) -
-                             cycles(k, sea.loop_period_s) * loop_part(facts) +
+                             cycles(k, sea.loop_period_s) * loop_fraction(facts) +
                              fraction(static_cast<double>(i * i) * golden);
         block.pond_wave[i] = {wave.x, wave.y, height * std::pow(weight, i), 2 * pi * fraction(turns)};
     }
     block.bump_kind = {1, drag / (first_k * height), 0, 0};
-    // Deviation of exp(sin - 1): 0.30.
+    // 0.30: standard deviation of exp(sin - 1).
     block.waves.x = static_cast<float>(4 * 0.30 * height / std::sqrt(1 - weight * weight));
 }
 
@@ -116,10 +122,11 @@ void place_flow(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const FlowExtent& flow = facts.flow;
     constexpr double cycle_s = 2.5;
     const double count = std::max(1., std::round(facts.sea.loop_period_s / cycle_s));
-    const double cycle = count * loop_part(facts);
+    const double cycle = count * loop_fraction(facts);
     const auto jump = [&](double of) {
         const double number = std::fmod(std::floor(of), count);
-        return glm::dvec2(fraction(number * 0.7548777), fraction(number * 0.5698403)) * 19.;  // R2, Roberts 2018
+        // The R2 sequence (Roberts 2018).
+        return glm::dvec2(fraction(number * 0.7548777), fraction(number * 0.5698403)) * 19.;
     };
     const glm::dvec2 first = jump(cycle), second = jump(cycle + 0.5) + 7.3;
     block.flow_place = {fraction(viewer.x / flow.side_m), fraction(viewer.y / flow.side_m), 1 / flow.side_m, 0};
@@ -152,12 +159,12 @@ std::string check(const FlowMap& map) {
 
 FlowMap winding_channel() {
     FlowMap map{.extent = {}, .side = 256, .velocities = {}};
-    const double width = 0.16, swing = 0.14;  // of the side
+    const double width = 0.16, swing = 0.14;  // fractions of the side
     for (int j = 0; j < map.side; ++j)
         for (int i = 0; i < map.side; ++i) {
             const double x = (i + 0.5) / map.side, z = (j + 0.5) / map.side;
             const double bend = 2 * pi * x, slope = swing * 2 * pi * std::cos(bend);
-            // Across the channel, from its middle line; bends push the fast water outwards.
+            // Distance from the centre line of the channel; bends shift the fastest water outwards.
             const double length = std::hypot(1, slope);
             const double across = (z - 0.5 - swing * std::sin(bend)) / length / width - 0.25 * std::sin(bend);
             const double speed = std::max(0., 1 - across * across);

@@ -10,7 +10,7 @@ namespace {
 /// \pre -period <= i < 2 period
 int wrapped(int i, int period) { return i < 0 ? i + period : i >= period ? i - period : i; }
 
-/// Into [0, 1); noise is asked within a tile of its square.
+/// Wraps coordinates into [0, 1).
 glm::vec2 wrapped(glm::vec2 at) { return at - glm::floor(at); }
 
 }  // namespace
@@ -20,7 +20,7 @@ float uniform(std::minstd_rand& engine) { return static_cast<float>(engine()) * 
 CellNoise::CellNoise(int cells, float max_radius, std::minstd_rand& engine) : cells_(cells) {
     for (int i = 0; i < cells * cells; ++i) {
         const float x = uniform(engine), y = uniform(engine), size = uniform(engine);
-        // Few are large: squared, as in froth, where small bubbles fill the gaps.
+        // Squaring makes large bubbles rare, as in froth, where small bubbles fill the gaps.
         bubbles_.push_back({{x, y}, max_radius * size * size});
     }
 }
@@ -63,7 +63,8 @@ float GradientNoise::at(glm::vec2 at) const {
         return glm::dot(gradients_[static_cast<std::size_t>(y * cells_x_ + x)], f - glm::vec2(dx, dy));
     };
     const glm::vec2 w = f * f * f * (f * (f * 6.f - 15.f) + 10.f);
-    // 1.41: the largest value is that of four gradients that look at the middle.
+    // 1.414 normalises the maximum, which occurs where four gradients point at the centre of the
+    // cell.
     return 1.414f *
            glm::mix(glm::mix(corner(0, 0), corner(1, 0), w.x), glm::mix(corner(0, 1), corner(1, 1), w.x), w.y);
 }

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::array channels_nm = {612.f, 549.f, 465.f};
 
-/// Jerlov's wavelengths are 400 to 700 nm, every 25 nm.
+/// Jerlov's tables cover 400 to 700 nm in steps of 25 nm.
 constexpr std::size_t wavelengths = 13;
 constexpr float first_nm = 400, step_nm = 25;
 
 struct JerlovType {
     std::string_view name;
-    float chlorophyll_mg_per_m3;    ///< 0 where particles of another kind scatter:
-    float scattering_at_550_per_m;  ///< theirs
+    float chlorophyll_mg_per_m3;    ///< 0 where mineral particles scatter
+    float scattering_at_550_per_m;  ///< scattering of mineral particles at 550 nm
     std::array<float, wavelengths> attenuation_per_m;
 };
 
@@ -62,39 +62,44 @@ constexpr std::array names = [] {
     return all;
 }();
 
-/// Part of particles' scattering that leads backwards: Petzold 1972, "Volume scattering functions for selected ocean waters", the mean
-/// of his turbid waters.
-constexpr float petzold_backward_part = 0.0183f;
+/// Backscattered fraction of scattering by particles: the mean of the turbid waters of Petzold
+/// 1972, "Volume scattering functions for selected ocean waters".
+constexpr float petzold_backward_fraction = 0.0183f;
 
 float attenuation_at(const JerlovType& type, float nm) {
     const float place = (nm - first_nm) / step_nm;
     const auto i = static_cast<std::size_t>(place);
-    const float part = place - static_cast<float>(i);
-    return (1 - part) * type.attenuation_per_m[i] + part * type.attenuation_per_m[i + 1];
+    const float weight = place - static_cast<float>(i);
+    return (1 - weight) * type.attenuation_per_m[i] + weight * type.attenuation_per_m[i + 1];
 }
 
-/// Pure sea water's: Morel 1974, as summed up in Mobley 1994, "Light and Water"; half of it leads backwards.
+/// Returns the scattering of pure sea water, 1/m: Morel 1974, as given in Mobley 1994, "Light and
+/// Water". Half of it is backscattering.
 float water_scattering(float nm) { return 16.06f * 4.72e-4f * std::pow(400 / nm, 4.32f); }
 
 struct Scattering {
     float all, backward;
 };
 
-/// Water and what lives in it. Particles: b = 0.416 C^0.766 at 550 nm (Loisel and Morel 1998), of which leads backwards 0.002 + 0.01 (0.5 -
-/// 0.25 lg C) (wavelength / 550 nm)^v, v = (lg C - 0.3) / 2, at most 0 (Morel and Maritorena 2001).
+/// Returns the scattering of case 1 water: pure water and particles that vary with chlorophyll C.
+///
+/// Particles scatter b = 0.416 C^0.766 at 550 nm (Loisel and Morel 1998). The backscattered
+/// fraction is 0.002 + 0.01 (0.5 - 0.25 lg C) (wavelength / 550 nm)^v, v = (lg C - 0.3) / 2, at
+/// most 0 (Morel and Maritorena 2001).
 Scattering case_1_scattering(float chlorophyll, float nm) {
     const float logarithm = std::log10(chlorophyll);
     const float slope = std::min(0.5f * (logarithm - 0.3f), 0.f);
     const float particles = 0.416f * std::pow(chlorophyll, 0.766f);
-    const float part = 0.002f + 0.01f * (0.5f - 0.25f * logarithm) * std::pow(nm / 550, slope);
+    const float backward_fraction = 0.002f + 0.01f * (0.5f - 0.25f * logarithm) * std::pow(nm / 550, slope);
     const float water = water_scattering(nm);
-    return {water + particles * std::pow(nm / 550, slope), 0.5f * water + particles * part};
+    return {water + particles * std::pow(nm / 550, slope), 0.5f * water + particles * backward_fraction};
 }
 
-/// Mineral particles scatter with the inverse of the wavelength (Gordon and Morel 1983).
+/// Returns the scattering of coastal water. Mineral particles scatter in inverse proportion to the
+/// wavelength (Gordon and Morel 1983).
 Scattering coastal_scattering(const JerlovType& type, float nm) {
     const float water = water_scattering(nm), particles = type.scattering_at_550_per_m * 550 / nm;
-    return {water + particles, 0.5f * water + petzold_backward_part * particles};
+    return {water + particles, 0.5f * water + petzold_backward_fraction * particles};
 }
 
 float absorption_of(float attenuation_per_m, float backscattering_per_m) {
@@ -106,9 +111,9 @@ float absorption_of(float attenuation_per_m, float backscattering_per_m) {
     return absorption;
 }
 
-/// Pure water's absorption, 1/m, in the three channels: Pope and Fry 1997.
+/// Absorption of pure water, 1/m, in the three channels: Pope and Fry 1997.
 constexpr std::array pure_absorption_per_m = {0.267f, 0.0558f, 0.0101f};
-/// Of chlorophyll over that at 440 nm: Prieur and Sathyendranath 1981.
+/// Absorption of chlorophyll relative to 440 nm: Prieur and Sathyendranath 1981.
 constexpr std::array chlorophyll_absorption = {0.257f, 0.363f, 0.894f};
 
 }  // namespace
