@@ -122,8 +122,8 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
 
     std::vector<double> of_frame, of_spectral, of_verlet, of_step, of_scalar, of_copy;
     for (int round = 0; round < rounds; ++round) {
-        spectral.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
-        verlet.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
+        spectral.grid.sources().add_impulse({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
+        verlet.grid.sources().add_impulse({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
         of_frame.push_back(seconds_of([&] { ocean.frame_at(round / 72.0); }));
         of_spectral.push_back(seconds_of([&] { spectral.begin(), spectral.end(); }));
         of_verlet.push_back(seconds_of([&] { verlet.begin(), verlet.end(); }));
@@ -149,13 +149,13 @@ void measure_server(Isa isa, int threads) {
         ticks.push_back(seconds_of([&] {
             for (auto& each : waves) {
                 for (int boat = 0; boat < 250; ++boat)
-                    each->grid.sources().disturb({.shape = Disturbance::Shape::hull,
-                                                  .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
-                                                  .z_m = 25 * std::cos(0.73 * boat),
-                                                  .radius_m = 0.8,
-                                                  .length_m = 2,
-                                                  .heading_rad = 0.01 * boat,
-                                                  .height_m = -0.3});
+                    each->grid.sources().add_impulse({.shape = Disturbance::Shape::hull,
+                                                      .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
+                                                      .z_m = 25 * std::cos(0.73 * boat),
+                                                      .radius_m = 0.8,
+                                                      .length_m = 2,
+                                                      .heading_rad = 0.01 * boat,
+                                                      .height_m = -0.3});
                 each->begin();
             }
             for (auto& each : waves) each->end();

@@ -1,6 +1,11 @@
-// Dynamic waves as C spells it.
-#include "pelagic/sim/dynamic_waves.hpp"
+// Dynamic waves for C.
+#include "pelagic/capi/c_dynamic_waves.hpp"
 
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "pelagic/capi/c_executor.hpp"
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
@@ -22,7 +27,7 @@ Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name)
     if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
         reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
     if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_IMPULSE)
-        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURB_..."));
+        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURBANCE_..."));
     return {.shape = static_cast<Disturbance::Shape>(from.shape),
             .mode = static_cast<Disturbance::Mode>(from.mode),
             .x_m = from.x_m,
@@ -36,11 +41,27 @@ Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name)
             .velocity_z_mps = from.velocity_z_mps};
 }
 
-const DynamicWavesView& shown_dynamic_waves(const pelagic_ocean& ocean) {
-    need_frame(ocean);
-    if (!ocean.shown->dynamic_waves)
-        reject("the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
-    return ocean.shown->dynamic_waves;
+DynamicWaves& needed_waves(pelagic_dynamic_waves* waves) { return *needed(waves, "waves").waves; }
+
+/// \pre waves is not null
+void need_no_frame_of_ocean(const pelagic_dynamic_waves& waves) {
+    if (waves.ocean) need_no_frame_in_flight(*waves.ocean);
+}
+
+const DynamicWavesView& shown_view(const pelagic_dynamic_waves* waves) {
+    const DynamicWavesView& view = needed(waves, "waves").waves->view();
+    if (!view) throw WrongOrder("there are no waves yet, needs pelagic_dynamic_waves_advance or a frame first");
+    return view;
+}
+
+DynamicWaves::Resources resources_of(const pelagic_dynamic_waves_resources* pointer) {
+    if (!pointer) return {};
+    const pelagic_dynamic_waves_resources from = read_struct(pointer, "resources");
+    DynamicWaves::Resources resources;
+    if (from.executor) resources.executor = from.executor->executor;
+    resources.isa = isa_of(from.isa);
+    resources.memory = allocator_of(from.allocate, from.release, from.memory_user);
+    return resources;
 }
 
 }  // namespace
@@ -102,28 +123,66 @@ pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance) {
     });
 }
 
-pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance) {
-    return guarded([&] { needed(ocean, "ocean").ocean.disturb(disturbance_of(disturbance, "disturbance")); });
-}
-
-pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source, uint32_t* number) {
+pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_waves_options* options,
+                                            const pelagic_dynamic_waves_resources* resources,
+                                            pelagic_dynamic_waves** waves) {
     return guarded([&] {
-        Ocean& sea = needed(ocean, "ocean").ocean;
-        std::uint32_t& out = needed(number, "number");
-        out = sea.add_source(disturbance_of(source, "source"));
+        pelagic_dynamic_waves*& out = needed(waves, "waves");
+        out = nullptr;
+        auto own = std::make_unique<DynamicWaves>(dynamic_waves_options_of(options), resources_of(resources));
+        DynamicWaves* const made = own.get();
+        out = new pelagic_dynamic_waves{std::move(own), made, nullptr};
     });
 }
 
-pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number, const pelagic_disturbance* source) {
-    return guarded([&] { needed(ocean, "ocean").ocean.set_source(number, disturbance_of(source, "source")); });
+void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves) {
+    if (waves && waves->own) delete waves;
 }
 
-pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number) {
-    return guarded([&] { needed(ocean, "ocean").ocean.remove_source(number); });
+pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic_waves** waves) {
+    return guarded([&] {
+        pelagic_dynamic_waves*& out = needed(waves, "waves");
+        out = nullptr;
+        needed(ocean, "ocean").ocean.dynamic_waves();  // throws without any
+        out = &ocean->dynamic_waves;
+    });
 }
 
-pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m) {
-    return guarded([&] { needed(ocean, "ocean").ocean.follow(x_m, z_m); });
+pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
+                                                 const pelagic_disturbance* disturbance) {
+    return guarded([&] { needed_waves(waves).add_impulse(disturbance_of(disturbance, "disturbance")); });
+}
+
+pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves, const pelagic_disturbance* source,
+                                                uint32_t* number) {
+    return guarded([&] {
+        DynamicWaves& ours = needed_waves(waves);
+        std::uint32_t& out = needed(number, "number");
+        out = ours.add_source(disturbance_of(source, "source"));
+    });
+}
+
+pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_waves* waves, uint32_t number,
+                                                const pelagic_disturbance* source) {
+    return guarded([&] { needed_waves(waves).set_source(number, disturbance_of(source, "source")); });
+}
+
+pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number) {
+    return guarded([&] { needed_waves(waves).remove_source(number); });
+}
+
+pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m) {
+    return guarded([&] { needed_waves(waves).set_center(x_m, z_m); });
+}
+
+pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s) {
+    return guarded([&] {
+        DynamicWaves& ours = needed_waves(waves);
+        if (waves->ocean)
+            throw WrongOrder("an ocean advances these waves, needs waves of pelagic_dynamic_waves_create");
+        if (!std::isfinite(time_s)) reject(invalid_value_message("time_s", time_s, "a finite number"));
+        ours.advance(time_s);
+    });
 }
 
 pelagic_status pelagic_rain_defaults(pelagic_rain* rain) {
@@ -139,53 +198,53 @@ pelagic_status pelagic_rain_defaults(pelagic_rain* rain) {
     });
 }
 
-pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain) {
+pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain) {
     return guarded([&] {
         const pelagic_rain from = read_struct(rain, "rain");
-        needed(ocean, "ocean")
-            .ocean.set_rain({.drops_per_m2_s = from.drops_per_m2_s,
-                             .radius_m = from.radius_m,
-                             .height_m = from.height_m,
-                             .seed = from.seed});
+        needed_waves(waves).set_rain({.drops_per_m2_s = from.drops_per_m2_s,
+                                      .radius_m = from.radius_m,
+                                      .height_m = from.height_m,
+                                      .seed = from.seed});
     });
 }
 
-pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocean, pelagic_dynamic_waves_view* surface) {
+pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves, pelagic_dynamic_waves_view* view) {
     return guarded([&] {
-        const DynamicWavesView& dynamic_waves = shown_dynamic_waves(needed(ocean, "ocean"));
-        struct_bytes(surface, "surface");
+        const DynamicWavesView& ours = shown_view(waves);
+        struct_bytes(view, "view");
         pelagic_dynamic_waves_view out{};
-        out.resolution = dynamic_waves.resolution;
-        out.first_x = dynamic_waves.first_x;
-        out.first_z = dynamic_waves.first_z;
-        out.texel_m = dynamic_waves.texel_m;
-        out.height_m = dynamic_waves.height_m.data();
-        out.vertical_velocity_mps = dynamic_waves.vertical_velocity_mps.data();
-        out.foam = dynamic_waves.foam.data();
-        out.height_min_m = dynamic_waves.height_min_m;
-        out.height_max_m = dynamic_waves.height_max_m;
-        write_struct(out, surface);
+        out.resolution = ours.resolution;
+        out.first_x = ours.first_x;
+        out.first_z = ours.first_z;
+        out.texel_m = ours.texel_m;
+        out.height_m = ours.height_m.data();
+        out.vertical_velocity_mps = ours.vertical_velocity_mps.data();
+        out.foam = ours.foam.data();
+        out.height_min_m = ours.height_min_m;
+        out.height_max_m = ours.height_max_m;
+        write_struct(out, view);
     });
 }
 
-pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_waves* waves, uint64_t* hash) {
     return guarded([&] {
-        shown_dynamic_waves(needed(ocean, "ocean"));
-        needed(hash, "hash") = dynamic_waves_hash_of(*ocean->shown);
+        const DynamicWavesView& view = shown_view(waves);
+        needed(hash, "hash") = hash_of(view);
     });
 }
 
-pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
+pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes, size_t room,
+                                                size_t* count) {
     return guarded([&] {
-        need_no_frame_in_flight(needed(ocean, "ocean"));
-        write_saved(ocean->ocean.saved_water(), bytes, room, count);
+        need_no_frame_of_ocean(needed(waves, "waves"));
+        write_saved(waves->waves->save_state(), bytes, room, count);
     });
 }
 
-pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
+pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes, size_t count) {
     return guarded([&] {
-        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_no_frame_of_ocean(needed(waves, "waves"));
         if (count > 0) needed(bytes, "bytes");
-        ocean->ocean.restore_water({bytes, count});
+        waves->waves->restore_state({bytes, count});
     });
 }

@@ -20,7 +20,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
 #else
             reject("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
 #endif
-        case PELAGIC_EXECUTOR_HOST:
+        case PELAGIC_EXECUTOR_APPLICATION:
             return make_callback_executor({.user = options.user,
                                            .parallel_for = options.parallel_for,
                                            .submit = options.submit,

@@ -49,6 +49,18 @@ void need_frame(const pelagic_ocean& ocean) {
     if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
 }
 
+std::optional<Isa> isa_of(const char* name) {
+    if (!name) return {};
+    const std::optional<Isa> isa = isa_named(name);
+    if (!isa) reject(invalid_value_message("isa", name, "sse4.2, avx2, avx512 or neon"));
+    return isa;
+}
+
+Allocator allocator_of(pelagic_allocate allocate, pelagic_release release, void* user) {
+    if (!allocate != !release) reject("allocate or release is NULL, needs both or neither");
+    return {user, allocate, release};
+}
+
 void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count) {
     std::size_t& there = needed(count, "count");
     if (bytes && room < saved.size())
@@ -76,15 +88,11 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
                         .slopes = options.slopes != 0,
                         .foam = options.foam != 0};
     if (options.executor) result.executor = options.executor->executor;
-    if (options.isa) {
-        result.isa = isa_named(options.isa);
-        if (!result.isa) reject(invalid_value_message("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
-    }
-    if (!options.allocate != !options.release) reject("allocate or release is NULL, needs both or neither");
+    result.isa = isa_of(options.isa);
+    result.memory = allocator_of(options.allocate, options.release, options.memory_user);
     if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
     if (options.shore) result.shore = shore_options_of(options.shore);
     result.inputs = inputs_of(options.inputs, options.input_count);
-    result.memory = {options.memory_user, options.allocate, options.release};
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/capi/c_dynamic_waves.hpp"
 #include "pelagic/pelagic.h"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
@@ -61,9 +62,12 @@ struct pelagic_ocean {
                    .gradients = options.gradients || ocean.cascade_count() == 1,
                    .slopes = options.slopes || ocean.cascade_count() > 1,
                    .foam = options.foam},
-          query_tolerance_m(tolerance_m) {}
+          query_tolerance_m(tolerance_m) {
+        if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};
+    }
 
     pelagic::Ocean ocean;
+    pelagic_dynamic_waves dynamic_waves;
     bool has_queries;
     pelagic::FrameContents contents;  ///< of every frame
     double query_tolerance_m;
@@ -76,13 +80,14 @@ struct pelagic_ocean {
 
 namespace pelagic::capi {
 
-/// The application's options of dynamic waves. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
-DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options);
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
 
 /// What a call that needs them throws.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);
 void need_frame(const pelagic_ocean& ocean);
+/// What options name; none and operator new for null. Throw std::invalid_argument for an unknown name, and for one function of two.
+std::optional<Isa> isa_of(const char* name);
+Allocator allocator_of(pelagic_allocate allocate, pelagic_release release, void* user);
 /// What the save functions share: writes to `bytes`, unless they are null, and how many there are to *count.
 void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count);
 

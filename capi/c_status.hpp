@@ -35,7 +35,7 @@ pelagic_status guarded(Body body) noexcept {
     } catch (const WrongOrder& error) {
         return failure(PELAGIC_WRONG_ORDER, error.what());
     } catch (const ApplicationJobsError& error) {
-        return failure(PELAGIC_HOST_ERROR, error.what());
+        return failure(PELAGIC_APPLICATION_ERROR, error.what());
     } catch (const std::invalid_argument& error) {
         return failure(PELAGIC_INVALID_ARGUMENT, error.what());
     } catch (const std::bad_alloc&) {

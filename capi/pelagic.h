@@ -85,7 +85,7 @@ enum {
     PELAGIC_OUT_OF_MEMORY = 3,
     PELAGIC_SYSTEM_ERROR = 4,   /* the system has no more threads to give */
     PELAGIC_INTERNAL_ERROR = 5, /* a mistake of Pelagic's: please report the message */
-    PELAGIC_HOST_ERROR = 6      /* a callback of the application threw, or returned too early; the message says which */
+    PELAGIC_APPLICATION_ERROR = 6      /* a callback of the application threw, or returned too early; the message says which */
 };
 
 /* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]", less than 300 bytes
@@ -218,19 +218,19 @@ enum {
     PELAGIC_EXECUTOR_SERIAL = 1,  /* no threads: complete() does the work */
     PELAGIC_EXECUTOR_THREADS = 2, /* a pool of its own */
     PELAGIC_EXECUTOR_TBB = 3,     /* PELAGIC_INVALID_ARGUMENT if built without */
-    PELAGIC_EXECUTOR_HOST = 4     /* the application's job system, through the callbacks below */
+    PELAGIC_EXECUTOR_APPLICATION = 4     /* the application's job system, through the callbacks below */
 };
 
 /* Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are done.
  * Called several times a frame, from complete() or from a submitted task. Jobs need 512 KiB of stack, and
  * 1 MiB for N = 2048 (exact figures: docs/architecture.md, Memory); one that finds less takes a thread of its own, which is
  * slow. If it throws, or returns while jobs are left, those are done by Pelagic, and complete() returns
- * PELAGIC_HOST_ERROR; that frame or sea is lost, the ocean is not. A job that is called twice, or after its loop has
+ * PELAGIC_APPLICATION_ERROR; that frame or sea is lost, the ocean is not. A job that is called twice, or after its loop has
  * returned, does nothing, as long as the ocean is there. */
 typedef void (*pelagic_parallel_for)(void* user, size_t count, void (*job)(void* work, size_t index), void* work);
 
 /* Calls task(work) once, on some other thread, soon; returns at once. A task may be called late, even after the ocean is
- * gone; called twice or never it does no harm. If this throws, complete() returns PELAGIC_HOST_ERROR as above. */
+ * gone; called twice or never it does no harm. If this throws, complete() returns PELAGIC_APPLICATION_ERROR as above. */
 typedef void (*pelagic_submit)(void* user, void (*task)(void* work), void* work);
 
 typedef struct pelagic_executor_options {
@@ -240,9 +240,9 @@ typedef struct pelagic_executor_options {
      * threads with a mask, one per core of the mask; for an application, 1). [0, 1024] */
     int32_t threads;
     uint32_t reserved; /* 0 */
-    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Grids: bit i allows CPU i to the pool's threads; 0 allows all. */
+    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows CPU i to the pool's threads; 0 allows all. */
     uint64_t cpu_mask;
-    pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_HOST: must be there */
+    pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_APPLICATION: must be there */
     pelagic_submit submit;             /* optional: without it complete() begins the work */
     void* user;                        /* handed to both; outlives every ocean of this executor */
 } pelagic_executor_options;
@@ -460,7 +460,7 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
 
 /* Waits for the frame in flight, helping, and hands it out. What `frame` points to stays valid while the next frame is
  * computed: until the second schedule from now, or destroy. PELAGIC_WRONG_ORDER if no frame is in flight. A frame is lost,
- * and another one may be scheduled, after PELAGIC_HOST_ERROR, and after PELAGIC_SYSTEM_ERROR if a job needed a thread with
+ * and another one may be scheduled, after PELAGIC_APPLICATION_ERROR, and after PELAGIC_SYSTEM_ERROR if a job needed a thread with
  * more stack and there was none. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
@@ -531,7 +531,7 @@ PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, cons
 PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
 
 /* Frames scheduled from now on show it; waits for its spectrum. PELAGIC_WRONG_ORDER if none is being baked or a frame is
- * in flight. After PELAGIC_HOST_ERROR the old sea stays. */
+ * in flight. After PELAGIC_APPLICATION_ERROR the old sea stays. */
 PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
 
 /* ---- Weather ---------------------------------------------------------------------------------------------------- */
@@ -578,9 +578,8 @@ enum {
     PELAGIC_DYNAMIC_WAVES_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
 };
 
-/* A grid of the sea in which the application makes waves; queries and bounds have them, and pelagic_ocean_dynamic_waves shows them. It moves
- * in ticks of its own, whatever the frames are: the same words between frames of the same times give the same bits on every
- * machine. */
+/* Queries, bounds and frames of an ocean include its dynamic waves. They advance in ticks of their own, whatever the frames are:
+ * equal commands between frames of equal times give bit-identical waves on every machine. */
 typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
     int32_t step;        /* PELAGIC_DYNAMIC_WAVES_... */
@@ -613,7 +612,7 @@ enum {
 typedef struct pelagic_disturbance {
     uint32_t struct_size;
     int32_t shape;     /* PELAGIC_SHAPE_... */
-    int32_t mode;      /* PELAGIC_DISTURB_... */
+    int32_t mode;      /* PELAGIC_DISTURBANCE_... */
     uint32_t reserved; /* 0 */
     double x_m, z_m;     /* in the world; [-1e8, 1e8] */
     double radius_m;     /* of a hull half its beam; [0.001, 1000] */
@@ -627,22 +626,48 @@ typedef struct pelagic_disturbance {
 /* Sets every field but struct_size: a pressure of 0 m at the origin, radius and length 1 m, rate 10. */
 PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
 
-/* Pushes in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not later than the
- * frame before, they do not add up: only those of the last such frame that has any wait. This and the functions below take effect at
- * the next schedule, in their order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without
- * pelagic_ocean_options.dynamic_waves. */
-PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
+/* Dynamic waves: those that an application makes, on a grid around a point. Commands take effect at the next advance, or at
+ * the next schedule of the ocean that owns the waves, in their order, whether or not a frame is in flight. One thread at a time
+ * calls these functions. */
+typedef struct pelagic_dynamic_waves pelagic_dynamic_waves;
 
-/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them, less those removed. Its number is used once;
- * setting or removing one that there is not, or no more, does nothing. */
-PELAGIC_API pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source,
-                                                    uint32_t* number);
-PELAGIC_API pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number,
-                                                    const pelagic_disturbance* source);
-PELAGIC_API pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number);
+typedef struct pelagic_dynamic_waves_resources {
+    uint32_t struct_size;
+    uint32_t reserved;                /* 0 */
+    const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
+    const char* isa;                  /* as pelagic_ocean_options.isa */
+    pelagic_allocate allocate;        /* both or neither; NULL: operator new */
+    pelagic_release release;
+    void* memory_user; /* handed to both; outlives the waves */
+} pelagic_dynamic_waves_resources;
 
-/* The grid's middle is there, as near as whole texels allow: [-1e8, 1e8]. Texels that enter it are flat. */
-PELAGIC_API pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m);
+/* Makes waves without an ocean. `resources` may be NULL: all 0. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_waves_options* options,
+                                                        const pelagic_dynamic_waves_resources* resources,
+                                                        pelagic_dynamic_waves** waves);
+
+/* NULL is ignored, and so are the waves of an ocean. */
+PELAGIC_API void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves);
+
+/* Returns the waves of pelagic_ocean_options.dynamic_waves, which the ocean owns and advances. PELAGIC_INVALID_ARGUMENT
+ * without that option. */
+PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic_waves** waves);
+
+/* Acts once, in the next tick. At most 4096 of them wait for a tick. While time stands still, in advances to a time that is not
+ * later than the one before, they do not accumulate: only those of the last such advance that has any wait. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
+                                                             const pelagic_disturbance* disturbance);
+
+/* Acts in every tick, moving at its velocity, until it is removed; at most 4096 sources at once. A number is used once;
+ * setting or removing a source that does not exist does nothing. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves, const pelagic_disturbance* source,
+                                                            uint32_t* number);
+PELAGIC_API pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_waves* waves, uint32_t number,
+                                                            const pelagic_disturbance* source);
+PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number);
+
+/* Moves the grid's centre to within half a texel of the point; [-1e8, 1e8]. Texels that enter the grid are flat. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
 
 /* Rain: each drop digs a crater with a rim of as much water around it, height_m (q - 1) e^-q with q = (r / radius_m)^2. Which drops
  * fall follows from the seed, the tick and the place in the world alone. */
@@ -657,8 +682,12 @@ typedef struct pelagic_rain {
 /* Sets every field but struct_size: no rain, drops of 0.25 m and 0.02 m, seed 1. */
 PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 
-/* It rains so from the next tick on, until another rain is set. Saved with the water. */
-PELAGIC_API pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain);
+/* Sets the rain from the next tick on. It is part of the saved state. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
+
+/* Computes the ticks up to a time. A time before the last one leaves the waves as they are, and a jump ahead computes half a second at
+ * most. PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s);
 
 /* What adds to the cascades where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's grid stands at
  * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the grid has first_x <= i < first_x + N. */
@@ -673,20 +702,23 @@ typedef struct pelagic_dynamic_waves_view {
     float height_min_m, height_max_m;
 } pelagic_dynamic_waves_view;
 
-/* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame. */
-PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocean, pelagic_dynamic_waves_view* surface);
+/* Returns the waves of the last advance, or of the ocean's frame completed last. The pointers are valid until the second advance or
+ * schedule from now. PELAGIC_WRONG_ORDER before the first. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves,
+                                                          pelagic_dynamic_waves_view* view);
 
-/* The 64-bit hash of all that pelagic_ocean_dynamic_waves tells of the frame completed last, which pelagic_ocean_hash leaves out. */
-PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash);
+/* The 64-bit hash of the view, which pelagic_ocean_hash leaves out. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_waves* waves, uint64_t* hash);
 
-/* All that the water of frames to come depends on, sources included, but for commands since the last schedule; as
- * pelagic_ocean_save_history. For an application that goes back to a moment: 17 N^2 bytes and some. */
-PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
+/* Writes all that ticks to come depend on, sources included, but for commands since the last advance; as
+ * pelagic_ocean_save_history. 17 N^2 bytes and some. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes, size_t room,
+                                                            size_t* count);
 
-/* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.dynamic_waves on any machine of the same byte order, as if one had
- * never left. Commands since the last schedule are dropped. PELAGIC_INVALID_ARGUMENT if the options are others or such an ocean
- * can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
-PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
+/* Continues from a saved state with equal options, of any machine of the same byte order. Drops commands since the last advance.
+ * PELAGIC_INVALID_ARGUMENT if the options differ or the bytes are damaged; PELAGIC_WRONG_ORDER if a frame is in flight. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
+                                                               size_t count);
 
 /* ---- Shores ----------------------------------------------------------------------------------------------------- */
 
@@ -791,7 +823,7 @@ typedef struct pelagic_input_rows {
     float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
 } pelagic_input_rows;
 
-/* Called from any thread, for several rows and cascades at once. If it throws, complete() returns PELAGIC_HOST_ERROR, and if it
+/* Called from any thread, for several rows and cascades at once. If it throws, complete() returns PELAGIC_APPLICATION_ERROR, and if it
  * leaves a value that can't be, PELAGIC_INVALID_ARGUMENT; that frame is lost, the ocean is not. */
 typedef void (*pelagic_add_rows)(void* user, const pelagic_input_rows* rows);
 

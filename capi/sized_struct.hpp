@@ -33,6 +33,7 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_texture_targets, moments_rgba8);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_change, over_s);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_forecast, largest_peak_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_dynamic_waves_options, foam_height_m);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_dynamic_waves_resources, memory_user);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_disturbance, velocity_z_mps);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_rain, height_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_dynamic_waves_view, height_max_m);

@@ -95,18 +95,18 @@ void draw_voyage(const char* name) {
                  .foam = true,
                  .dynamic_waves = DynamicWavesOptions{.resolution = 512, .side_m = 160, .border_m = 16}});
     Course course;
-    const std::uint32_t boat = ocean.add_source(hull_on(course));
+    const std::uint32_t boat = ocean.dynamic_waves().add_source(hull_on(course));
     double time_s = 0;
     for (; time_s < voyage_s; time_s += frame_s) {
         ocean.frame_at(time_s);
         course.go(frame_s, time_s);
-        ocean.set_source(boat, hull_on(course));
-        ocean.follow(course.place.x, course.place.y);
+        ocean.dynamic_waves().set_source(boat, hull_on(course));
+        ocean.dynamic_waves().set_center(course.place.x, course.place.y);
         // So long before the image.
         const auto passes = [&](double moment_s) { return time_s < moment_s && time_s + frame_s >= moment_s; };
-        if (passes(voyage_s - 3)) ocean.disturb(stone_at(66, 24));
-        if (passes(voyage_s - 2)) ocean.disturb(stone_at(72, 31));
-        if (passes(voyage_s - 0.8)) ocean.disturb(stone_at(63, 33));
+        if (passes(voyage_s - 3)) ocean.dynamic_waves().add_impulse(stone_at(66, 24));
+        if (passes(voyage_s - 2)) ocean.dynamic_waves().add_impulse(stone_at(72, 31));
+        if (passes(voyage_s - 0.8)) ocean.dynamic_waves().add_impulse(stone_at(63, 33));
     }
     const Frame& frame = ocean.frame_at(time_s);
 

@@ -18,12 +18,10 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
-#include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
-#include "pelagic/sim/rain.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
@@ -135,33 +133,10 @@ class Ocean {
     /// \pre no frame is in flight
     void restore_history(std::span<const std::uint8_t> saved);
 
-    // ---- Dynamic waves: only with OceanOptions::dynamic_waves, else std::invalid_argument, and so of values out of range.
-    //
-    // What is said counts from the next schedule() on, in its order, whether or not a frame is in flight. Each tick is made of the ticks
-    // before and of the commands before it, so frames at equal times with equal commands between them are bit-identical, on every
-    // machine. A frame shows the water between the last tick and the one before: a tick late. A time before the last frame's leaves
-    // the water as it is, and a jump ahead moves it by half a second at most.
-
-    /// Pushes at the water in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not
-    /// later than the frame before, they do not add up: only those of the last such frame that has any wait.
-    void disturb(const Disturbance& disturbance);
-    /// Pushes at every tick, moving as it says. At most 4096 of them, less those that are removed; later ones push after earlier ones.
-    /// Returns its number.
-    std::uint32_t add_source(const Disturbance& source);
-    /// From the next tick on, and from where it says. A number that there is not, or no more, does nothing.
-    void set_source(std::uint32_t number, const Disturbance& source);
-    void remove_source(std::uint32_t number);
-    /// The grid's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.
-    void follow(double x_m, double z_m);
-    /// It rains so from the next tick on, until another rain is set: none, of 0 drops.
-    void set_rain(const Rain& rain);
-    /// All that frames to come depend on, but for commands since the last schedule(): for an application that goes back to a moment, or
-    /// begins in one. \pre no frame is in flight
-    std::vector<std::uint8_t> saved_water() const;
-    /// Takes that up, in an ocean of any sea with the same OceanOptions::dynamic_waves, on any machine of the same byte order: as if one had never
-    /// left. Commands since the last schedule() are dropped. Throws std::invalid_argument, changing nothing, if the options are others, or no such
-    /// ocean can have saved it. \pre no frame is in flight
-    void restore_water(std::span<const std::uint8_t> saved);
+    /// The dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's frames: frames of
+    /// equal times with equal commands between them have bit-identical waves. Throws std::invalid_argument without that option.
+    DynamicWaves& dynamic_waves();
+    const DynamicWaves& dynamic_waves() const;
 
     std::size_t cascade_count() const;  ///< of every frame
     int resolution() const;             ///< texels along a side of each cascade

@@ -230,7 +230,7 @@ struct OddCaller {
 
     COcean ocean(bool with_submit, std::int32_t resolution = 128) {
         auto options = sized<pelagic_executor_options>();
-        options.kind = PELAGIC_EXECUTOR_HOST;
+        options.kind = PELAGIC_EXECUTOR_APPLICATION;
         options.threads = 2;
         options.parallel_for = parallel_for;
         options.submit = with_submit ? submit : nullptr;
@@ -289,11 +289,11 @@ TEST(CInterfaceApplicationJobs, ALoopThatThrowsIsACodeAndALostFrame) {
     for (const bool with_submit : {false, true}) {
         OddCaller application;
         expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::throws; }, PELAGIC_HOST_ERROR,
+            application, with_submit, [&] { application.loop = OddCaller::Loop::throws; }, PELAGIC_APPLICATION_ERROR,
             "parallel_for threw an exception: no workers");
         expect_an_ocean_that_survives(
             application, with_submit, [&] { application.loop = OddCaller::Loop::throws_half_way; },
-            PELAGIC_HOST_ERROR, "parallel_for threw an exception");
+            PELAGIC_APPLICATION_ERROR, "parallel_for threw an exception");
     }
 }
 
@@ -302,8 +302,8 @@ TEST(CInterfaceApplicationJobs, ALoopThatReturnsTooEarlyIsACodeAndALostFrame) {
         OddCaller application;
         const char* const message = "parallel_for returned before all of its jobs were done";
         expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::skips_jobs; }, PELAGIC_HOST_ERROR,
-            message);
+            application, with_submit, [&] { application.loop = OddCaller::Loop::skips_jobs; },
+            PELAGIC_APPLICATION_ERROR, message);
     }
 }
 
@@ -314,7 +314,7 @@ TEST(CInterfaceApplicationJobs, JobsThatRunOnAfterTheirLoopDoNoHarm) {
     for (int n = 0; n < 200; ++n) {
         application.loop = OddCaller::Loop::returns_early;
         const pelagic_status status = make_frame(ocean.get(), n);
-        EXPECT_TRUE(status == PELAGIC_OK || status == PELAGIC_HOST_ERROR) << pelagic_last_error();
+        EXPECT_TRUE(status == PELAGIC_OK || status == PELAGIC_APPLICATION_ERROR) << pelagic_last_error();
         if (n % 4 == 3) application.join();
     }
     application.loop = OddCaller::Loop::honest;
@@ -336,11 +336,11 @@ TEST(CInterfaceApplicationJobs, JobsThatAreCalledTwiceOrDoNotExistDoNothing) {
 TEST(CInterfaceApplicationJobs, ASubmitThatThrowsIsACode) {
     OddCaller application;
     expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::throws; }, PELAGIC_HOST_ERROR,
+        application, true, [&] { application.submitting = OddCaller::Submit::throws; }, PELAGIC_APPLICATION_ERROR,
         "submit threw an exception: queue is full");
     expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::throws_after_all; }, PELAGIC_HOST_ERROR,
-        "submit threw an exception");
+        application, true, [&] { application.submitting = OddCaller::Submit::throws_after_all; },
+        PELAGIC_APPLICATION_ERROR, "submit threw an exception");
 }
 
 TEST(CInterfaceApplicationJobs, TasksThatAreCalledTwiceOrNeverDoNoHarm) {
@@ -369,7 +369,7 @@ TEST(CInterfaceApplicationJobs, AApplicationThatCannotEvenBakeGetsNoOcean) {
     OddCaller application;
     application.loop = OddCaller::Loop::throws;
     auto options = sized<pelagic_executor_options>();
-    options.kind = PELAGIC_EXECUTOR_HOST;
+    options.kind = PELAGIC_EXECUTOR_APPLICATION;
     options.parallel_for = OddCaller::parallel_for;
     options.user = &application;
     pelagic_executor* executor = nullptr;
@@ -379,7 +379,7 @@ TEST(CInterfaceApplicationJobs, AApplicationThatCannotEvenBakeGetsNoOcean) {
     ocean_options.executor = executor;
     const pelagic_sea sea = small_sea(128);
     auto* ocean = reinterpret_cast<pelagic_ocean*>(1);
-    EXPECT_EQ(pelagic_ocean_create(&sea, &ocean_options, &ocean), PELAGIC_HOST_ERROR);
+    EXPECT_EQ(pelagic_ocean_create(&sea, &ocean_options, &ocean), PELAGIC_APPLICATION_ERROR);
     EXPECT_EQ(ocean, nullptr);
 }
 

@@ -50,15 +50,15 @@ class CInterfaceDynamicWaves : public testing::Test {
         for (int frame = from; frame < to; ++frame) {
             if (frame % 9 == 4) {
                 const pelagic_disturbance each = drop();
-                ASSERT_EQ(pelagic_ocean_disturb(ocean.get(), &each), PELAGIC_OK);
+                ASSERT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(ocean.get()), &each), PELAGIC_OK);
             }
-            ASSERT_EQ(pelagic_ocean_follow(ocean.get(), 0.02 * frame, 0), PELAGIC_OK);
+            ASSERT_EQ(pelagic_dynamic_waves_set_center(waves_of(ocean.get()), 0.02 * frame, 0), PELAGIC_OK);
             complete(ocean, frame / 60.0);
         }
     }
     static std::uint64_t dynamic_waves_hash(const COcean& ocean) {
         std::uint64_t hash = 0;
-        EXPECT_EQ(pelagic_ocean_dynamic_waves_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_dynamic_waves_hash(waves_of(ocean.get()), &hash), PELAGIC_OK) << pelagic_last_error();
         return hash;
     }
     static float height(const COcean& ocean, double x, double z) {
@@ -81,12 +81,12 @@ TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
     const COcean with = answering(), without = answering(false);
     std::uint32_t number = 0;
     const pelagic_disturbance source = boat();
-    ASSERT_EQ(pelagic_ocean_add_source(with.get(), &source, &number), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_add_source(waves_of(with.get()), &source, &number), PELAGIC_OK);
     EXPECT_EQ(number, 1U);
     run(with, 0, 60);
     complete(without, 59 / 60.0);
     auto surface = sized<pelagic_dynamic_waves_view>();
-    ASSERT_EQ(pelagic_ocean_dynamic_waves(with.get(), &surface), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_OK) << pelagic_last_error();
     ASSERT_EQ(surface.resolution, 64);
     EXPECT_EQ(surface.texel_m, 0.5);
     // At texels, what queries tell is the cascades' height and the grid's.
@@ -113,7 +113,7 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
     rain.drops_per_m2_s = 4, rain.radius_m = 0.6;
     const auto hash_with = [&] {
         const COcean ocean = answering();
-        EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_OK) << pelagic_last_error();
         for (int tick = 0; tick < 20; ++tick) complete(ocean, tick / 60.0);
         return dynamic_waves_hash(ocean);
     };
@@ -124,17 +124,17 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
 
     const COcean ocean = answering();
     rain.radius_m = 3;
-    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
     rain.radius_m = 0.6, rain.height_m = 11;
-    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "height_m is 11, needs [-10, 10]");
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
-    expect_rejected(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
-    EXPECT_EQ(pelagic_ocean_set_rain(answering(false).get(), &rain), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(answering(false).get()), &rain), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), nullptr), PELAGIC_INVALID_ARGUMENT);
 }
 
 TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
@@ -142,59 +142,114 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     for (const COcean* ocean : {&stays, &goes}) {
         std::uint32_t number = 0;
         const pelagic_disturbance source = boat();
-        ASSERT_EQ(pelagic_ocean_add_source(ocean->get(), &source, &number), PELAGIC_OK);
+        ASSERT_EQ(pelagic_dynamic_waves_add_source(waves_of(ocean->get()), &source, &number), PELAGIC_OK);
         run(*ocean, 0, 30);
     }
     std::size_t count = 0;
-    ASSERT_EQ(pelagic_ocean_save_water(goes.get(), nullptr, 0, &count), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), nullptr, 0, &count), PELAGIC_OK);
     std::vector<std::uint8_t> saved(count);
-    expect_rejected(pelagic_ocean_save_water(goes.get(), saved.data(), count - 1, &count), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), count - 1, &count),
+                    PELAGIC_INVALID_ARGUMENT,
                     "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
-    ASSERT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), saved.size(), &count), PELAGIC_OK);
     const pelagic_disturbance stone = drop(3);
-    ASSERT_EQ(pelagic_ocean_disturb(goes.get(), &stone), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(goes.get()), &stone), PELAGIC_OK);
     run(goes, 30, 50);
-    ASSERT_EQ(pelagic_ocean_remove_source(goes.get(), 1), PELAGIC_OK);
-    ASSERT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_OK)
+    ASSERT_EQ(pelagic_dynamic_waves_remove_source(waves_of(goes.get()), 1), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size()), PELAGIC_OK)
         << pelagic_last_error();
     run(goes, 30, 80);
     run(stays, 30, 80);
     EXPECT_EQ(dynamic_waves_hash(goes), dynamic_waves_hash(stays));
-    EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
-    expect_rejected(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
-                    PELAGIC_INVALID_ARGUMENT,
-                    "the saved water is of other options, needs those of this ocean's water");
+    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size() - 1),
+              PELAGIC_INVALID_ARGUMENT);
+    expect_rejected(
+        pelagic_dynamic_waves_restore_state(waves_of(answering(true, 48).get()), saved.data(), saved.size()),
+        PELAGIC_INVALID_ARGUMENT, "the saved state has other options, needs those of these dynamic waves");
     ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
-    EXPECT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_WRONG_ORDER);
-    EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), saved.size(), &count),
+              PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size()),
+              PELAGIC_WRONG_ORDER);
+}
+
+// Waves without an ocean take the same commands at the same times, and have the same bits.
+TEST_F(CInterfaceDynamicWaves, AloneAreThoseOfAnOcean) {
+    const COcean ocean = answering();
+    auto options = sized<pelagic_dynamic_waves_options>();
+    ASSERT_EQ(pelagic_dynamic_waves_defaults(&options), PELAGIC_OK);
+    options.resolution = 64, options.side_m = 32, options.border_m = 6;
+    auto serial = sized<pelagic_executor_options>();
+    serial.kind = PELAGIC_EXECUTOR_SERIAL;
+    pelagic_executor* executor = nullptr;
+    ASSERT_EQ(pelagic_executor_create(&serial, &executor), PELAGIC_OK);
+    auto resources = sized<pelagic_dynamic_waves_resources>();
+    resources.executor = executor;
+    resources.isa = "avx3";
+    pelagic_dynamic_waves* alone = nullptr;
+    expect_rejected(pelagic_dynamic_waves_create(&options, &resources, &alone), PELAGIC_INVALID_ARGUMENT,
+                    "isa is avx3, needs sse4.2, avx2, avx512 or neon");
+    EXPECT_EQ(alone, nullptr);
+    resources.isa = nullptr;
+    ASSERT_EQ(pelagic_dynamic_waves_create(&options, &resources, &alone), PELAGIC_OK) << pelagic_last_error();
+    auto view = sized<pelagic_dynamic_waves_view>();
+    EXPECT_EQ(pelagic_dynamic_waves_get_view(alone, &view), PELAGIC_WRONG_ORDER);
+    const pelagic_disturbance source = boat();
+    for (int frame = 0; frame < 30; ++frame) {
+        for (pelagic_dynamic_waves* waves : {alone, waves_of(ocean.get())}) {
+            std::uint32_t number = 0;
+            if (frame == 3) {
+                ASSERT_EQ(pelagic_dynamic_waves_add_source(waves, &source, &number), PELAGIC_OK);
+            }
+            ASSERT_EQ(pelagic_dynamic_waves_set_center(waves, 0.02 * frame, 0), PELAGIC_OK);
+        }
+        ASSERT_EQ(pelagic_dynamic_waves_advance(alone, frame / 45.0), PELAGIC_OK);
+        complete(ocean, frame / 45.0);
+        std::uint64_t hash = 0;
+        ASSERT_EQ(pelagic_dynamic_waves_hash(alone, &hash), PELAGIC_OK);
+        ASSERT_EQ(hash, dynamic_waves_hash(ocean)) << frame;
+    }
+    ASSERT_EQ(pelagic_dynamic_waves_get_view(alone, &view), PELAGIC_OK);
+    EXPECT_GT(view.height_max_m, 0);
+    EXPECT_EQ(pelagic_dynamic_waves_advance(alone, std::numeric_limits<double>::quiet_NaN()),
+              PELAGIC_INVALID_ARGUMENT);
+    pelagic_dynamic_waves_destroy(waves_of(ocean.get()));  // the ocean's stay
+    pelagic_dynamic_waves_destroy(alone);
+    pelagic_executor_destroy(executor);
+    complete(ocean, 1);
 }
 
 TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     const COcean without = answering(false), with = answering();
     auto surface = sized<pelagic_dynamic_waves_view>();
-    EXPECT_EQ(pelagic_ocean_dynamic_waves(with.get(), &surface), PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_WRONG_ORDER);
     complete(without, 0);
     complete(with, 0);
+    pelagic_dynamic_waves* none = waves_of(with.get());
+    expect_rejected(pelagic_ocean_dynamic_waves(without.get(), &none), PELAGIC_INVALID_ARGUMENT,
+                    "the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
+    EXPECT_EQ(none, nullptr);
     std::uint64_t hash = 0;
-    expect_rejected(pelagic_ocean_dynamic_waves_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                    "the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
-    EXPECT_EQ(pelagic_ocean_dynamic_waves(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_ocean_follow(without.get(), 0, 0), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_hash(none, &hash), PELAGIC_INVALID_ARGUMENT);
+    expect_rejected(pelagic_dynamic_waves_advance(waves_of(with.get()), 1), PELAGIC_WRONG_ORDER,
+                    "an ocean advances these waves, needs waves of pelagic_dynamic_waves_create");
+    EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(without.get()), &surface), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(without.get()), 0, 0), PELAGIC_INVALID_ARGUMENT);
     pelagic_disturbance wrong = drop();
-    EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(without.get()), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;
-    expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
                     "radius_m is 0, needs [0.001, 1000]");
     wrong = drop();
     wrong.mode = 3;
-    expect_rejected(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
-                    "mode is 3, needs one of PELAGIC_DISTURB_...");
+    expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
+                    "mode is 3, needs one of PELAGIC_DISTURBANCE_...");
     wrong = drop();
     wrong.shape = -1;
-    EXPECT_EQ(pelagic_ocean_set_source(with.get(), 1, &wrong), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_ocean_disturb(with.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_ocean_add_source(with.get(), &wrong, nullptr), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_ocean_follow(with.get(), std::numeric_limits<double>::quiet_NaN(), 0),
+    EXPECT_EQ(pelagic_dynamic_waves_set_source(waves_of(with.get()), 1, &wrong), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), nullptr), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_add_source(waves_of(with.get()), &wrong, nullptr), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(with.get()), std::numeric_limits<double>::quiet_NaN(), 0),
               PELAGIC_INVALID_ARGUMENT);
 
     auto dynamic_waves = sized<pelagic_dynamic_waves_options>();

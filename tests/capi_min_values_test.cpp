@@ -101,7 +101,7 @@ std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& opt
         }
         if (options.dynamic_waves) {
             auto dynamic_waves = sized<pelagic_dynamic_waves_view>();
-            EXPECT_EQ(pelagic_ocean_dynamic_waves(ocean, &dynamic_waves), PELAGIC_OK);
+            EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean), &dynamic_waves), PELAGIC_OK);
             look_at(dynamic_waves, found);
         }
         if (options.shore) {
@@ -312,7 +312,8 @@ TEST(CInterfaceLeastValues, OfDynamicWaves) {
                  options.dynamic_waves = &dynamic_waves;
                  expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                      const pelagic_status status = pelagic_ocean_create(&sea, &options, ocean);
-                     return status == PELAGIC_OK ? pelagic_ocean_disturb(*ocean, &push) : status;
+                     return status == PELAGIC_OK ? pelagic_dynamic_waves_add_impulse(waves_of(*ocean), &push)
+                                                 : status;
                  });
              });
 }
@@ -341,10 +342,11 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
                          std::to_string(shape),
                      [&](const pelagic_disturbance& source, const std::string& what, const char* name) {
                          std::uint32_t number = 0;
-                         const pelagic_status status = pelagic_ocean_add_source(ocean.get(), &source, &number);
+                         const pelagic_status status =
+                             pelagic_dynamic_waves_add_source(waves_of(ocean.get()), &source, &number);
                          if (status != PELAGIC_OK) return expect_rejected(status, what, name);
                          EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
-                         EXPECT_EQ(pelagic_ocean_remove_source(ocean.get(), number), PELAGIC_OK);
+                         EXPECT_EQ(pelagic_dynamic_waves_remove_source(waves_of(ocean.get()), number), PELAGIC_OK);
                      });
     }
 }
@@ -364,7 +366,7 @@ TEST(CInterfaceLeastValues, OfRain) {
         const COcean ocean = ocean_of(sea, options);
         walk(usual, fields, "step " + std::to_string(step),
              [&](const pelagic_rain& rain, const std::string& what, const char* name) {
-                 const pelagic_status status = pelagic_ocean_set_rain(ocean.get(), &rain);
+                 const pelagic_status status = pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain);
                  if (status != PELAGIC_OK) return expect_rejected(status, what, name);
                  EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
              });
@@ -425,8 +427,9 @@ TEST(CInterfaceLeastValues, ThatAreAccepted) {
         EXPECT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
         rain.drops_per_m2_s = 1;
         rain.radius_m = 0.001;
-        EXPECT_EQ(pelagic_ocean_disturb(ocean.get(), &stone), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(ocean.get()), &stone), PELAGIC_OK)
+            << pelagic_last_error();
+        EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_OK) << pelagic_last_error();
         EXPECT_EQ(first_unusual(ocean.get(), options), "") << "step " << step;
     }
 }
@@ -514,7 +517,7 @@ TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
     const COcean ocean = ocean_of(two_cascades(), options);
     for (const double value : min_values) {
         auto frame = sized<pelagic_frame>();
-        EXPECT_EQ(pelagic_ocean_follow(ocean.get(), value, value), PELAGIC_OK);
+        EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(ocean.get()), value, value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         EXPECT_EQ(first_unusual(ocean.get(), options), "");

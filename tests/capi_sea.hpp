@@ -34,6 +34,13 @@ inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32
     return sea;
 }
 
+/// The ocean's dynamic waves; null without any.
+inline pelagic_dynamic_waves* waves_of(const pelagic_ocean* ocean) {
+    pelagic_dynamic_waves* waves = nullptr;
+    pelagic_ocean_dynamic_waves(const_cast<pelagic_ocean*>(ocean), &waves);
+    return waves;
+}
+
 struct DestroyExecutor {
     void operator()(pelagic_executor* executor) const { pelagic_executor_destroy(executor); }
 };

@@ -139,8 +139,9 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     const COcean water = ocean_of(small_sea(), answering);
     auto disturbance = sized<pelagic_disturbance>();
     ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
-    expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps,
-                              [&](pelagic_disturbance* push) { return pelagic_ocean_disturb(water.get(), push); });
+    expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps, [&](pelagic_disturbance* push) {
+        return pelagic_dynamic_waves_add_impulse(waves_of(water.get()), push);
+    });
     const auto status_of_input = [](auto create, const auto* from) {
         pelagic_input* made = nullptr;
         const pelagic_status status = create(from, &made);
@@ -163,8 +164,9 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     auto rain = sized<pelagic_rain>();
     ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
     rain.drops_per_m2_s = 1;
-    expect_read_in_every_size(rain, &pelagic_rain::height_m,
-                              [&](pelagic_rain* falls) { return pelagic_ocean_set_rain(water.get(), falls); });
+    expect_read_in_every_size(rain, &pelagic_rain::height_m, [&](pelagic_rain* falls) {
+        return pelagic_dynamic_waves_set_rain(waves_of(water.get()), falls);
+    });
     auto ray = sized<pelagic_ray>();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, &pelagic_ray::reach_m, [&](pelagic_ray* asked) {
@@ -232,7 +234,7 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
     ASSERT_EQ(pelagic_ocean_schedule(water.get(), 1), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete(water.get(), &first), PELAGIC_OK);
     expect_written_in_every_size(&pelagic_dynamic_waves_view::height_max_m, [&](pelagic_dynamic_waves_view* surface) {
-        return pelagic_ocean_dynamic_waves(water.get(), surface);
+        return pelagic_dynamic_waves_get_view(waves_of(water.get()), surface);
     });
     expect_written_in_every_size(&pelagic_shore_options::swash_m, pelagic_shore_defaults);
     auto shore = sized<pelagic_shore_options>();

@@ -340,7 +340,7 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
     expect_invalid(create_with([](auto& o) { o.threads = -1; }), "threads is -1, needs 0 to 1024");
     expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_THREADS, o.threads = 1025; }),
                    "threads is 1025, needs 0 to 1024");
-    expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_HOST; }), "parallel_for is null");
+    expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_APPLICATION; }), "parallel_for is null");
     expect_invalid(create_with([](auto& o) { o.cpu_mask = 1; }), "cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
 
     const pelagic_sea sea = small_sea();
@@ -707,7 +707,7 @@ void expect_the_same_bits_of_a_applications_jobs(const pelagic_sea& sea) {
          {pelagic_submit{}, pelagic_submit{Application::submit}, pelagic_submit{Application::submit_late}}) {
         Application application;
         auto options = sized<pelagic_executor_options>();
-        options.kind = PELAGIC_EXECUTOR_HOST;
+        options.kind = PELAGIC_EXECUTOR_APPLICATION;
         options.threads = 2;
         options.parallel_for = Application::parallel_for;
         options.submit = submit;

@@ -216,7 +216,8 @@ TEST(CInterfaceInputs, ACallbackThatFailsLosesItsFrameAlone) {
     auto frame = sized<pelagic_frame>();
     fails = 1;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_HOST_ERROR, "an input's callback threw");
+    expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_APPLICATION_ERROR,
+                    "an input's callback threw");
     fails = 2;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,

@@ -230,7 +230,7 @@ TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
     DynamicWavePool pool({.resolution = 64, .side_m = 16, .border_m = 3});
     const double drop_m = 0.4;
     pool.tick(2);
-    pool.grid.sources().disturb({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = drop_m});
+    pool.grid.sources().add_impulse({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = drop_m});
     pool.tick();
     EXPECT_NEAR(shown(pool.grid, 0).height_m[0], drop_m, 1e-6);
     const double fastest = 1.5 * drop_m * 9.80665 * std::sqrt(pi) * pool.grid.tick_s();
@@ -280,7 +280,7 @@ TEST(DynamicWavesWaves, StepAsAnOracleInDouble) {
     options.decay_per_s = 0.5;
     options.depth_m = 3;
     DynamicWavePool pool(options);
-    pool.grid.sources().disturb(
+    pool.grid.sources().add_impulse(
         {.mode = Disturbance::Mode::impulse, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
     pool.tick(3);
     const std::size_t n = 64;
@@ -326,7 +326,7 @@ double verlet_energy(const DynamicWaveGrid& grid) {
 /// Pushed at in many places for half a second.
 void stir(DynamicWavePool& pool) {
     for (int i = 0; i < 30; ++i) {
-        pool.grid.sources().disturb(
+        pool.grid.sources().add_impulse(
             {.x_m = 5.0 * std::cos(i), .z_m = 6.0 * std::sin(2 * i), .radius_m = 0.8, .height_m = 1});
         pool.tick();
     }
@@ -450,7 +450,7 @@ TEST(DynamicWaveSources, ThatPressAtRestBecomeTheSurface) {
         DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
         const Disturbance press{.radius_m = 2, .height_m = -0.5};
         for (int i = 0; i < 3000; ++i) {
-            pool.grid.sources().disturb(press);
+            pool.grid.sources().add_impulse(press);
             pool.tick();
         }
         double worst = 0;
@@ -491,10 +491,10 @@ TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
         const bool is_relaxation = mode == Disturbance::Mode::relaxation;
         DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 512, .side_m = 64});
         const double drop_m = 0.2, radius_m = 1;
-        pool.grid.sources().disturb({.mode = mode,
-                                     .radius_m = is_relaxation ? std::sqrt(2) * radius_m : radius_m,
-                                     .height_m = drop_m,
-                                     .rate_per_s = 1000});
+        pool.grid.sources().add_impulse({.mode = mode,
+                                         .radius_m = is_relaxation ? std::sqrt(2) * radius_m : radius_m,
+                                         .height_m = drop_m,
+                                         .rate_per_s = 1000});
         for (const int second : {1, 2, 3}) {
             pool.tick(60);
             double worst = 0, highest = 0;
@@ -515,7 +515,7 @@ TEST(DynamicWaveSources, ThatPullAtRestMakeABoundedBulge) {
         DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
         double highest = 0;
         for (int i = 0; i < 2000; ++i) {
-            pool.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.5});
+            pool.grid.sources().add_impulse({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.5});
             pool.tick();
             highest = std::max(highest, highest_in(pool.grid));
         }
@@ -534,8 +534,8 @@ TEST(DynamicWaveWake, IsInASmallWindowAsInALargerOne) {
     for (int i = 0; i < 300; ++i) {
         const double x = -10 + 4.0 * i / 60;
         for (DynamicWavePool* pool : {&a, &b}) {
-            if (pool == &a) pool->grid.follow(x, 0);
-            pool->grid.sources().disturb(
+            if (pool == &a) pool->grid.set_center(x, 0);
+            pool->grid.sources().add_impulse(
                 {.shape = Disturbance::Shape::hull, .x_m = x, .radius_m = 0.8, .length_m = 2, .height_m = -0.4});
             pool->tick();
         }
@@ -578,13 +578,13 @@ TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     double boat = 0;
     for (int i = 0; i < 55 * 20; ++i) {
         boat = speed * i * grid.tick_s();
-        pool.grid.follow(boat, 0);
+        pool.grid.set_center(boat, 0);
         // Put into the water within three seconds.
-        pool.grid.sources().disturb({.shape = Disturbance::Shape::hull,
-                                     .x_m = boat,
-                                     .radius_m = 1.5,
-                                     .length_m = 5,
-                                     .height_m = -0.6 * std::min(1.0, i / 60.0)});
+        pool.grid.sources().add_impulse({.shape = Disturbance::Shape::hull,
+                                         .x_m = boat,
+                                         .radius_m = 1.5,
+                                         .length_m = 5,
+                                         .height_m = -0.6 * std::min(1.0, i / 60.0)});
         pool.tick();
     }
     const auto height = [&](double behind, double aside) {

@@ -36,10 +36,10 @@ const Frame& happen(Ocean& ocean, int from, int to) {
     const Frame* last = nullptr;
     for (int frame = from; frame < to; ++frame) {
         const double t = frame / 72.0;
-        if (frame == 0) ocean.add_source(boat);
-        ocean.follow(2 * t, 0);
+        if (frame == 0) ocean.dynamic_waves().add_source(boat);
+        ocean.dynamic_waves().set_center(2 * t, 0);
         if (frame % 11 == 3)
-            ocean.disturb(
+            ocean.dynamic_waves().add_impulse(
                 {.mode = Disturbance::Mode::impulse, .x_m = 2 * t + 4, .z_m = -3, .radius_m = 0.8, .height_m = 0.5});
         last = &ocean.frame_at(t);
     }
@@ -51,21 +51,21 @@ TEST(DynamicWaves, LeavesTheCascadesAsTheyAre) {
     happen(with, 0, 90);
     const Frame& frame = with.frame_at(2.5);
     EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
-    EXPECT_NE(dynamic_waves_hash_of(frame), 0U);
-    EXPECT_EQ(dynamic_waves_hash_of(without.frame_at(2.5)), 0U);
+    EXPECT_NE(hash_of(frame.dynamic_waves), 0U);
+    EXPECT_EQ(hash_of(without.frame_at(2.5).dynamic_waves), 0U);
 }
 
 TEST(DynamicWaves, HasTheSameBitsEverywhere) {
     Ocean first(breeze, answering(isas_here().front()));
-    const std::uint64_t expected = dynamic_waves_hash_of(happen(first, 0, 120));
+    const std::uint64_t expected = hash_of(happen(first, 0, 120).dynamic_waves);
     for (const Isa isa : isas_here()) {
         Ocean ocean(breeze, answering(isa));
-        EXPECT_EQ(dynamic_waves_hash_of(happen(ocean, 0, 120)), expected) << name_of(isa);
+        EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << name_of(isa);
     }
 
     for (const ExecutorKind& kind : executor_kinds()) {
         Ocean ocean(breeze, answering(choose_isa(), kind.make(kind.threads)));
-        EXPECT_EQ(dynamic_waves_hash_of(happen(ocean, 0, 120)), expected) << kind.name;
+        EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << kind.name;
     }
 }
 
@@ -73,10 +73,10 @@ TEST(DynamicWaves, HasTheSameBitsEverywhere) {
 TEST(DynamicWaves, IsMadeTickByTickWhateverTheFramesAre) {
     const auto after_two_seconds = [](int frames_a_second) {
         Ocean ocean(breeze, answering());
-        ocean.add_source(boat);
+        ocean.dynamic_waves().add_source(boat);
         for (int frame = 0; frame <= 2 * frames_a_second; ++frame)
             ocean.frame_at(frame / static_cast<double>(frames_a_second));
-        return dynamic_waves_hash_of(ocean.frame_at(2.0));
+        return hash_of(ocean.frame_at(2.0).dynamic_waves);
     };
     const std::uint64_t expected = after_two_seconds(60);
     for (const int frames_a_second : {7, 24, 30, 72, 90, 144})
@@ -86,7 +86,7 @@ TEST(DynamicWaves, IsMadeTickByTickWhateverTheFramesAre) {
 // A frame between two ticks shows the way between what the two before it left, as straight as it is long.
 TEST(DynamicWaves, IsShownBetweenTicks) {
     Ocean ocean(breeze, answering());
-    ocean.add_source(boat);
+    ocean.dynamic_waves().add_source(boat);
     for (int tick = 0; tick <= 60; ++tick) ocean.frame_at(tick / 60.0);
     const auto heights_at = [&](double tick) {
         const DynamicWavesView& water = ocean.frame_at(tick / 60).dynamic_waves;
@@ -106,17 +106,17 @@ TEST(DynamicWaves, IsShownBetweenTicks) {
 TEST(DynamicWaves, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     Ocean ocean(breeze, answering());
     happen(ocean, 0, 72);
-    const std::uint64_t there = dynamic_waves_hash_of(ocean.frame_at(1.0));
+    const std::uint64_t there = hash_of(ocean.frame_at(1.0).dynamic_waves);
     ocean.frame_at(0.3);
-    EXPECT_EQ(dynamic_waves_hash_of(ocean.frame_at(0.3)), there);
+    EXPECT_EQ(hash_of(ocean.frame_at(0.3).dynamic_waves), there);
     Ocean jumps(breeze, answering()), walks(breeze, answering());
     for (Ocean* each : {&jumps, &walks}) {
         each->frame_at(0);
-        each->disturb({.mode = Disturbance::Mode::impulse, .height_m = 0.5});
+        each->dynamic_waves().add_impulse({.mode = Disturbance::Mode::impulse, .height_m = 0.5});
     }
     jumps.frame_at(1e6);
     for (int tick = 1; tick <= 30; ++tick) walks.frame_at(tick / 60.0);
-    EXPECT_EQ(dynamic_waves_hash_of(jumps.frame_at(1e6)), dynamic_waves_hash_of(walks.frame_at(0.5)));
+    EXPECT_EQ(hash_of(jumps.frame_at(1e6).dynamic_waves), hash_of(walks.frame_at(0.5).dynamic_waves));
 }
 
 TEST(DynamicWaves, AddsToWhatQueriesTell) {
@@ -175,7 +175,7 @@ TEST(DynamicWaves, SlopesAsItsHeightsDo) {
 
 TEST(DynamicWaves, StopsRays) {
     Ocean ocean(breeze, answering());
-    ocean.add_source({.radius_m = 2, .height_m = 3});  // a bulge, higher than all waves
+    ocean.dynamic_waves().add_source({.radius_m = 2, .height_m = 3});  // a bulge, higher than all waves
     const Frame* frame = nullptr;
     for (int tick = 0; tick < 240; ++tick) frame = &ocean.frame_at(tick / 60.0);
     const SurfaceQuery query(*frame);
@@ -196,33 +196,34 @@ TEST(DynamicWaves, StopsRays) {
 
 TEST(DynamicWaves, RestoredIsAsIfOneHadNeverLeft) {
     Ocean stays(breeze, answering()), goes(breeze, answering()), late(breeze, answering());
-    for (Ocean* rains : {&stays, &goes}) rains->set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
-    const std::uint64_t expected = dynamic_waves_hash_of(happen(stays, 0, 150));
+    for (Ocean* rains : {&stays, &goes})
+        rains->dynamic_waves().set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
+    const std::uint64_t expected = hash_of(happen(stays, 0, 150).dynamic_waves);
     happen(goes, 0, 70);
-    const std::vector<std::uint8_t> saved = goes.saved_water();
+    const std::vector<std::uint8_t> saved = goes.dynamic_waves().save_state();
     happen(goes, 70, 110);
-    goes.disturb({.height_m = 1});  // never happened
-    goes.set_rain({.drops_per_m2_s = 1});
-    goes.restore_water(saved);
-    EXPECT_EQ(dynamic_waves_hash_of(happen(goes, 70, 150)), expected);
-    late.restore_water(saved);
-    EXPECT_EQ(dynamic_waves_hash_of(happen(late, 70, 150)), expected);
-    EXPECT_GT(late.add_source(boat), 1U) << "the boat's number is taken";
+    goes.dynamic_waves().add_impulse({.height_m = 1});  // never happened
+    goes.dynamic_waves().set_rain({.drops_per_m2_s = 1});
+    goes.dynamic_waves().restore_state(saved);
+    EXPECT_EQ(hash_of(happen(goes, 70, 150).dynamic_waves), expected);
+    late.dynamic_waves().restore_state(saved);
+    EXPECT_EQ(hash_of(happen(late, 70, 150).dynamic_waves), expected);
+    EXPECT_GT(late.dynamic_waves().add_source(boat), 1U) << "the boat's number is taken";
 }
 
 TEST(DynamicWaves, RestoredHasWhatWaitedForATick) {
     Ocean stays(breeze, answering()), late(breeze, answering());
     stays.frame_at(0.5);
-    stays.disturb(drop(0.3));
+    stays.dynamic_waves().add_impulse(drop(0.3));
     stays.frame_at(0.501);  // no tick
-    const std::vector<std::uint8_t> saved = stays.saved_water();
-    late.restore_water(saved);
+    const std::vector<std::uint8_t> saved = stays.dynamic_waves().save_state();
+    late.dynamic_waves().restore_state(saved);
     for (Ocean* ocean : {&stays, &late}) {
-        ocean->disturb(drop(0.2));
+        ocean->dynamic_waves().add_impulse(drop(0.2));
         ocean->frame_at(0.501);  // time stands still for both
     }
     EXPECT_GT(stays.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
-    EXPECT_EQ(dynamic_waves_hash_of(late.frame_at(0.55)), dynamic_waves_hash_of(stays.frame_at(0.55)));
+    EXPECT_EQ(hash_of(late.frame_at(0.55).dynamic_waves), hash_of(stays.frame_at(0.55).dynamic_waves));
 }
 
 /// The water at 0.6 s after a frame at 0.5 s and frames at these times, each given these drops while the frame before is in flight.
@@ -234,12 +235,12 @@ std::uint64_t hash_after(const std::vector<FrameWithDrops>& frames) {
     Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
     ocean.schedule(0.5);
     for (const FrameWithDrops& frame : frames) {
-        for (const double height_m : frame.drops_m) ocean.disturb(drop(height_m));
+        for (const double height_m : frame.drops_m) ocean.dynamic_waves().add_impulse(drop(height_m));
         ocean.complete();
         ocean.schedule(frame.time_s);
     }
     ocean.complete();
-    return dynamic_waves_hash_of(ocean.frame_at(0.6));
+    return hash_of(ocean.frame_at(0.6).dynamic_waves);
 }
 
 // Ticks are at 0.5 s and 0.517 s.
@@ -262,14 +263,14 @@ TEST(DynamicWaves, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
 TEST(DynamicWaves, HasRoomForSoManyDisturbancesATick) {
     Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
     const auto disturb = [&](int times) {
-        for (int i = 0; i < times; ++i) ocean.disturb(drop(1e-4));
+        for (int i = 0; i < times; ++i) ocean.dynamic_waves().add_impulse(drop(1e-4));
     };
     const auto expect_full = [&] {
         try {
-            ocean.disturb(drop(1e-4));
+            ocean.dynamic_waves().add_impulse(drop(1e-4));
             ADD_FAILURE();
         } catch (const std::invalid_argument& error) {
-            EXPECT_STREQ(error.what(), "the number of disturbances of a tick is 4097, needs at most 4096");
+            EXPECT_STREQ(error.what(), "the number of impulses of a tick is 4097, needs at most 4096");
         }
     };
     ocean.frame_at(0.5);
@@ -293,32 +294,32 @@ TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
     Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
     const Disturbance press{.radius_m = 1, .height_m = 1e-4};
     std::vector<std::uint32_t> numbers;
-    const auto add = [&] { numbers.push_back(ocean.add_source(press)); };
-    const auto expect_full = [&] { EXPECT_THROW(ocean.add_source(press), std::invalid_argument); };
+    const auto add = [&] { numbers.push_back(ocean.dynamic_waves().add_source(press)); };
+    const auto expect_full = [&] { EXPECT_THROW(ocean.dynamic_waves().add_source(press), std::invalid_argument); };
     for (int i = 0; i < 4096; ++i) add();
     expect_full();
     for (int frame = 0; frame < 3; ++frame) {
         ocean.schedule(frame / 60.0);
         for (const std::size_t place : {0U, 2000U}) {
-            ocean.remove_source(numbers[place]);
-            ocean.remove_source(numbers[place]);  // it makes room once
+            ocean.dynamic_waves().remove_source(numbers[place]);
+            ocean.dynamic_waves().remove_source(numbers[place]);  // it makes room once
             numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(place));
-            ocean.remove_source(1'000'000);
+            ocean.dynamic_waves().remove_source(1'000'000);
             add();
             expect_full();
         }
-        ocean.remove_source(numbers.back());  // one of this frame's own
+        ocean.dynamic_waves().remove_source(numbers.back());  // one of this frame's own
         numbers.pop_back();
         add();
         expect_full();
         ocean.complete();
     }
     ocean.frame_at(0.05);
-    const std::vector<std::uint8_t> saved = ocean.saved_water();
-    ocean.remove_source(numbers.front());
-    ocean.restore_water(saved);  // it is there again
+    const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
+    ocean.dynamic_waves().remove_source(numbers.front());
+    ocean.dynamic_waves().restore_state(saved);  // it is there again
     expect_full();
-    for (const std::uint32_t number : numbers) ocean.remove_source(number);
+    for (const std::uint32_t number : numbers) ocean.dynamic_waves().remove_source(number);
     for (int i = 0; i < 4096; ++i) add();
     expect_full();
     ocean.frame_at(0.1);
@@ -331,22 +332,22 @@ TEST(DynamicWaves, RefusesWhatWasSavedUnderOtherOptions) {
         OceanOptions changed = set;
         change(*changed.dynamic_waves);
         Ocean ocean(breeze, changed);
-        ocean.disturb(drop(0.3));
+        ocean.dynamic_waves().add_impulse(drop(0.3));
         ocean.frame_at(0);
         ocean.frame_at(0.1);
-        return ocean.saved_water();
+        return ocean.dynamic_waves().save_state();
     };
     Ocean ocean(breeze, set);
     ocean.frame_at(0);
-    const std::vector<std::uint8_t> before = ocean.saved_water();
+    const std::vector<std::uint8_t> before = ocean.dynamic_waves().save_state();
     const auto refuses = [&](auto change, const char* what) {
         try {
-            ocean.restore_water(saved_with(change));
+            ocean.dynamic_waves().restore_state(saved_with(change));
             ADD_FAILURE() << "took water of another " << what;
         } catch (const std::invalid_argument& error) {
-            EXPECT_STREQ(error.what(), "the saved water is of other options, needs those of this ocean's water");
+            EXPECT_STREQ(error.what(), "the saved state has other options, needs those of these dynamic waves");
         }
-        EXPECT_EQ(ocean.saved_water(), before) << what;
+        EXPECT_EQ(ocean.dynamic_waves().save_state(), before) << what;
     };
     using Options = DynamicWavesOptions;
     refuses([](Options& o) { o.step = DynamicWavesStep::spectral; }, "step");
@@ -360,22 +361,22 @@ TEST(DynamicWaves, RefusesWhatWasSavedUnderOtherOptions) {
     refuses([](Options& o) { o.decay_per_s = 0.02; }, "decay_per_s");
     refuses([](Options& o) { o.foam_height_m = 0.3; }, "foam_height_m");
     static_assert(sizeof(Options) == 72, "each field above");
-    EXPECT_NO_THROW(ocean.restore_water(saved_with([](Options&) {})));
+    EXPECT_NO_THROW(ocean.dynamic_waves().restore_state(saved_with([](Options&) {})));
 }
 
 // The water of the grid does not depend on the waves of the wind.
 TEST(DynamicWaves, IsRestoredInAnOceanOfAnotherSea) {
     Ocean there(breeze, answering()), here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, answering());
     happen(there, 0, 40);
-    here.restore_water(there.saved_water());
-    EXPECT_EQ(dynamic_waves_hash_of(happen(here, 40, 60)), dynamic_waves_hash_of(happen(there, 40, 60)));
+    here.dynamic_waves().restore_state(there.dynamic_waves().save_state());
+    EXPECT_EQ(hash_of(happen(here, 40, 60).dynamic_waves), hash_of(happen(there, 40, 60).dynamic_waves));
 }
 
 TEST(DynamicWaves, TakesOnlyWhatCanBeSaved) {
     Ocean ocean(breeze, answering());
-    ocean.set_rain({.drops_per_m2_s = 2});
+    ocean.dynamic_waves().set_rain({.drops_per_m2_s = 2});
     happen(ocean, 0, 20);
-    const std::vector<std::uint8_t> saved = ocean.saved_water();
+    const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
     std::mt19937 random(9);
     for (int i = 0; i < 300; ++i) {
         std::vector<std::uint8_t> bytes = saved;
@@ -385,18 +386,20 @@ TEST(DynamicWaves, TakesOnlyWhatCanBeSaved) {
         const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
         std::memcpy(bytes.data() + at, &word, sizeof word);
         try {
-            ocean.restore_water(bytes);
+            ocean.dynamic_waves().restore_state(bytes);
         } catch (const std::invalid_argument&) {
         }
         ocean.frame_at(0.3 + i / 60.0);  // whatever was taken can be gone on with
     }
-    EXPECT_THROW(ocean.restore_water({}), std::invalid_argument);
-    EXPECT_THROW(ocean.restore_water(std::span(saved).first(saved.size() - 1)), std::invalid_argument);
+    EXPECT_THROW(ocean.dynamic_waves().restore_state({}), std::invalid_argument);
+    EXPECT_THROW(ocean.dynamic_waves().restore_state(std::span(saved).first(saved.size() - 1)),
+                 std::invalid_argument);
 }
 
 TEST(DynamicWaves, SourcesMoveStopAndGo) {
     Ocean ocean(breeze, answering());
-    const std::uint32_t source = ocean.add_source({.radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
+    const std::uint32_t source =
+        ocean.dynamic_waves().add_source({.radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     const auto highest_at = [&](double x, const Frame& frame) {
         return sample(frame.dynamic_waves, x, 0).height_m > 0.8 * 0.5;
     };
@@ -408,25 +411,25 @@ TEST(DynamicWaves, SourcesMoveStopAndGo) {
     const Frame& moved = run_to(240);  // four seconds: four metres
     EXPECT_TRUE(highest_at(3.9, moved));
     EXPECT_FALSE(highest_at(0, moved));
-    ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5});
+    ocean.dynamic_waves().set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5});
     EXPECT_TRUE(highest_at(-5, run_to(600)));
     // Set anew it moves from where it is set, not from when it was first there.
-    ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
+    ocean.dynamic_waves().set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     EXPECT_TRUE(highest_at(-3.1, run_to(720)));
-    ocean.remove_source(source);
+    ocean.dynamic_waves().remove_source(source);
     EXPECT_LT(run_to(1600).dynamic_waves.height_max_m, 0.02f);
     // What is said of it afterwards, or of one that never was, is of nobody.
-    ocean.set_source(source, {.radius_m = 1.5, .height_m = 0.5});
-    ocean.set_source(77, {.radius_m = 1.5, .height_m = 0.5});
+    ocean.dynamic_waves().set_source(source, {.radius_m = 1.5, .height_m = 0.5});
+    ocean.dynamic_waves().set_source(77, {.radius_m = 1.5, .height_m = 0.5});
     EXPECT_LT(run_to(1800).dynamic_waves.height_max_m, 0.02f);
 }
 
 TEST(DynamicWaves, RefusesWhatItCantTake) {
     Ocean plain(breeze, {.executor = make_serial_executor()});
-    EXPECT_THROW(plain.disturb({}), std::invalid_argument);
-    EXPECT_THROW(plain.follow(0, 0), std::invalid_argument);
-    EXPECT_THROW(plain.set_rain({}), std::invalid_argument);
-    EXPECT_THROW(plain.saved_water(), std::invalid_argument);
+    EXPECT_THROW(plain.dynamic_waves().add_impulse({}), std::invalid_argument);
+    EXPECT_THROW(plain.dynamic_waves().set_center(0, 0), std::invalid_argument);
+    EXPECT_THROW(plain.dynamic_waves().set_rain({}), std::invalid_argument);
+    EXPECT_THROW(plain.dynamic_waves().save_state(), std::invalid_argument);
     OceanOptions wrong = answering();
     wrong.dynamic_waves->resolution = 65;
     try {
@@ -437,19 +440,20 @@ TEST(DynamicWaves, RefusesWhatItCantTake) {
     }
     Ocean ocean(breeze, answering());
     happen(ocean, 0, 20);
-    const std::uint64_t before = dynamic_waves_hash_of(ocean.frame_at(0.3));
+    const std::uint64_t before = hash_of(ocean.frame_at(0.3).dynamic_waves);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, 1e300}) {
-        EXPECT_THROW(ocean.disturb({.x_m = bad}), std::invalid_argument);
-        EXPECT_THROW(ocean.add_source({.height_m = bad}), std::invalid_argument);
-        EXPECT_THROW(ocean.set_source(1, {.radius_m = bad}), std::invalid_argument);
-        EXPECT_THROW(ocean.follow(bad, 0), std::invalid_argument);
+        EXPECT_THROW(ocean.dynamic_waves().add_impulse({.x_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.dynamic_waves().add_source({.height_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.dynamic_waves().set_source(1, {.radius_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.dynamic_waves().set_center(bad, 0), std::invalid_argument);
     }
-    EXPECT_EQ(dynamic_waves_hash_of(ocean.frame_at(0.3)), before);
-    for (std::size_t i = 0; i < 4096; ++i) ocean.disturb({.height_m = 0.01});
-    EXPECT_THROW(ocean.disturb({.height_m = 0.01}), std::invalid_argument);
+    EXPECT_EQ(hash_of(ocean.frame_at(0.3).dynamic_waves), before);
+    for (std::size_t i = 0; i < 4096; ++i) ocean.dynamic_waves().add_impulse({.height_m = 0.01});
+    EXPECT_THROW(ocean.dynamic_waves().add_impulse({.height_m = 0.01}), std::invalid_argument);
     ocean.frame_at(0.31);  // may have no tick: they wait for the next one
-    for (std::uint32_t number = 1000; number < 10000; ++number) ocean.set_source(number, {.height_m = 0.01});
+    for (std::uint32_t number = 1000; number < 10000; ++number)
+        ocean.dynamic_waves().set_source(number, {.height_m = 0.01});
     EXPECT_NO_THROW(ocean.frame_at(0.5));
 }
 

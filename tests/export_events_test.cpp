@@ -147,7 +147,7 @@ TEST_F(ExportEvents, LeaveTheCascadesAndTheirHashesAsTheyAre) {
 class TicksByHand {
    public:
     TicksByHand() : pool_({.resolution = grid_texels}) {
-        pool_.grid.follow(-1, -1.5);
+        pool_.grid.set_center(-1, -1.5);
         DynamicWaveSources& sources = pool_.grid.sources();
         const auto set = [&](std::uint32_t number, const Disturbance& source) {
             pool_.grid.set_source(number, source);
@@ -188,7 +188,7 @@ class TicksByHand {
     void before_tick(int tick) {
         constexpr double degree = std::numbers::pi / 180;
         DynamicWaveSources& sources = pool_.grid.sources();
-        if (tick == 30) sources.disturb({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = 0.4});
+        if (tick == 30) sources.add_impulse({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = 0.4});
         if (tick == 33) sources.remove(relaxation_);  // the first one behind -0.258 s + 0.8 s
         if (tick == 42) {
             hull_ = sources.new_number();

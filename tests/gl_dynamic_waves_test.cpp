@@ -228,13 +228,13 @@ TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
                                          .queries = true,
                                          .slopes = true,
                                          .dynamic_waves = DynamicWavesOptions{}});
-    ocean.follow(middle.x, middle.y);
+    ocean.dynamic_waves().set_center(middle.x, middle.y);
     for (const glm::dvec2 from : {glm::dvec2(-7, 5), {4, -9}, {11, 8}})
-        ocean.disturb({.mode = Disturbance::Mode::impulse,
-                       .x_m = middle.x + from.x,
-                       .z_m = middle.y + from.y,
-                       .radius_m = 3,
-                       .height_m = 3});
+        ocean.dynamic_waves().add_impulse({.mode = Disturbance::Mode::impulse,
+                                           .x_m = middle.x + from.x,
+                                           .z_m = middle.y + from.y,
+                                           .radius_m = 3,
+                                           .height_m = 3});
     for (int tick = 0; tick < 70; ++tick) ocean.frame_at(tick / 60.0);
     const Frame frame = ocean.complete();
     ASSERT_GT(frame.dynamic_waves.height_max_m, 0.3f);

@@ -206,21 +206,21 @@ TEST(RainDrops, FallsTheSameWhereverTheWindowIs) {
     large.resolution = 128;
     large.side_m = 32;
     DynamicWavePool here(stiff), there(stiff), larger(large), goes(stiff);
-    there.grid.follow(3.1, -2.3);
-    larger.grid.follow(-4, 5.2);
+    there.grid.set_center(3.1, -2.3);
+    larger.grid.set_center(-4, 5.2);
     for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
     for (int tick = 0; tick < 40; ++tick) {
-        goes.grid.follow(0.05 * tick, -0.04 * tick);  // eight texels and six in all
+        goes.grid.set_center(0.05 * tick, -0.04 * tick);  // eight texels and six in all
         for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->tick();
     }
     expect_same_inside(here.grid, there.grid, margin);
     expect_same_inside(here.grid, larger.grid, margin);
     expect_same_inside(here.grid, goes.grid, margin);
     // Far away, too, where cells have large numbers below 0.
-    there.grid.follow(-9e7, 9e7);
-    larger.grid.follow(-9e7 + 2, 9e7 - 1);
+    there.grid.set_center(-9e7, 9e7);
+    larger.grid.set_center(-9e7 + 2, 9e7 - 1);
     DynamicWavePool fresh(large);
-    fresh.grid.follow(-9e7, 9e7);
+    fresh.grid.set_center(-9e7, 9e7);
     fresh.grid.set_rain(wide);
     fresh.tick(40);
     larger.tick(40);
@@ -239,7 +239,7 @@ const Rain pours{.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed =
 void rain_and_pan(DynamicWavePool& pool, int from, int to) {
     for (int tick = from; tick < to; ++tick) {
         if (tick == 60) pool.grid.set_rain({.drops_per_m2_s = 12, .radius_m = 0.3, .height_m = 0.1});
-        pool.grid.follow(0.07 * tick, 0.2 * tick);
+        pool.grid.set_center(0.07 * tick, 0.2 * tick);
         pool.tick();
     }
 }
@@ -278,7 +278,7 @@ TEST(RainDrops, OfNoDropsIsNone) {
     same.grid.set_rain(pours);
     other.grid.set_rain({.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 4});
     for (DynamicWavePool* pool : {&dry, &over, &same, &other}) {
-        pool->grid.sources().disturb({.mode = Disturbance::Mode::impulse, .height_m = 0.4});
+        pool->grid.sources().add_impulse({.mode = Disturbance::Mode::impulse, .height_m = 0.4});
         pool->tick(20);
     }
     EXPECT_EQ(over.grid.saved(), dry.grid.saved());
@@ -319,8 +319,8 @@ TEST(RainDrops, RefusesWhatCantFall) {
     EXPECT_NE(check(rain, water), "");
     rain.drops_per_m2_s = std::numeric_limits<double>::infinity();
     EXPECT_NE(check(rain, water), "");
+    EXPECT_THROW(DynamicWaves(water).set_rain(rain), std::invalid_argument);
     DynamicWavePool pool(water);
-    EXPECT_THROW(pool.grid.set_rain(rain), std::invalid_argument);
     // A saved rain that can't be is refused, and nothing has changed.
     pool.grid.set_rain({.drops_per_m2_s = 2});
     const std::vector<std::uint8_t> saved = pool.grid.saved();

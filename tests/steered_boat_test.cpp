@@ -94,7 +94,7 @@ struct Voyage {
                  .queries = true,
                  .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64}}};
     SteeredBoat boat{{0, 0}, 0};
-    std::uint32_t source = ocean.add_source(boat.press(0, 1 / 60.));
+    std::uint32_t source = ocean.dynamic_waves().add_source(boat.press(0, 1 / 60.));
     double time_s = 0;
 
     template <class EachFrame>
@@ -109,8 +109,8 @@ struct Voyage {
             };
             boat.step(1 / 30., helm, height, frame.time_s);
             each_frame(frame);
-            ocean.set_source(source, boat.press(frame.time_s, 1 / 60.));
-            ocean.follow(boat.place_m().x, boat.place_m().y);
+            ocean.dynamic_waves().set_source(source, boat.press(frame.time_s, 1 / 60.));
+            ocean.dynamic_waves().set_center(boat.place_m().x, boat.place_m().y);
         }
     }
 };

@@ -130,7 +130,7 @@ TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
         const Frame& frame = ocean.complete();
         const glm::dvec3 at = boxes[0].state().position_m;
         wakes[0].press(ocean, boxes[0], step_s);
-        ocean.follow(at.x, at.z);
+        ocean.dynamic_waves().set_center(at.x, at.z);
         ocean.schedule(i * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         for (int direction = 0; direction < 12; ++direction) {

@@ -27,7 +27,7 @@ struct CommandEntry {
     const char* option = nullptr;  ///< CMake option that enables the command; null: always built
 };
 
-constexpr CommandEntry commands[] = {
+constexpr CommandEntry command_table[] = {
     {"bench", "measure frame times on this machine beside stored results", make_bench_command},
     {"export", "write the frames of a sea as images, and sea.json", make_export_command, "PELAGIC_IMAGES"},
     {"info", "print a sea's statistics, stages and memory", make_info_command},
@@ -41,7 +41,7 @@ constexpr CommandEntry commands[] = {
 /// Returns "bench, export ... or view".
 std::string command_names() {
     std::vector<std::string> names;
-    for (const CommandEntry& command : commands) names.emplace_back(command.name);
+    for (const CommandEntry& command : command_table) names.emplace_back(command.name);
     return list_of(names);
 }
 
@@ -139,7 +139,7 @@ int run(int argc, const char* const* argv) {
 
     app.require_subcommand(0, 1);
     std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> parsers;
-    for (const CommandEntry& entry : commands) {
+    for (const CommandEntry& entry : command_table) {
         CLI::App* const parser = app.add_subcommand(entry.name, entry.help);
         parsers.emplace_back(parser, entry.make ? entry.make() : std::make_unique<AbsentCommand>(entry));
         parsers.back().second->add_options(*parser);

@@ -262,7 +262,7 @@ class Viewer {
                                     .dynamic_waves = dynamic_waves,
                                     .shore = has_shore ? options_.shore : std::nullopt});
         boat_source_.reset();
-        ocean_->follow(window_middle_.x, window_middle_.y);
+        ocean_->dynamic_waves().set_center(window_middle_.x, window_middle_.y);
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -357,9 +357,9 @@ class Viewer {
             passed_s, helm_, [&](double x, double z) { return drawn_height(query, x, z); }, frame.time_s);
         if (settings_.follows_boat) camera_.go_along(boat_->place_m() - before);
         const Disturbance press = boat_->press(frame.time_s, tick_s);
-        if (!boat_source_) boat_source_ = ocean_->add_source(press);
-        ocean_->set_source(*boat_source_, press);
-        ocean_->follow(boat_->place_m().x, boat_->place_m().y);
+        if (!boat_source_) boat_source_ = ocean_->dynamic_waves().add_source(press);
+        ocean_->dynamic_waves().set_source(*boat_source_, press);
+        ocean_->dynamic_waves().set_center(boat_->place_m().x, boat_->place_m().y);
         statistics_.boat_mps = boat_->speed_mps();
     }
 
@@ -370,12 +370,12 @@ class Viewer {
         // The window goes where it is needed, unless a boat needs it.
         if (!boat_ && glm::length(*place - window_middle_) > dynamic_waves.side_m / 4) {
             window_middle_ = *place;
-            ocean_->follow(place->x, place->y);
+            ocean_->dynamic_waves().set_center(place->x, place->y);
         }
         Disturbance here = splash;
         here.x_m = place->x;
         here.z_m = place->y;
-        ocean_->disturb(here);
+        ocean_->dynamic_waves().add_impulse(here);
     }
 
     void put_boat() {
@@ -395,7 +395,7 @@ class Viewer {
         window_middle_ = boat_->place_m();
         boat_.reset();
         statistics_.boat_mps.reset();
-        if (boat_source_) ocean_->remove_source(*boat_source_);
+        if (boat_source_) ocean_->dynamic_waves().remove_source(*boat_source_);
         boat_source_.reset();
     }
 

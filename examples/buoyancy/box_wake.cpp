@@ -39,7 +39,7 @@ Disturbance pressure_of(const FloatingBox& box) {
 BoxWake::BoxWake(Ocean& ocean, const FloatingBox& box)
     : box_m_(box.state().position_m), pressure_m_(box.state().position_m) {
     pressures_.fill(pressing(box));
-    source_ = ocean.add_source(pressures_[0]);
+    source_ = ocean.dynamic_waves().add_source(pressures_[0]);
 }
 
 double BoxWake::launch_s(const BoxOptions& box) {
@@ -62,7 +62,7 @@ void BoxWake::press(Ocean& ocean, const FloatingBox& box, double tick_s) {
     pressure_m_ += tick_s / return_s * (now_m - pressure_m_);
     box_m_ = now_m;
     pressures_ = {pressing(box), pressures_[0], pressures_[1]};
-    ocean.set_source(source_, pressures_[0]);
+    ocean.dynamic_waves().set_source(source_, pressures_[0]);
 }
 
 void BoxWake::leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const {

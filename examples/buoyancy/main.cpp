@@ -93,7 +93,7 @@ std::vector<BoatTrace> sail(double seconds) {
         const Frame& frame = ocean.complete();
         for (std::size_t boat = 0; boat < boxes.size(); ++boat) wakes[boat].press(ocean, boxes[boat], step_s);
         const glm::dvec3 middle = boxes[1].state().position_m;
-        ocean.follow(middle.x, middle.z);
+        ocean.dynamic_waves().set_center(middle.x, middle.z);
         ocean.schedule((i + 1) * step_s);  // computed while the boats ask about this one
         step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         if (i < 0) continue;

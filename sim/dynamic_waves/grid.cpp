@@ -1,6 +1,7 @@
 #include "pelagic/sim/dynamic_waves/grid.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -48,7 +49,7 @@ DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, co
     : options_(options),
       kernels_(kernels_for(isa)),
       placement_(options.resolution, options.side_m / options.resolution) {
-    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    assert(check(options).empty());
     const DefaultFloatEnvironment environment;
     for (auto& plane : planes_) plane = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     tick_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
@@ -194,11 +195,9 @@ void DynamicWaveGrid::flatten_column(std::int64_t x) {
     }
 }
 
-void DynamicWaveGrid::follow(double x_m, double z_m) {
+void DynamicWaveGrid::set_center(double x_m, double z_m) {
+    assert(std::fabs(x_m) <= farthest_m && std::fabs(z_m) <= farthest_m);
     const DefaultFloatEnvironment environment;
-    for (const double at : {x_m, z_m})
-        if (!(at >= -farthest_m && at <= farthest_m))
-            throw std::invalid_argument(invalid_value_message("the grid's middle", at, "[-1e8, 1e8]"));
     const std::array<std::int64_t, 2> moved = placement_.first_around(x_m, z_m);
     if (moved == placement_.first()) return;
     const std::int64_t side = options_.resolution;

@@ -32,7 +32,7 @@ class DynamicWaveGrid {
     /// Texels that Verlet's waves run in a tick.
     static double courant_number(const DynamicWavesOptions& options);
 
-    /// Throws std::invalid_argument(check(options)), std::bad_alloc. \pre runs_here(isa)
+    /// Throws std::bad_alloc. \pre check(options) is empty; runs_here(isa)
     DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const Allocator& memory = {});
     DynamicWaveGrid(const DynamicWaveGrid&) = delete;  // stages point into it
     DynamicWaveGrid& operator=(const DynamicWaveGrid&) = delete;
@@ -40,9 +40,9 @@ class DynamicWaveGrid {
     /// Adds the stages of a tick; returns the one after which it is over. The grid outlives the graph's runs.
     StageId add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for = {});
 
-    /// The grid's middle, in the world, as near as whole texels allow; those that enter are flat. Throws
-    /// std::invalid_argument unless both are in [-1e8, 1e8]. \pre no tick is in flight
-    void follow(double x_m, double z_m);
+    /// Moves the grid's centre to within half a texel of the point. Texels that enter are flat.
+    /// \pre both in [-1e8, 1e8]; no tick is in flight
+    void set_center(double x_m, double z_m);
 
     /// What pushes from the next tick on. What lies outside of the grid does nothing. \pre no tick is in flight
     DynamicWaveSources& sources() { return sources_; }

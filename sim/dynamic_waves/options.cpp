@@ -76,32 +76,31 @@ std::string check(const DynamicWavesOptions& options) {
     return {};
 }
 
-DynamicWavesSample sample(const DynamicWavesView& water, double x_m, double z_m) {
-    if (!water) return {};
-    const double u = x_m / water.texel_m - static_cast<double>(water.first_x);
-    const double v = z_m / water.texel_m - static_cast<double>(water.first_z);
+DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) {
+    if (!view) return {};
+    const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
+    const double v = z_m / view.texel_m - static_cast<double>(view.first_z);
     // The outermost texels have neighbours on the other side of the grid only, and are 0.
-    const double last = water.resolution - 2;
+    const double last = view.resolution - 2;
     if (!(u >= 1 && v >= 1 && u < last && v < last)) return {};
     const double column = std::floor(u), row = std::floor(v);
-    const auto x = water.first_x + static_cast<std::int64_t>(column),
-               z = water.first_z + static_cast<std::int64_t>(row);
-    const DynamicWaveTexels texels(water);
+    const auto x = view.first_x + static_cast<std::int64_t>(column),
+               z = view.first_z + static_cast<std::int64_t>(row);
+    const DynamicWaveTexels texels(view);
     const DynamicWavesSample above = between(texels.at(x, z), texels.at(x + 1, z), u - column);
     const DynamicWavesSample below = between(texels.at(x, z + 1), texels.at(x + 1, z + 1), u - column);
     return between(above, below, v - row);
 }
 
-std::uint64_t dynamic_waves_hash_of(const Frame& frame) {
-    const DynamicWavesView& water = frame.dynamic_waves;
-    if (!water) return 0;
+std::uint64_t hash_of(const DynamicWavesView& view) {
+    if (!view) return 0;
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    const std::int64_t place[] = {water.resolution, water.first_x, water.first_z};
+    const std::int64_t place[] = {view.resolution, view.first_x, view.first_z};
     XXH3_64bits_update(&state, place, sizeof place);
-    XXH3_64bits_update(&state, water.height_m.data(), water.height_m.size_bytes());
-    XXH3_64bits_update(&state, water.vertical_velocity_mps.data(), water.vertical_velocity_mps.size_bytes());
-    XXH3_64bits_update(&state, water.foam.data(), water.foam.size_bytes());
+    XXH3_64bits_update(&state, view.height_m.data(), view.height_m.size_bytes());
+    XXH3_64bits_update(&state, view.vertical_velocity_mps.data(), view.vertical_velocity_mps.size_bytes());
+    XXH3_64bits_update(&state, view.foam.data(), view.foam.size_bytes());
     return XXH3_64bits_digest(&state);
 }
 

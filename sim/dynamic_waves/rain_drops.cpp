@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
-#include <stdexcept>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
@@ -69,7 +69,7 @@ struct RainDrops::Drop {
 };
 
 RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
-    if (const std::string reason = check(rain, water); !reason.empty()) throw std::invalid_argument(reason);
+    assert(check(rain, water).empty());
     const DefaultFloatEnvironment environment;
     if (rain.drops_per_m2_s == 0) return;
     rain_ = rain;

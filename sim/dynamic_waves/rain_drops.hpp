@@ -23,7 +23,7 @@ class RainDrops {
    public:
     /// None.
     RainDrops() = default;
-    /// Throws std::invalid_argument(check(rain, water)). \pre check(water).empty()
+    /// \pre check(water) and check(rain, water) are empty
     RainDrops(const Rain& rain, const DynamicWavesOptions& water);
 
     /// Adds the drops of the tick to rows of the torus. One that the grid's edge would cut does not fall: no water comes in, and none

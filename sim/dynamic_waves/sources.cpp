@@ -10,6 +10,7 @@
 #include <string>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -72,7 +73,7 @@ Disturbance disturbance_of(const SavedSource& saved) {
                                 .rate_per_s = saved.rate,
                                 .velocity_x_mps = saved.velocity_x,
                                 .velocity_z_mps = saved.velocity_z};
-    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(source));
     return source;
 }
 
@@ -80,32 +81,27 @@ RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& wat
     if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(invalid_value_message("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
     const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
-    return {{saved.rain_drops, saved.rain_radius, saved.rain_height, seed}, water};
-}
-
-void need_room(const char* what, std::size_t count) {
-    if (count == DynamicWaveSources::max_count)
-        throw std::invalid_argument(
-            invalid_value_message(what, count + 1, "at most " + number_text(DynamicWaveSources::max_count)));
+    const Rain rain{saved.rain_drops, saved.rain_radius, saved.rain_height, seed};
+    require(check(rain, water));
+    return {rain, water};
 }
 
 }  // namespace
 
-void DynamicWaveSources::disturb(const Disturbance& disturbance) {
-    if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
-    need_room("the number of disturbances of a tick", waiting_.size());
+void DynamicWaveSources::add_impulse(const Disturbance& disturbance) {
+    assert(check(disturbance).empty() && waiting_.size() < max_count);
     waiting_.push_back(disturbance);
 }
 
 void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
-    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    assert(check(source).empty());
     const auto at = std::lower_bound(sources_.begin(), sources_.end(), number,
                                      [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
     if (at != sources_.end() && at->number == number) {
         *at = {number, source, ticks};
         return;
     }
-    need_room("the number of sources", sources_.size());
+    assert(sources_.size() < max_count);
     sources_.insert(at, {number, source, ticks});
 }
 

@@ -17,8 +17,8 @@ class DynamicWaveSources {
     /// Sources that last, and disturbances of one tick.
     static constexpr std::size_t max_count = 4096;
 
-    /// For the tick to come. Throws std::invalid_argument(check(disturbance)), or if there are too many.
-    void disturb(const Disturbance& disturbance);
+    /// Adds a disturbance for the next tick. \pre check(disturbance) is empty, and waiting() < max_count
+    void add_impulse(const Disturbance& disturbance);
     /// What waits for the tick to come. Some of it may be provisional, until settle().
     std::size_t waiting() const { return waiting_.size(); }
     std::size_t settled() const { return settled_; }
@@ -29,7 +29,7 @@ class DynamicWaveSources {
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
     void remove(std::uint32_t number);
     bool has(std::uint32_t number) const;
-    /// From the tick to come on. Throws std::invalid_argument(check(rain, water)).
+    /// Sets the rain from the next tick on. \pre check(rain, water) is empty
     void set_rain(const Rain& rain, const DynamicWavesOptions& water) { rain_ = RainDrops(rain, water); }
     /// Of what lasts, in ascending order.
     std::vector<std::uint32_t> numbers() const;

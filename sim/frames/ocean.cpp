@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/dynamic_waves/frames.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/shore/shore_source.hpp"
 
@@ -66,11 +65,10 @@ struct Ocean::State {
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
         if (options.dynamic_waves)
-            dynamic_waves = std::make_unique<DynamicWaveFrames>(
-                checked(*options.dynamic_waves), isa, options.memory,
-                [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
-                    return prepare(*executor, graph, options.trace, "dynamic_waves", runs);
-                });
+            dynamic_waves = std::make_unique<DynamicWaves>(
+                *options.dynamic_waves,
+                DynamicWaves::Resources{
+                    .executor = executor, .isa = isa, .trace = options.trace, .memory = options.memory});
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
@@ -181,7 +179,7 @@ struct Ocean::State {
     std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
-    std::unique_ptr<DynamicWaveFrames> dynamic_waves;  ///< if the ocean has dynamic waves
+    std::unique_ptr<DynamicWaves> dynamic_waves;  ///< if the ocean has dynamic waves
 
     /// \pre the ocean has one
     void bake_shore() {
@@ -196,7 +194,7 @@ struct Ocean::State {
         if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
     }
 
-    DynamicWaveFrames& needed_dynamic_waves() {
+    DynamicWaves& needed_dynamic_waves() {
         if (!dynamic_waves)
             throw std::invalid_argument("the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
         return *dynamic_waves;
@@ -300,8 +298,8 @@ const Frame& Ocean::complete() {
             state_->complete_run();
             if (state_->shore) state_->frames.show(state_->shore->end_frame());
             if (state_->dynamic_waves) {
-                state_->dynamic_waves->complete();
-                state_->frames.show(state_->dynamic_waves->surface());
+                state_->dynamic_waves->complete_frame();
+                state_->frames.show(state_->dynamic_waves->view());
             }
         } catch (...) {
             state_->drop_frame();
@@ -397,26 +395,8 @@ void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     state_->frames.restore_history(saved);
 }
 
-void Ocean::disturb(const Disturbance& disturbance) { state_->needed_dynamic_waves().disturb(disturbance); }
-std::uint32_t Ocean::add_source(const Disturbance& source) {
-    return state_->needed_dynamic_waves().add_source(source);
-}
-void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
-    state_->needed_dynamic_waves().set_source(number, source);
-}
-void Ocean::remove_source(std::uint32_t number) { state_->needed_dynamic_waves().remove_source(number); }
-void Ocean::follow(double x_m, double z_m) { state_->needed_dynamic_waves().follow(x_m, z_m); }
-void Ocean::set_rain(const Rain& rain) { state_->needed_dynamic_waves().set_rain(rain); }
-
-std::vector<std::uint8_t> Ocean::saved_water() const {
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    return state_->needed_dynamic_waves().saved();
-}
-
-void Ocean::restore_water(std::span<const std::uint8_t> saved) {
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    state_->needed_dynamic_waves().restore(saved);
-}
+DynamicWaves& Ocean::dynamic_waves() { return state_->needed_dynamic_waves(); }
+const DynamicWaves& Ocean::dynamic_waves() const { return state_->needed_dynamic_waves(); }
 
 std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }
 int Ocean::resolution() const { return state_->frames.resolution(); }
@@ -426,7 +406,8 @@ Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }
 std::size_t Ocean::memory_bytes() const {
-    return sizeof(State) + state_->frames.bytes() + (state_->dynamic_waves ? state_->dynamic_waves->bytes() : 0) +
+    return sizeof(State) + state_->frames.bytes() +
+           (state_->dynamic_waves ? state_->dynamic_waves->memory_bytes() : 0) +
            (state_->shore ? state_->shore->bytes() : 0);
 }
 

@@ -40,7 +40,7 @@ class Bytes {
 };
 
 void must_be_a_status(pelagic_status status) {
-    if (status < PELAGIC_OK || status == PELAGIC_INTERNAL_ERROR || status > PELAGIC_HOST_ERROR) std::abort();
+    if (status < PELAGIC_OK || status == PELAGIC_INTERNAL_ERROR || status > PELAGIC_APPLICATION_ERROR) std::abort();
     if (status != PELAGIC_OK && *pelagic_last_error() == 0) std::abort();
 }
 
@@ -195,7 +195,8 @@ pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
 
 pelagic_ocean* any_ocean(Bytes& bytes) {
     auto executor_options = sized<pelagic_executor_options>(bytes);
-    constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_HOST, PELAGIC_EXECUTOR_TBB, -7};
+    constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_APPLICATION, PELAGIC_EXECUTOR_TBB,
+                                      -7};
     executor_options.kind = kinds[bytes.take<std::uint8_t>() % std::size(kinds)];
     executor_options.threads = bytes.take<std::int8_t>();
     if (bytes.take<std::uint8_t>() % 8) executor_options.parallel_for = in_turn;
@@ -354,15 +355,22 @@ pelagic_disturbance any_disturbance(Bytes& bytes) {
     return disturbance;
 }
 
+/// The ocean's dynamic waves; null without any.
+pelagic_dynamic_waves* waves_of(const pelagic_ocean* ocean) {
+    pelagic_dynamic_waves* waves = nullptr;
+    must_be_a_status(pelagic_ocean_dynamic_waves(const_cast<pelagic_ocean*>(ocean), &waves));
+    return waves;
+}
+
 /// Saved, and restored with four bytes that somebody has changed, in the head, among the texels or among the sources, or with fewer.
 void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<std::uint8_t> saved;
     std::size_t count = 0;
-    const pelagic_status measured = pelagic_ocean_save_water(ocean, nullptr, 0, &count);
+    const pelagic_status measured = pelagic_dynamic_waves_save_state(waves_of(ocean), nullptr, 0, &count);
     must_be_a_status(measured);
     if (measured == PELAGIC_OK) {
         saved.resize(count);
-        must_be_a_status(pelagic_ocean_save_water(ocean, saved.data(), saved.size(), &count));
+        must_be_a_status(pelagic_dynamic_waves_save_state(waves_of(ocean), saved.data(), saved.size(), &count));
     }  // else those of another time, perhaps of another ocean
     const auto changed = bytes.take<std::uint8_t>();
     std::vector<std::uint8_t> mutated = saved;
@@ -376,18 +384,18 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
         std::memcpy(mutated.data() + place, &instead, sizeof instead);
     }
     if (changed >= 250 && !mutated.empty()) mutated.resize(mutated.size() - changed % mutated.size());
-    must_be_a_status(pelagic_ocean_restore_water(ocean, mutated.data(), mutated.size()));
+    must_be_a_status(pelagic_dynamic_waves_restore_state(waves_of(ocean), mutated.data(), mutated.size()));
 }
 
 /// What frames show of the window and of the shore; every last byte of it is there.
 void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     std::uint64_t hash = 0;
-    must_be_a_status(pelagic_ocean_dynamic_waves_hash(ocean, &hash));
+    must_be_a_status(pelagic_dynamic_waves_hash(waves_of(ocean), &hash));
     must_be_a_status(pelagic_ocean_shore_hash(ocean, &hash));
     auto dynamic_waves = sized<pelagic_dynamic_waves_view>(bytes);
     auto shore = sized<pelagic_shore_surface>(bytes);
     double sum = 0;
-    const pelagic_status of_dynamic_waves = pelagic_ocean_dynamic_waves(ocean, &dynamic_waves);
+    const pelagic_status of_dynamic_waves = pelagic_dynamic_waves_get_view(waves_of(ocean), &dynamic_waves);
     must_be_a_status(of_dynamic_waves);
     if (of_dynamic_waves == PELAGIC_OK && dynamic_waves.struct_size == sizeof dynamic_waves) {
         const auto last =
@@ -410,24 +418,26 @@ void any_dynamic_waves_command(Bytes& bytes, pelagic_ocean* ocean) {
     switch (bytes.take<std::uint8_t>() % 7) {
         case 0: {
             const pelagic_disturbance disturbance = any_disturbance(bytes);
-            must_be_a_status(pelagic_ocean_disturb(ocean, &disturbance));
+            must_be_a_status(pelagic_dynamic_waves_add_impulse(waves_of(ocean), &disturbance));
             break;
         }
         case 1: {
             const pelagic_disturbance source = any_disturbance(bytes);
-            must_be_a_status(pelagic_ocean_add_source(ocean, &source, &number));
+            must_be_a_status(pelagic_dynamic_waves_add_source(waves_of(ocean), &source, &number));
             break;
         }
         case 2: {
             number = bytes.take<std::uint8_t>();
             const pelagic_disturbance source = any_disturbance(bytes);
-            must_be_a_status(pelagic_ocean_set_source(ocean, number, &source));
+            must_be_a_status(pelagic_dynamic_waves_set_source(waves_of(ocean), number, &source));
             break;
         }
-        case 3: must_be_a_status(pelagic_ocean_remove_source(ocean, bytes.take<std::uint8_t>())); break;
+        case 3:
+            must_be_a_status(pelagic_dynamic_waves_remove_source(waves_of(ocean), bytes.take<std::uint8_t>()));
+            break;
         case 4: {
             const double x = bytes.number(), z = bytes.number();
-            must_be_a_status(pelagic_ocean_follow(ocean, x, z));
+            must_be_a_status(pelagic_dynamic_waves_set_center(waves_of(ocean), x, z));
             break;
         }
         case 5: any_saved_water(bytes, ocean); break;

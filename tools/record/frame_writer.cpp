@@ -188,7 +188,7 @@ FrameRecord statistics_of(int number, const Frame& frame, bool has_foam) {
             .time_s = frame.time_s,
             .hash = hex_text(hash_of(frame)),
             .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
-            .dynamic_waves_hash = frame.dynamic_waves ? hex_text(dynamic_waves_hash_of(frame)) : "",
+            .dynamic_waves_hash = frame.dynamic_waves ? hex_text(hash_of(frame.dynamic_waves)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
             .height_max_m = frame.bounds.height_max_m,

@@ -26,7 +26,7 @@ struct FrameRecord {
     double time_s = 0;
     std::string hash;       ///< hash_of() as 16 hexadecimal digits
     std::string foam_hash;  ///< foam_hash_of() as 16 hexadecimal digits; empty without maps of foam
-    /// dynamic_waves_hash_of() as 16 hexadecimal digits; empty without events
+    /// hash_of() of the dynamic waves; empty without events
     std::string dynamic_waves_hash;
     double significant_wave_height_m = 0;
     double height_min_m = 0, height_max_m = 0;

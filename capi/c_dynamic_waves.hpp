@@ -1,0 +1,20 @@
+// What a pelagic_dynamic_waves is.
+#pragma once
+
+#include <memory>
+
+#include "pelagic/pelagic.h"
+#include "pelagic/sim/dynamic_waves.hpp"
+
+struct pelagic_dynamic_waves {
+    std::unique_ptr<pelagic::DynamicWaves> own;  ///< null: an ocean's
+    pelagic::DynamicWaves* waves = nullptr;
+    const pelagic_ocean* ocean = nullptr;  ///< that owns them; null: none
+};
+
+namespace pelagic::capi {
+
+/// Reads the application's options. Throws std::invalid_argument for null, a wrong struct_size and a value out of range.
+DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options);
+
+}  // namespace pelagic::capi

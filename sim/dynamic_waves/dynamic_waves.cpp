@@ -1,0 +1,353 @@
+// Ticks and frames of dynamic waves: the commands that wait, the runs of the ticks, and two slots for what frames show.
+#include "pelagic/sim/dynamic_waves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Fraction of a tick by which a time that is meant to be a tick's own may be rounded down.
+constexpr double clock_slack = 0x1p-16;
+/// Beyond this, doubles cannot distinguish ticks.
+constexpr double farthest_tick = 0x1p50;
+constexpr double farthest_m = 1e8;
+
+struct SavedClock {
+    std::uint64_t options;  ///< their digest_of()
+    std::int64_t has_clock, last_tick;
+    double last_time_s;
+};
+
+/// XXH3 of the options, as numbers without padding between them.
+std::uint64_t digest_of(const DynamicWavesOptions& options) {
+    const double numbers[] = {static_cast<double>(options.step),
+                              static_cast<double>(options.resolution),
+                              options.side_m,
+                              static_cast<double>(options.ticks_per_s),
+                              options.border_m,
+                              options.depth_m,
+                              options.viscosity_m2ps,
+                              options.wave_speed_mps,
+                              options.decay_per_s,
+                              options.foam_height_m};
+    return XXH3_64bits(numbers, sizeof numbers);
+}
+
+}  // namespace
+
+// The runs are last, so that they are destroyed first and wait for work in flight.
+struct DynamicWaves::State {
+    State(const DynamicWavesOptions& options, Resources&& resources)
+        : executor(resources.executor ? std::move(resources.executor) : make_default_executor()),
+          grid(options, choose_isa(resources.isa), resources.memory) {
+        const auto n = static_cast<std::size_t>(options.resolution);
+        for (Slot& slot : slots) {
+            slot.height = AlignedBuffer<float>(n * n, resources.memory);
+            slot.vertical_velocity = AlignedBuffer<float>(n * n, resources.memory);
+            slot.foam = AlignedBuffer<std::uint8_t>(n * n, resources.memory);
+            slot.lowest.resize(n);
+            slot.highest.resize(n);
+        }
+        const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
+            graph.add({.name = "dynamic waves show",
+                       .count = n / DynamicWaveGrid::rows_an_item,
+                       .waits_for = std::move(waits_for),
+                       .body = for_each_item([this](std::size_t item) { show_rows(item); })});
+        };
+        grid.add_tick_stages(tick_graph);
+        add_show_stage(show_graph, {});
+        add_show_stage(tick_and_show_graph, {grid.add_tick_stages(tick_and_show_graph)});
+        const auto runs = std::make_shared<std::uint64_t>();
+        const auto prepared = [&](const JobGraph& graph) {
+            return resources.trace ? prepare_traced(*executor, graph, resources.trace, "dynamic_waves", runs)
+                                   : executor->prepare(graph);
+        };
+        tick_run = prepared(tick_graph);
+        show_run = prepared(show_graph);
+        tick_and_show_run = prepared(tick_and_show_graph);
+    }
+
+    struct Slot {
+        AlignedBuffer<float> height, vertical_velocity;
+        AlignedBuffer<std::uint8_t> foam;
+        std::vector<float> lowest, highest;
+        DynamicWavesView view;  ///< empty until a frame is complete
+    };
+    struct Command {
+        enum class Kind { add_impulse, add_source, set_source, remove_source, set_center, set_rain } kind;
+        std::uint32_t number = 0;
+        Disturbance disturbance = {};  ///< the centre's place for set_center
+        Rain rain = {};
+    };
+
+    void apply_commands(bool time_goes_on);
+    void begin_run(GraphRun& run);
+    void complete_run();
+    void show_rows(std::size_t item);
+    DynamicWavesView view_of_back() const;
+
+    std::shared_ptr<Executor> executor;
+    DynamicWaveGrid grid;
+    std::vector<Command> commands;       ///< since the last begin_frame()
+    std::size_t new_impulses = 0;        ///< among them
+    std::vector<std::uint32_t> numbers;  ///< of the sources after all commands, in ascending order
+    std::array<Slot, 2> slots;
+    std::size_t back = 0;   ///< the slot of the frame that is computed
+    std::size_t shown = 0;  ///< the slot of the frame completed last
+    bool has_clock = false;
+    double last_time_s = 0;      ///< of the last frame
+    std::int64_t last_tick = 0;  ///< by the frames' time
+    std::int64_t ticks_due = 0;
+    float fraction = 0;  ///< of a tick, since the last one
+    bool frame_in_flight = false;
+    JobGraph tick_graph, show_graph, tick_and_show_graph;
+    GraphRun* run_in_flight = nullptr;
+    std::unique_ptr<GraphRun> tick_run, show_run, tick_and_show_run;
+};
+
+DynamicWaves::DynamicWaves(const DynamicWavesOptions& options, Resources resources) {
+    require(check(options));
+    state_ = std::make_unique<State>(options, std::move(resources));
+}
+
+DynamicWaves::~DynamicWaves() = default;
+
+void DynamicWaves::add_impulse(const Disturbance& disturbance) {
+    require(check(disturbance));
+    if (state_->grid.sources().settled() + state_->new_impulses == DynamicWaveSources::max_count)
+        throw std::invalid_argument(invalid_value_message("the number of impulses of a tick",
+                                                          DynamicWaveSources::max_count + 1,
+                                                          "at most " + number_text(DynamicWaveSources::max_count)));
+    ++state_->new_impulses;
+    state_->commands.push_back({State::Command::Kind::add_impulse, 0, disturbance});
+}
+
+std::uint32_t DynamicWaves::add_source(const Disturbance& source) {
+    require(check(source));
+    if (state_->numbers.size() == DynamicWaveSources::max_count)
+        throw std::invalid_argument(invalid_value_message("the number of sources", DynamicWaveSources::max_count + 1,
+                                                          "at most " + number_text(DynamicWaveSources::max_count)));
+    const std::uint32_t number = state_->grid.sources().new_number();
+    state_->numbers.push_back(number);
+    state_->commands.push_back({State::Command::Kind::add_source, number, source});
+    return number;
+}
+
+void DynamicWaves::set_source(std::uint32_t number, const Disturbance& source) {
+    require(check(source));
+    state_->commands.push_back({State::Command::Kind::set_source, number, source});
+}
+
+void DynamicWaves::remove_source(std::uint32_t number) {
+    const auto at = std::lower_bound(state_->numbers.begin(), state_->numbers.end(), number);
+    if (at == state_->numbers.end() || *at != number) return;
+    state_->numbers.erase(at);
+    state_->commands.push_back({State::Command::Kind::remove_source, number});
+}
+
+void DynamicWaves::set_center(double x_m, double z_m) {
+    for (const double at : {x_m, z_m})
+        if (!(at >= -farthest_m && at <= farthest_m))
+            throw std::invalid_argument(invalid_value_message("the centre", at, "[-1e8, 1e8]"));
+    state_->commands.push_back({State::Command::Kind::set_center, 0, {.x_m = x_m, .z_m = z_m}});
+}
+
+void DynamicWaves::set_rain(const Rain& rain) {
+    require(check(rain, options()));
+    state_->commands.push_back({.kind = State::Command::Kind::set_rain, .rain = rain});
+}
+
+std::int64_t DynamicWaves::tick_at(double time_s) const {
+    const double ticks = time_s * options().ticks_per_s + clock_slack;
+    return static_cast<std::int64_t>(std::floor(std::clamp(ticks, -farthest_tick, farthest_tick)));
+}
+
+const DynamicWavesView& DynamicWaves::advance(double time_s) {
+    turn();
+    try {
+        begin_frame(time_s);
+        complete_frame();
+    } catch (...) {
+        drop_frame();
+        throw;
+    }
+    return view();
+}
+
+const DynamicWavesView& DynamicWaves::view() const { return state_->slots[state_->shown].view; }
+
+void DynamicWaves::State::apply_commands(bool time_goes_on) {
+    DynamicWaveSources& sources = grid.sources();
+    const bool is_full = sources.waiting() + new_impulses > DynamicWaveSources::max_count;
+    if (new_impulses > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
+    for (const Command& command : commands) {
+        switch (command.kind) {
+            case Command::Kind::add_impulse: sources.add_impulse(command.disturbance); break;
+            case Command::Kind::add_source: grid.set_source(command.number, command.disturbance); break;
+            case Command::Kind::set_source:
+                if (sources.has(command.number)) grid.set_source(command.number, command.disturbance);
+                break;
+            case Command::Kind::remove_source: sources.remove(command.number); break;
+            case Command::Kind::set_center: grid.set_center(command.disturbance.x_m, command.disturbance.z_m); break;
+            case Command::Kind::set_rain: grid.set_rain(command.rain); break;
+        }
+    }
+    if (time_goes_on) sources.settle();
+    commands.clear();
+    new_impulses = 0;
+}
+
+void DynamicWaves::turn() { state_->back = 1 - state_->back; }
+
+void DynamicWaves::begin_frame(double time_s) {
+    State& s = *state_;
+    assert(!s.frame_in_flight);
+    const DefaultFloatEnvironment environment;
+    s.apply_commands(!s.has_clock || time_s > s.last_time_s);
+    s.last_time_s = time_s;
+    const double rate = options().ticks_per_s;
+    const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
+    const std::int64_t tick = tick_at(time_s);
+    const auto max_ticks = static_cast<std::int64_t>(max_jump_s * rate);
+    s.ticks_due = s.has_clock ? std::clamp(tick - s.last_tick, std::int64_t{0}, max_ticks) : 0;
+    s.last_tick = tick;
+    s.has_clock = true;
+    s.fraction = static_cast<float>(std::min(place - static_cast<double>(tick), 1.0));
+    s.frame_in_flight = true;
+    s.run_in_flight = nullptr;
+    if (s.ticks_due == 0) s.begin_run(*s.show_run);
+    if (s.ticks_due == 1) s.begin_run(*s.tick_and_show_run);
+}
+
+void DynamicWaves::complete_frame() {
+    State& s = *state_;
+    if (!s.frame_in_flight) return;
+    s.frame_in_flight = false;
+    while (s.ticks_due > 1) {
+        --s.ticks_due;
+        s.begin_run(*s.tick_run);
+        s.complete_run();
+    }
+    if (!s.run_in_flight) s.begin_run(s.ticks_due == 1 ? *s.tick_and_show_run : *s.show_run);
+    s.complete_run();
+    s.slots[s.back].view = s.view_of_back();
+    s.shown = s.back;
+}
+
+void DynamicWaves::State::begin_run(GraphRun& run) {
+    if (&run != show_run.get()) grid.begin_tick();
+    run_in_flight = &run;
+    run.schedule();
+}
+
+void DynamicWaves::State::complete_run() {
+    GraphRun& run = *std::exchange(run_in_flight, nullptr);
+    // A run that fails has done what it could, and the next tick follows on it.
+    struct EndOfTick {
+        DynamicWaveGrid* grid;
+        ~EndOfTick() {
+            if (grid) grid->end_tick();
+        }
+    } const end{&run == show_run.get() ? nullptr : &grid};
+    run.complete();
+}
+
+bool DynamicWaves::is_done() const {
+    return !state_->frame_in_flight || !state_->run_in_flight || state_->run_in_flight->is_done();
+}
+
+void DynamicWaves::State::show_rows(std::size_t item) {
+    Slot& slot = slots[back];
+    grid.show(fraction, item,
+              {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(),
+               slot.highest.data()});
+}
+
+DynamicWavesView DynamicWaves::State::view_of_back() const {
+    const Slot& slot = slots[back];
+    return {.resolution = grid.options().resolution,
+            .texel_m = grid.texel_m(),
+            .first_x = grid.first_x(),
+            .first_z = grid.first_z(),
+            .height_m = {slot.height.data(), slot.height.size()},
+            .vertical_velocity_mps = {slot.vertical_velocity.data(), slot.vertical_velocity.size()},
+            .foam = {slot.foam.data(), slot.foam.size()},
+            .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
+            .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end())};
+}
+
+void DynamicWaves::drop_frame() {
+    try {
+        complete_frame();
+    } catch (...) {  // it is lost already
+    }
+    turn();
+    state_->shown = state_->back;
+}
+
+std::vector<std::uint8_t> DynamicWaves::save_state() const {
+    const State& s = *state_;
+    assert(!s.frame_in_flight);
+    const SavedClock clock = {digest_of(options()), s.has_clock, s.last_tick, s.last_time_s};
+    std::vector<std::uint8_t> bytes(sizeof clock);
+    std::memcpy(bytes.data(), &clock, sizeof clock);
+    const std::vector<std::uint8_t> texels = s.grid.saved();
+    bytes.insert(bytes.end(), texels.begin(), texels.end());
+    return bytes;
+}
+
+void DynamicWaves::restore_state(std::span<const std::uint8_t> saved) {
+    State& s = *state_;
+    assert(!s.frame_in_flight);
+    SavedClock clock{};
+    if (saved.size() < sizeof clock)
+        throw std::invalid_argument(
+            invalid_value_message("the saved state", number_text(saved.size()) + " bytes", "more"));
+    std::memcpy(&clock, saved.data(), sizeof clock);
+    if (clock.options != digest_of(options()))
+        throw std::invalid_argument("the saved state has other options, needs those of these dynamic waves");
+    if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
+        throw std::invalid_argument(
+            invalid_value_message("the saved state's clock", clock.last_tick, "a tick within 2^50"));
+    if (!std::isfinite(clock.last_time_s))
+        throw std::invalid_argument(
+            invalid_value_message("the saved state's time", clock.last_time_s, "a finite one"));
+    s.grid.restore(saved.subspan(sizeof clock));
+    s.has_clock = clock.has_clock != 0;
+    s.last_tick = clock.last_tick;
+    s.last_time_s = clock.last_time_s;
+    s.commands.clear();
+    s.new_impulses = 0;
+    s.numbers = s.grid.sources().numbers();
+}
+
+const DynamicWavesOptions& DynamicWaves::options() const { return state_->grid.options(); }
+
+std::size_t DynamicWaves::memory_bytes() const {
+    const State& s = *state_;
+    std::size_t bytes = sizeof(State) + s.grid.bytes() + s.commands.capacity() * sizeof(State::Command) +
+                        s.numbers.capacity() * sizeof(std::uint32_t);
+    for (const State::Slot& slot : s.slots)
+        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.foam.bytes() +
+                 (slot.lowest.capacity() + slot.highest.capacity()) * sizeof(float);
+    return bytes;
+}
+
+}  // namespace pelagic
