@@ -1,4 +1,4 @@
-// A cell of a cascade in double, for searches in plain code.
+// A cell of a cascade in double precision, for scalar searches.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace pelagic {
 
-/// Weights of Catmull and Rom's cubic at t from 0 to 1 between the second and the third of four texels (CubicWeights of
-/// kernels/surface_query.kernel.hpp), and their derivatives.
+/// Weights of the Catmull-Rom cubic and their derivatives, at t in [0, 1] from the second to the
+/// third of four texels (CubicWeights of kernels/surface_query.kernel.hpp).
 struct CubicWeightsInDouble {
     std::array<double, 4> value, slope;
 
@@ -22,14 +22,15 @@ struct CubicWeightsInDouble {
                 0.5 * t * (3 * t - 2)} {}
 };
 
-/// By how much the product of two such cubics can leave what its 16 texels hold: absolute weights add up to 5/4 along an axis at
-/// most, and those of the slopes to 3/2 of the differences from texel to texel.
+/// Upper bounds of the interpolated value divided by the largest of its 16 texels, and of the slope
+/// divided by the largest difference between texels. Along an axis the absolute weights sum to at
+/// most 5/4, and those of the slope to at most 3/2.
 inline constexpr double max_cubic_value = 25.0 / 16, max_cubic_slope = 15.0 / 8;
 
 class CascadeCell {
    public:
     struct Value {
-        double value, along_u, along_v;  ///< slopes along the cascade's axes, a texel long
+        double value, along_u, along_v;  ///< derivatives along the cascade's axes, per texel
     };
 
     CascadeCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation)
@@ -47,7 +48,7 @@ class CascadeCell {
     struct Range {
         double min, max;
     };
-    /// What a cubic cell's values lie between.
+    /// Returns bounds of a cubic cell's values.
     Range range(const float* plane) const {
         Range texels{plane[places_[0]], plane[places_[0]]};
         for (const std::ptrdiff_t place : places_) {

@@ -1,4 +1,4 @@
-// Foam of a cascade between its texels.
+// Interpolation of a cascade's foam.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,10 @@
 
 namespace pelagic {
 
-/// 0 to 1, bilinear between texels, at the reference point that is (u, v) into a cell, both in [0, 1]. Cells may lie any number of
-/// cascades away. Plain code, so the same bits everywhere.
+/// Returns the bilinearly interpolated foam, in [0, 1]. The code is scalar, so results are
+/// bit-identical on every machine.
+/// \param cell_x,cell_z  any cell; the cascade repeats
+/// \param u,v            position in the cell, in [0, 1]
 /// \pre the cascade has foam
 inline double foam_at(const Cascade& cascade, std::int64_t cell_x, std::int64_t cell_z, double u, double v) {
     const auto side = static_cast<std::size_t>(cascade.resolution()), last = side - 1;

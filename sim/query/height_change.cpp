@@ -6,10 +6,10 @@
 namespace pelagic {
 namespace {
 
-/// Below this, rounding of the contracts counts.
+/// Lower bound of the slack, below which rounding of the contraction bounds matters.
 constexpr double min_slack = 1e-3;
 
-/// Part of a free distance that may be given away.
+/// Relative tolerance of a free distance.
 constexpr double near_enough = 1.0 / 32;
 
 }  // namespace
@@ -20,35 +20,36 @@ HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_wav
     for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.contraction.largest_m);
     for (std::size_t i = 0; i < count_; ++i) {
         const Cascade& cascade = cascades[i];
-        parts_[i] = {.steepness = static_cast<double>(cascade.contraction.steepness),
-                     .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
-                     .slack = slack,
-                     .further_m = further_m};
+        bounds_[i] = {.steepness = static_cast<double>(cascade.contraction.steepness),
+                      .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
+                      .slack = slack,
+                      .further_m = further_m};
         stretch_ += parts_change_per_m * static_cast<double>(cascade.contraction.largest_m);
         highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
                                                                             std::fabs(cascade.bounds.height_max_m)));
         slack -= cascade.contraction.max();
         further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.contraction.largest_m));
     }
-    parts_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
+    bounds_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
 }
 
 double HeightChange::within(double distance_m) const {
-    const double way_m = stretch_ * distance_m;
-    double at_rest_m = way_m + parts_[0].further_m;
-    for (std::size_t i = 1; i <= count_ && parts_[i].slack >= min_slack; ++i)
-        at_rest_m = std::min(at_rest_m, (way_m + parts_[i].further_m) / parts_[i].slack);
+    const double stretched_m = stretch_ * distance_m;
+    double reference_m = stretched_m + bounds_[0].further_m;
+    for (std::size_t i = 1; i <= count_ && bounds_[i].slack >= min_slack; ++i)
+        reference_m = std::min(reference_m, (stretched_m + bounds_[i].further_m) / bounds_[i].slack);
     double change_m = dynamic_waves_range_m_ + highest_per_m_ * distance_m;
-    for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
+    for (std::size_t i = 0; i < count_; ++i)
+        change_m += std::min(bounds_[i].steepness * reference_m, bounds_[i].range_m);
     return change_m;
 }
 
-double HeightChange::free_distance(double clearance_m, double ground, double rise, double max_m) const {
-    if (is_free(clearance_m, ground, rise, max_m)) return max_m;
-    double free_m = 0, end_m = std::max(0.0, rise * max_m > clearance_m ? clearance_m / rise : max_m);
+double HeightChange::free_distance(double clearance_m, double horizontal, double vertical, double max_m) const {
+    if (is_free(clearance_m, horizontal, vertical, max_m)) return max_m;
+    double free_m = 0, end_m = std::max(0.0, vertical * max_m > clearance_m ? clearance_m / vertical : max_m);
     for (int halving = 0; halving < 20 && end_m - free_m > near_enough * end_m; ++halving) {
         const double middle_m = (free_m + end_m) / 2;
-        (is_free(clearance_m, ground, rise, middle_m) ? free_m : end_m) = middle_m;
+        (is_free(clearance_m, horizontal, vertical, middle_m) ? free_m : end_m) = middle_m;
     }
     return free_m;
 }

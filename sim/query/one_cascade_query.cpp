@@ -1,7 +1,9 @@
-// Two ways to a reference point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
-// at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
-// at the point are looked at, in double and in closed form, by Newton's steps if they are cubic; that is plain code, compiled once.
-// The map is of the linear surface: a fold that only the cubic one has is lost, whose intersections are close together.
+// There are two methods for reference points. Nearly everywhere a position has one reference point
+// (fold_map.hpp), and a SIMD kernel finds it iteratively. Where the surface may intersect itself,
+// and where the iteration did not converge, scalar code searches all cells that can be displaced to
+// the position, in double precision. Linear cells are solved in closed form, cubic cells by
+// Newton's method. The fold map is that of the linear surface, so intersections in a fold that only
+// the cubic surface has may be missed. They are close together.
 #include "pelagic/sim/query/one_cascade_query.hpp"
 
 #include <algorithm>
@@ -15,16 +17,18 @@
 namespace pelagic {
 namespace {
 
-// Texels. Float tells places some texels away to 1e-6; beyond the most, a false reference point might be taken for a true
-// one outside of the fold map's margin.
+// Bounds of the search's target, texels. Floats resolve positions some texels away to 1e-6. Above
+// the upper bound, a false reference point might be accepted outside the fold map's margin.
 constexpr double min_target = 4e-6, max_target = 1.0 / 64;
 static_assert(max_target < FoldMap::margin);
 
-// Newton's steps in double in one cubic cell, and how near is the same, of the search's target.
+// Upper bound of Newton's steps in a cubic cell, and the residual at which they stop, as a fraction
+// of the search's target.
 constexpr int max_cubic_steps = 16;
 constexpr double same_cubic = 1.0 / 64;
 
-// A point on the edge between cells must not fall between them by rounding. In texels.
+// Tolerance at cell edges, texels, so that rounding does not exclude a point on an edge from both
+// cells.
 constexpr double edge = 1e-7;
 
 struct Vector {
@@ -36,8 +40,8 @@ struct Vector {
 double cross(Vector a, Vector b) { return a.x * b.z - a.z * b.x; }
 double dot(Vector a, Vector b) { return a.x * b.x + a.z * b.z; }
 
-/// Calls take(u, v) with each place in the unit square where a + b u + c v + d u v = 0. The cross product with c + d u,
-/// along which v moves, leaves a quadratic equation for u.
+/// Calls take(u, v) for each solution of a + b u + c v + d u v = 0 in the unit square. The cross
+/// product with c + d u, the derivative along v, gives a quadratic equation for u.
 template <class Take>
 void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
     const double square = cross(b, d), linear = cross(a, d) + cross(b, c), constant = cross(a, c);
@@ -48,7 +52,8 @@ void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
     const auto take_if_inside = [&](double u) {
         const Vector along = c + u * d;
         const double v = -dot(a + u * b, along) / dot(along, along);
-        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };  // false for 0 / 0
+        // False for 0 / 0.
+        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };
         if (is_inside(u) && is_inside(v)) take(std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0));
     };
     take_if_inside(constant / larger);
@@ -103,7 +108,7 @@ void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {
         const Intersection intersection =
             is_cubic ? highest_cubic_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
                      : highest_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
-        if (!intersection.found) continue;  // the error says how good the steps' end is
+        if (!intersection.found) continue;  // keep the iteration's result and error
         chunk.rest.cell_x[i] = intersection.cell_x;
         chunk.rest.cell_z[i] = intersection.cell_z;
         chunk.rest.u[i] = intersection.u;
@@ -131,7 +136,8 @@ void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) 
                                              static_cast<double>(rest.v[i])));
 }
 
-// A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
+// Searches the cells within the largest displacement of the position: no others can be displaced to
+// it.
 OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, double u, int cell_z,
                                                                     double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
@@ -141,7 +147,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 
-    /// A texel as drawn, from the point that is asked about, in texels.
+    /// Returns a texel's displaced position relative to the query position, in texels.
     const auto corner = [&](int i, int j) {
         const std::ptrdiff_t place = place_of(surface, cell_x + i, cell_z + j);
         return Vector{i - u + surface.dx[place] * texels_per_m, j - v + surface.dz[place] * texels_per_m};
@@ -189,7 +195,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
     return highest;
 }
 
-// In each cell Newton's steps begin at the middles of its quarters. What they find is a reference point if it is in the cell.
+// In each cell, Newton's method starts at the centres of its four quarters. A solution in the cell
+// is a reference point.
 OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z,
                                                                           double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
@@ -201,18 +208,18 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
     const double enough = target_ * same_cubic;
 
     Intersection highest;
-    double min_off = 0;
-    const auto look_at = [&](int i, int j, const CascadeCell& cell, double along_x, double along_z) {
-        /// From the point that is asked about, in texels, and what that changes by.
+    double error = 0;
+    const auto search_cell = [&](int i, int j, const CascadeCell& cell, double along_x, double along_z) {
+        /// Displaced position relative to the query position, in texels, and its derivatives.
         Vector off{}, along_u{}, along_v{};
-        const auto look = [&] {
+        const auto evaluate = [&] {
             const CascadeCell::Value dx = cell.at(surface.dx, along_x, along_z),
                                      dz = cell.at(surface.dz, along_x, along_z);
             off = {i + along_x - u + dx.value * texels_per_m, j + along_z - v + dz.value * texels_per_m};
             along_u = {1 + dx.along_u * texels_per_m, dz.along_u * texels_per_m};
             along_v = {dx.along_v * texels_per_m, 1 + dz.along_v * texels_per_m};
         };
-        look();
+        evaluate();
         for (int step = 0; step < max_cubic_steps && !(dot(off, off) <= enough * enough); ++step) {
             const double determinant = cross(along_u, along_v);
             if (determinant == 0) return;
@@ -220,7 +227,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
             along_z -= cross(along_u, off) / determinant;
             const auto is_near = [](double t) { return t > -1 && t < 2; };  // false for NaN
             if (!is_near(along_x) || !is_near(along_z)) return;
-            look();
+            evaluate();
         }
         const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };
         if (!(dot(off, off) <= target_ * target_) || !is_inside(along_x) || !is_inside(along_z)) return;
@@ -232,7 +239,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
                    static_cast<float>(std::clamp(along_x, 0.0, 1.0)),
                    static_cast<float>(std::clamp(along_z, 0.0, 1.0)),
                    height};
-        min_off = std::sqrt(dot(off, off));
+        error = std::sqrt(dot(off, off));
     };
     for (int j = first_z; j <= last_z; ++j)
         for (int i = first_x; i <= last_x; ++i) {
@@ -243,9 +250,9 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
             };
             if (!may_reach(surface.dx, i - u) || !may_reach(surface.dz, j - v)) continue;
             for (const double along_x : {0.25, 0.75})
-                for (const double along_z : {0.25, 0.75}) look_at(i, j, cell, along_x, along_z);
+                for (const double along_z : {0.25, 0.75}) search_cell(i, j, cell, along_x, along_z);
         }
-    highest.error = static_cast<float>(min_off);
+    highest.error = static_cast<float>(error);
     return highest;
 }
 

@@ -1,4 +1,4 @@
-// Queries of a frame of one cascade.
+// Surface queries of a frame with one cascade.
 #pragma once
 
 #include "pelagic/sim/query/point_chunk.hpp"
@@ -10,12 +10,14 @@ class OneCascadeQuery {
    public:
     OneCascadeQuery(const Cascade& cascade, const Kernels& kernels, const SurfaceQueryOptions& options);
 
-    /// Each point of a chunk becomes a cell of the patch and a place in it.
+    /// Converts each position of a chunk to a cell and a position in the cell.
     void place(PointChunk& chunk) const;
+    /// Finds the reference point of each position. \pre place(chunk)
     void find_reference_points(PointChunk& chunk) const;
-    /// Reads the frame at the reference points.
+    /// Samples the frame at the reference points. \pre find_reference_points(chunk)
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
-    /// \param foam  of the chunk's points \pre the cascade has foam
+    /// Samples the foam at the reference points, to one value for each position of the chunk.
+    /// \pre the cascade has foam
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:
@@ -28,7 +30,7 @@ class OneCascadeQuery {
     const Cascade& cascade_;
     Interpolation interpolation_;
     double texel_m_;
-    float target_;  ///< where the search stops, in texels
+    float target_;  ///< error at which the search stops, texels
 };
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// Points of a batch that go through the kernels together.
+// Positions of a batch that the kernels process together.
 #pragma once
 
 #include <bit>
@@ -9,10 +9,11 @@
 
 namespace pelagic {
 
-/// The search aims at this part of the tolerance, because on a steep face a horizontal step is a larger one in height.
+/// Target of the search, as a fraction of the tolerance. It is below 1, because on a steep face a
+/// horizontal error is a larger error in height.
 inline constexpr double query_aim = 1.0 / 64;
 
-/// Texels from the origin beyond which doubles can't tell them apart.
+/// Distance from the origin, in texels, beyond which doubles do not resolve texels.
 inline constexpr double max_texels_away = 0x1p50;
 
 inline std::int64_t floor_of(double x) {
@@ -20,14 +21,16 @@ inline std::int64_t floor_of(double x) {
     return cut - (static_cast<double>(cut) > x);
 }
 
-/// Splits a place along an axis, in texels, into a cell of the patch and where in it that is. In sums and bits only,
-/// because compilers do those several at a time.
-/// \pre |texels| <= max_texels_away
+/// Splits a coordinate along an axis into a cell of the cascade and the position in the cell. Uses
+/// only sums and bit operations, which compilers vectorize.
+/// \param texels  coordinate, in texels \pre |texels| <= max_texels_away
+/// \param within  position in the cell, in [0, 1]
 inline void split_place(double texels, int resolution, std::int32_t& cell, float& within) {
-    constexpr double whole =
-        0x1.8p52;  // so large that a double has no fraction, and its lowest bits are a whole number
+    // So large that a double has no fraction, and that its lowest bits are a whole number.
+    constexpr double whole = 0x1.8p52;
     const double shifted = texels + whole;
-    const double beyond = texels - (shifted - whole) + 0.0;  // from the nearest whole number; never -0
+    // The difference from the nearest whole number; never -0.
+    const double beyond = texels - (shifted - whole) + 0.0;
     const std::uint64_t is_below = std::bit_cast<std::uint64_t>(beyond) >> 63;
     const double one_if_below = std::bit_cast<double>((0 - is_below) & std::bit_cast<std::uint64_t>(1.0));
     const auto last = static_cast<std::uint64_t>(resolution - 1);
@@ -35,13 +38,13 @@ inline void split_place(double texels, int resolution, std::int32_t& cell, float
     within = static_cast<float>(beyond + one_if_below);
 }
 
-/// On the stack, and what one cascade needs of it, 8 KB, stays in the first cache.
+/// Lives on the stack. The 8 KB that one cascade uses fit the first-level cache.
 struct PointChunk {
     static constexpr std::size_t capacity = 128;
     using Floats = float[capacity];
     using Cells = std::int32_t[capacity];
 
-    /// Where points are along the axes of a cascade.
+    /// Positions along the axes of a cascade.
     struct World {
         alignas(64) Cells cell_x, cell_z;
         alignas(64) Floats u, v;
@@ -50,16 +53,17 @@ struct PointChunk {
     };
 
     World world[max_cascades];
-    World rest;                              ///< what rests there, of one cascade
-    alignas(64) Floats offset_x, offset_z;   ///< the same of several, metres from the points
-    alignas(64) Cells blocks[max_cascades];  ///< and in which 2 x 2 cells of each
-    alignas(64) Floats error;                ///< metres, when all is done
+    World rest;  ///< reference points, of a frame with one cascade
+    /// Of several: from position to reference point, metres.
+    alignas(64) Floats offset_x, offset_z;
+    alignas(64) Cells blocks[max_cascades];  ///< of several: block of 2 x 2 cells in each cascade
+    alignas(64) Floats error;                ///< metres, after find_reference_points()
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
-    alignas(64) double x[capacity], z[capacity];  ///< world, metres; 0 if a place has no sample
-    alignas(64) Floats part[max_cascades];        ///< of each cascade at a shore
+    alignas(64) double x[capacity], z[capacity];  ///< world position, metres; 0 if it has no sample
+    alignas(64) Floats part[max_cascades];        ///< weight of each cascade at a shore
 
-    std::size_t first = 0, count = 0;  ///< of the batch
-    std::size_t padded = 0;            ///< count, up to whole registers
+    std::size_t first = 0, count = 0;  ///< range of the batch
+    std::size_t padded = 0;            ///< count, rounded up to whole SIMD registers
 };
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// How much of each cascade there is at a place of a shore.
+// Weights of the cascades at a position of a shore.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace pelagic {
 
-/// As sample() of shore.hpp has them, for less. All 1 where x or z is no number.
+/// Returns ShoreSample::parts without the cost of the other fields; all 1 if x or z is not a
+/// number.
 inline std::array<float, max_cascades> shore_parts_at(const ShoreSurface& shore, double x_m, double z_m) {
     std::array<float, max_cascades> parts;
     parts.fill(1);

@@ -1,6 +1,6 @@
-// As for one cascade there are two ways to a reference point. A kernel steps towards one, W points at a time, and one byte of each cascade
-// says whether it is the only one (contraction_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
-// looks at all.
+// There are two methods for reference points. A SIMD kernel finds one iteratively, and one byte of
+// each cascade proves that it is the only one (contraction_map.hpp). If the bytes do not prove it,
+// or the iteration did not converge, stack_search.hpp finds all reference points.
 #include "pelagic/sim/query/stack_query.hpp"
 
 #include <algorithm>
@@ -13,11 +13,13 @@
 namespace pelagic {
 namespace {
 
-// Metres. Of the offset, and of the finest texel: beyond the most, a false reference point might be taken for a true one.
+// Bounds of the search's target: the lower one in units of 1 m plus the largest displacement, the
+// upper one in finest texels. Above it, a false reference point might be accepted.
 constexpr double min_target = 1e-6, max_target = 1.0 / 64;
 static_assert(max_target < ContractionMap::margin);
 
-// Bytes that the cascades' contracts add up to at most, rounded down.
+// Upper bounds of the sums of the cascades' contraction bytes, rounded down: without and with the
+// last cascade.
 constexpr int max_but_last = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack));
 constexpr int max_of_all = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack_of_all));
 static_assert(max_of_all < 255, "the largest byte must fail");
@@ -103,10 +105,10 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
         if (shore_) where.part[t] = static_cast<double>(chunk.part[t][point]);
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
-    const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
+    const bool has_converged = chunk.error[point] <= static_cast<float>(target_m_);
     const StackIntersection intersection = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
-                                               .highest_intersection(where, has_arrived ? &stepped : nullptr);
-    if (!intersection.found) return;  // the error says how good the steps' end is
+                                               .highest_intersection(where, has_converged ? &stepped : nullptr);
+    if (!intersection.found) return;  // keep the iteration's result and error
     chunk.offset_x[point] = static_cast<float>(intersection.offset.x);
     chunk.offset_z[point] = static_cast<float>(intersection.offset.z);
     chunk.error[point] = static_cast<float>(intersection.error_m);

@@ -1,4 +1,4 @@
-// Queries of a frame of several cascades: the same in all as OneCascadeQuery, of their sum.
+// Surface queries of a frame with several cascades. The interface is that of OneCascadeQuery.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ class StackQuery {
     const ShoreSurface& shore_;
     std::array<SearchCascade, max_cascades> search_cascades_;
     double finest_texel_m_;
-    double reach_m_ = 0;  ///< no reference point is farther away from what is drawn there
-    double target_m_;     ///< where the search stops
+    double reach_m_ = 0;  ///< upper bound of the horizontal displacement
+    double target_m_;     ///< error at which the search stops
 };
 
 }  // namespace pelagic

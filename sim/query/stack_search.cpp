@@ -9,22 +9,24 @@
 namespace pelagic {
 namespace {
 
-// A box is proven with some of what is around it, so that a reference point just outside of it is not looked for again.
+// Factor on a box's size in its proof, so that the search finds a reference point just outside of
+// it once.
 constexpr double surroundings = 1.5;
 
-// Boxes below this slack are cut further: Newton's steps would lead far away.
+// Boxes with less slack are divided, because Newton's steps would be large.
 constexpr double min_slack = 0.02, min_cubic_slack = 0.3;
 
-// Of the finest texel: intersections that rest nearer together than some of this are not told apart. Boxes of this size are searched
-// whether they can be proven or not, because a intersection that is overturned can't.
+// Box size in finest texels below which the search uses Newton's method without a proof, because no
+// proof exists at overturned intersections. Reference points that are closer together count as one.
 constexpr double same_intersection = 1.0 / 128;
 constexpr double small_surroundings = 2;
 
-// Metres. Displacements are floats, whose last digits are larger; Newton's steps in double go on to here.
+// Residual at which Newton's method stops, metres; below the rounding of the displacements, which
+// are floats.
 constexpr double exact_m = 1e-10;
 constexpr int max_steps = 16;
 
-// Places nearer to one another than this part of the search's target are the same.
+// Upper bound of the residual of a solution, as a fraction of the search's target.
 constexpr double same = 1.0 / 4;
 
 constexpr double square_root_of_2 = 1.41421356237309515;
@@ -55,19 +57,20 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
       contraction(cascade.contraction) {
     if (interpolation == Interpolation::linear) return;
     contraction.largest_m *= static_cast<float>(max_cubic_value);
-    contraction.stretch *= static_cast<float>(max_cubic_slope * square_root_of_2);  // slopes along two axes
+    // The square root of 2 combines the slopes along two axes.
+    contraction.stretch *= static_cast<float>(max_cubic_slope * square_root_of_2);
 }
 
-/// Where an offset's reference point is drawn, from the point that is asked about, metres.
+/// Displaced position of an offset's reference point, relative to the query position, metres.
 struct StackSearch::Drawn {
     double x, z;
-    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;           ///< slopes along the world's axes
+    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;           ///< derivatives along the world's axes
     std::array<double, max_cascades> displacement = {};  ///< length of each cascade's
 
     double distance() const { return length_of(x, z); }
 };
 
-/// A square along the world's axes.
+/// A square with sides along the world's axes.
 struct StackSearch::Box {
     Offset centre;
     double half;
@@ -77,7 +80,7 @@ struct StackSearch::Box {
     }
 };
 
-/// What was found so far.
+/// Intersections found so far.
 struct StackSearch::Intersections {
     static constexpr std::size_t max_kept = 16;
 
@@ -126,7 +129,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     return height;
 }
 
-/// The most that a cascade contracts on a square of its own axes, `reach` texels to all sides of a place.
+/// Returns an upper bound of a cascade's contraction on a square along its own axes.
+/// \param reach  half of the square's side, texels
 double StackSearch::contraction_within(const StackPoint& point, std::size_t number, Offset centre,
                                        double reach) const {
     const SearchCascade& cascade = cascades_[number];
@@ -136,7 +140,7 @@ double StackSearch::contraction_within(const StackPoint& point, std::size_t numb
     const int last_i = place.i + static_cast<int>(std::floor(place.u + reach));
     const int first_j = place.j + static_cast<int>(std::floor(place.v - reach));
     const int last_j = place.j + static_cast<int>(std::floor(place.v + reach));
-    // Two blocks along each axis, at most, of the finest level where that is enough.
+    // Choose the finest level at which two blocks along each axis cover the square.
     const std::uint8_t* blocks = cascade.contraction.blocks.data();
     int shift = 1, side = n / 2;
     while (side > 1 && ((last_i >> shift) - (first_i >> shift) > 1 || (last_j >> shift) - (first_j >> shift) > 1)) {
@@ -151,7 +155,9 @@ double StackSearch::contraction_within(const StackPoint& point, std::size_t numb
     return max == 255 ? 1e9 : static_cast<double>(max) / ContractionBound::one;
 }
 
-/// What the first of the cascades leave of 1 within a circle, or on a square of the world.
+/// Returns the slack, 1 minus the contraction bounds of the first `cascades` cascades, within a
+/// circle or on a square along the world's axes. \param reach_m  radius, or half of the square's
+/// side
 double StackSearch::slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t cascades,
                                  bool is_square) const {
     double slack = 1;
@@ -166,7 +172,8 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
     return slack;
 }
 
-/// Where others can be if one is known: the chain of contraction_map.hpp, as far as it goes here. Empty if there is no other.
+/// Returns a box around a known reference point that contains all others, from the bounds r_i of
+/// contraction_map.hpp. Its size is 0 if there are no others.
 StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known) const {
     double reference_m = target_m_;
     for (const SearchCascade& cascade : cascades_) reference_m += 2 * cascade.contraction.largest_m;
@@ -183,7 +190,7 @@ StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known
     return {known, reach_m};
 }
 
-/// Newton's steps; true if they arrive.
+/// Runs Newton's method; returns whether it converges.
 bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
     Offset best = offset;
     double best_distance = 1e300;
@@ -202,10 +209,10 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
     return best_distance <= target_m_ * same;
 }
 
-void StackSearch::look_into(const StackPoint& point, const Box& box, Intersections& intersections) const {
+void StackSearch::search_box(const StackPoint& point, const Box& box, Intersections& intersections) const {
     const double small = same_intersection / cascades_.back().texels_per_m;
     const double enough = cascades_.front().interpolation == Interpolation::cubic ? min_cubic_slack : min_slack;
-    // Each level of the search leaves at most three boxes behind.
+    // Each level of the search adds at most three boxes to the stack.
     std::array<Box, 128> waiting;
     std::size_t count = 0;
     waiting[count++] = box;
@@ -230,7 +237,8 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Intersectio
             }
         }
         if (here.half <= target_m_ || count + 4 > waiting.size()) {
-            // A fold's edge: as near as the search is to tell.
+            // At the edge of a fold, where Newton's method does not converge, the centre is the
+            // solution.
             if (drawn.distance() <= target_m_) intersections.add(*this, point, here.centre, drawn.distance());
             continue;
         }
@@ -252,7 +260,7 @@ StackIntersection StackSearch::highest_intersection(const StackPoint& point, con
     }
     if (intersections.count == 0)
         for (const SearchCascade& cascade : cascades_) box.half += cascade.contraction.largest_m;
-    if (box.half > 0) look_into(point, box, intersections);
+    if (box.half > 0) search_box(point, box, intersections);
     return intersections.highest;
 }
 

@@ -1,14 +1,18 @@
-// The exact search for queries of several cascades: all reference points that are drawn at a place, in double, by branch and bound.
+// Exact search for queries of several cascades. It finds all reference points that are displaced to
+// a position, in double precision, by branch and bound.
 //
-// buffers/contraction_map.hpp says why a box holds at most one of them where the cascades contraction little, and how far from a known
-// one others can be. A box is left out if it is drawn too far away: from its centre c, no cascade's displacement changes by more
-// than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
-// is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
-// for everybody; nothing is allocated.
+// buffers/contraction_map.hpp proves that a box holds at most one reference point where the
+// contraction is low, and bounds the distance from a known reference point to others. A box is
+// discarded if it is displaced too far away: from its centre c, no cascade's displacement changes
+// by more than its stretch times the distance, nor by more than |D_i(c)| plus the largest |D_i|. In
+// a small box, or one that holds at most one reference point, Newton's method finds it. Other boxes
+// are divided into four, down to the search's tolerance. The code is scalar and compiled once, and
+// it does not allocate.
 //
-// The maps are of the linear surface. A cubic one's slopes are sums of those of the cells around, with weights that may exceed 1: it
-// is cut until the contracts of those cells leave plenty. That is no proof, and intersections of a fold that the linear surface has not are
-// lost; they are close together.
+// The contraction bounds are those of the linear surface. Slopes of the cubic surface are sums over
+// adjacent cells, with weights that may exceed 1. Its boxes are divided until the slack of those
+// cells is min_cubic_slack. That is no proof: intersections in a fold that only the cubic surface
+// has may be missed. They are close together.
 #pragma once
 
 #include <array>
@@ -27,21 +31,21 @@ struct SearchCascade {
     SearchCascade() = default;
 
     SurfaceTexels texels;
-    double along, across;  ///< the grid's cosine and sine, times texels a metre
+    double along, across;  ///< the grid's cosine and sine, times texels_per_m
     double texels_per_m;
     Interpolation interpolation;
-    ContractionBound contraction;  ///< its largest displacement and its stretch are those of the interpolated surface
+    ContractionBound contraction;  ///< largest_m and stretch are of the interpolated surface
 };
 
-/// Where a point of the world is along the axes of each cascade: a cell, and where in it.
+/// A world position along the axes of each cascade: a cell, and the position in the cell.
 struct StackPoint {
     std::array<std::int32_t, max_cascades> cell_x, cell_z;
     std::array<double, max_cascades> u, v;
-    /// Of each cascade's displacement that counts there, 0 to 1: what is proven of whole cascades holds of less.
+    /// Weight of each cascade, in [0, 1]. Bounds for weight 1 hold for lower weights.
     std::array<double, max_cascades> part = {1, 1, 1, 1};
 };
 
-/// From a point of the world to what rests where it is drawn, metres.
+/// Vector from a world position to one of its reference points, metres.
 struct Offset {
     double x = 0, z = 0;
 };
@@ -55,12 +59,13 @@ struct StackIntersection {
 
 class StackSearch {
    public:
-    /// \param target_m  how near is near enough
+    /// \param target_m  largest distance of a solution from the position, metres
     StackSearch(std::span<const SearchCascade> cascades, double target_m)
         : cascades_(cascades), target_m_(target_m) {}
 
-    /// The highest of the intersections over a point.
-    /// \param known  where one of them rests, or null
+    /// Returns the highest of the surface's intersections with the vertical line through a
+    /// position.
+    /// \param known  reference point of one of them; may be null
     StackIntersection highest_intersection(const StackPoint& point, const Offset* known) const;
 
    private:
@@ -75,7 +80,7 @@ class StackSearch {
     double contraction_within(const StackPoint& point, std::size_t cascade, Offset centre, double reach) const;
     Box around_known(const StackPoint& point, Offset known) const;
     bool step_towards(const StackPoint& point, Offset& offset) const;
-    void look_into(const StackPoint& point, const Box& box, Intersections& intersections) const;
+    void search_box(const StackPoint& point, const Box& box, Intersections& intersections) const;
 
     std::span<const SearchCascade> cascades_;
     double target_m_;

@@ -1,4 +1,5 @@
-// A batch goes through in chunks; how a chunk's points find what is drawn there depends on how many cascades there are.
+// A batch is processed in chunks. OneCascadeQuery or StackQuery finds the reference points of a
+// chunk.
 #include "pelagic/sim/surface_query.hpp"
 
 #include <algorithm>
@@ -19,26 +20,26 @@
 namespace pelagic {
 namespace {
 
-bool wants_velocity(const SurfaceSamples& samples) {
+bool has_velocity(const SurfaceSamples& samples) {
     return !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
 }
 
-bool wants_normal(const SurfaceSamples& samples) {
+bool has_normal(const SurfaceSamples& samples) {
     return !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty();
 }
 
-/// No more than is wanted.
-SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChunk& chunk) {
-    const bool wants_slopes = wants_normal(samples) || !samples.jacobian.empty();
+/// Returns only the outputs that the samples need.
+SampleSurfaceJob::Outputs outputs_of(const SurfaceSamples& samples, PointChunk& chunk) {
+    const bool has_slopes = has_normal(samples) || !samples.jacobian.empty();
     SampleSurfaceJob::Outputs out = {};
-    if (wants_slopes || !samples.height_m.empty()) out.height = chunk.height;
-    if (wants_slopes) {
+    if (has_slopes || !samples.height_m.empty()) out.height = chunk.height;
+    if (has_slopes) {
         out.normal_x = chunk.normal_x;
         out.normal_y = chunk.normal_y;
         out.normal_z = chunk.normal_z;
         out.jacobian = chunk.jacobian;
     }
-    if (wants_velocity(samples)) {
+    if (has_velocity(samples)) {
         out.velocity_x = chunk.velocity_x;
         out.velocity_y = chunk.velocity_y;
         out.velocity_z = chunk.velocity_z;
@@ -83,7 +84,7 @@ SurfaceQuery SurfaceQuery::with(Interpolation interpolation) const {
 }
 
 void SurfaceQuery::check(const SurfaceSamples& wanted) const {
-    if (wants_velocity(wanted) && !has_velocities())
+    if (has_velocity(wanted) && !has_velocities())
         throw std::invalid_argument("the frame has no velocities, needs an ocean with OceanOptions::velocities");
     if (!wanted.foam.empty() && !has_foam())
         throw std::invalid_argument("the frame has no foam, needs an ocean with OceanOptions::foam");
@@ -108,7 +109,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             take(points, chunk);
             query.place(chunk);
             query.find_reference_points(chunk);
-            query.read(outputs_wanted(samples, chunk), chunk);
+            query.read(outputs_of(samples, chunk), chunk);
             if (!samples.foam.empty()) {
                 const std::span<float> foam = samples.foam.subspan(first, chunk.count);
                 if (cascades_have_foam())
@@ -140,8 +141,9 @@ void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
         if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
 }
 
-// What a grid and a shore have adds where the water is drawn: with the cascades' normal n and their slopes s the sum's is along
-// (n_x - n_y s_x, n_y, n_z - n_y s_z).
+// Adds dynamic waves and a shore, which are functions of the world position. With the cascades'
+// normal n and the slopes s of dynamic waves and shore, the normal of the sum is along (n_x - n_y
+// s_x, n_y, n_z - n_y s_z).
 void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto add = [](std::span<float> to, std::size_t i, double more) {
         if (!to.empty()) to[i] = static_cast<float>(static_cast<double>(to[i]) + more);
@@ -156,7 +158,7 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
                 dynamic_waves.height_m += height.value;
                 dynamic_waves.slope_x += height.along_x;
                 dynamic_waves.slope_z += height.along_z;
-                if (wants_velocity(samples)) {
+                if (has_velocity(samples)) {
                     dynamic_waves.vertical_velocity_mps += shore.cubic(frame_.shore.vertical_velocity_mps).value;
                     const auto [x_mps, z_mps] = shore.velocity();
                     add(samples.velocity_x_mps, at, x_mps);
@@ -169,7 +171,7 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
         add(samples.velocity_y_mps, at, dynamic_waves.vertical_velocity_mps);
         if (!samples.foam.empty())
             samples.foam[at] = std::max(samples.foam[at], static_cast<float>(dynamic_waves.foam));
-        if (!wants_normal(samples) || (dynamic_waves.slope_x == 0 && dynamic_waves.slope_z == 0)) continue;
+        if (!has_normal(samples) || (dynamic_waves.slope_x == 0 && dynamic_waves.slope_z == 0)) continue;
         const double y = static_cast<double>(chunk.normal_y[i]);
         const double x = static_cast<double>(chunk.normal_x[i]) - y * dynamic_waves.slope_x;
         const double z = static_cast<double>(chunk.normal_z[i]) - y * dynamic_waves.slope_z;

@@ -5,12 +5,13 @@
 namespace pelagic {
 namespace {
 
-// A job is some tens of microseconds; waking a thread takes as long. A graph's count is fixed, so a batch is cut into
-// that many jobs, or fewer if it is small. Points don't depend on each other, so the cut can't be seen.
+// A job takes tens of microseconds, as long as waking a thread. The number of jobs in a graph is
+// fixed, so a batch is divided into that many jobs, or fewer if it is small. Results do not depend
+// on the division, because points are independent.
 constexpr std::size_t jobs = 64, min_points_a_job = 512;
 
 template <class T>
-std::span<T> part(std::span<T> all, std::size_t begin, std::size_t count) {
+std::span<T> piece(std::span<T> all, std::size_t begin, std::size_t count) {
     return all.empty() ? all : all.subspan(begin, count);
 }
 
@@ -21,18 +22,18 @@ struct SurfaceQueryJobs::State {
         const std::size_t begin = job * points_a_job;
         if (begin >= points.x.size()) return;
         const std::size_t count = std::min(points_a_job, points.x.size() - begin);
-        query->sample({.x = part(points.x, begin, count), .z = part(points.z, begin, count)},
-                      {.height_m = part(samples.height_m, begin, count),
-                       .normal_x = part(samples.normal_x, begin, count),
-                       .normal_y = part(samples.normal_y, begin, count),
-                       .normal_z = part(samples.normal_z, begin, count),
-                       .jacobian = part(samples.jacobian, begin, count),
-                       .velocity_x_mps = part(samples.velocity_x_mps, begin, count),
-                       .velocity_y_mps = part(samples.velocity_y_mps, begin, count),
-                       .velocity_z_mps = part(samples.velocity_z_mps, begin, count),
-                       .error_m = part(samples.error_m, begin, count),
-                       .converged = part(samples.converged, begin, count),
-                       .foam = part(samples.foam, begin, count)});
+        query->sample({.x = piece(points.x, begin, count), .z = piece(points.z, begin, count)},
+                      {.height_m = piece(samples.height_m, begin, count),
+                       .normal_x = piece(samples.normal_x, begin, count),
+                       .normal_y = piece(samples.normal_y, begin, count),
+                       .normal_z = piece(samples.normal_z, begin, count),
+                       .jacobian = piece(samples.jacobian, begin, count),
+                       .velocity_x_mps = piece(samples.velocity_x_mps, begin, count),
+                       .velocity_y_mps = piece(samples.velocity_y_mps, begin, count),
+                       .velocity_z_mps = piece(samples.velocity_z_mps, begin, count),
+                       .error_m = piece(samples.error_m, begin, count),
+                       .converged = piece(samples.converged, begin, count),
+                       .foam = piece(samples.foam, begin, count)});
     }
 
     const SurfaceQuery* query = nullptr;

@@ -12,14 +12,15 @@
 namespace pelagic {
 namespace {
 
-// Places on the ray that are asked about together: enough for the query's pace, and not many more than are of use.
+// Positions on the ray in one query: enough for the query's throughput, with few wasted. The first
+// number is for single steps near the water, the second for longer strides.
 constexpr std::size_t near_places = 32, far_places = 16;
 
-// On each side of a guess, when a crossing is searched.
+// Positions on each side of the estimate, in the search for a crossing.
 constexpr std::size_t side_places = 8;
 
-/// A stretch of the ray by distance from the origin, metres.
-struct Stretch {
+/// An interval of the ray, by distance from the origin, metres.
+struct Interval {
     double begin, end;
     double length() const { return end - begin; }
 };
@@ -37,10 +38,10 @@ class RayWalk {
         return {origin_[0] + distance * direction_[0], origin_[1] + distance * direction_[1],
                 origin_[2] + distance * direction_[2]};
     }
-    double upwards() const { return std::fabs(direction_[1]); }
-    double along_ground() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
+    double vertical() const { return std::fabs(direction_[1]); }
+    double horizontal() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
 
-    /// How high the ray runs above the water at each distance.
+    /// Computes the height of the ray above the water at each distance.
     template <std::size_t max>
     void clearances(const double (&distance)[max], std::size_t count, double (&clearance)[max]) const {
         double x[max], z[max];
@@ -55,11 +56,13 @@ class RayWalk {
         for (std::size_t i = 0; i < count; ++i) clearance[i] -= static_cast<double>(height[i]);
     }
 
-    /// The part of the ray that is between the lowest and the highest water, with a little more.
-    Stretch near_water(double reach) const {
+    /// Returns the interval in which the ray is between the lowest and the highest water, with a
+    /// margin.
+    Interval near_water(double reach) const {
         const double margin = 1e-3 + 1e-6 * (std::fabs(origin_[1]) + reach);
         const double top = query_.bounds().height_max_m + margin, bottom = query_.bounds().height_min_m - margin;
-        if (direction_[1] == 0) return origin_[1] >= bottom && origin_[1] <= top ? Stretch{0, reach} : Stretch{1, 0};
+        if (direction_[1] == 0)
+            return origin_[1] >= bottom && origin_[1] <= top ? Interval{0, reach} : Interval{1, 0};
         const double to_top = (top - origin_[1]) / direction_[1], to_bottom = (bottom - origin_[1]) / direction_[1];
         return {std::max(0.0, std::min(to_top, to_bottom)), std::min(reach, std::max(to_top, to_bottom))};
     }
@@ -69,50 +72,52 @@ class RayWalk {
     std::array<double, 3> origin_, direction_;
 };
 
-/// A stretch at whose ends the ray is on different sides, and how high it runs above the water there.
+/// An interval at whose ends the ray is on different sides of the water, and its clearance there.
 struct Crossing {
-    Stretch stretch;
+    Interval interval;
     double at_begin, at_end;
 
-    /// Linear; at a wall that is anywhere in it.
+    /// Returns a linear estimate of the crossing. At a vertical face the crossing may be anywhere.
     double guess() const {
         const double change = at_end - at_begin;
-        const double part = change == 0 ? 0 : -at_begin / change;
-        return stretch.begin + std::clamp(part, 0.0, 1.0) * stretch.length();
+        const double fraction = change == 0 ? 0 : -at_begin / change;
+        return interval.begin + std::clamp(fraction, 0.0, 1.0) * interval.length();
     }
 };
 
-/// Cuts a crossing until it is shorter than `tolerance`: into as many parts on both sides of the guess, and a short one
-/// around it, which it mostly is. Of the parts the first with different sides goes on; it is an eighth or less.
+/// Divides a crossing until it is at most `tolerance` long: into equally many pieces on both sides
+/// of the estimate, and a short piece around it, which usually holds the crossing. The first piece
+/// whose ends are on different sides is divided next. It is at most an eighth of the interval.
 double crossing_in(const RayWalk& walk, Crossing crossing, bool below, double tolerance) {
     constexpr std::size_t count = 2 * side_places;
     double distance[count], clearance[count];
-    while (crossing.stretch.length() > tolerance) {
-        const auto [begin, end] = crossing.stretch;
+    while (crossing.interval.length() > tolerance) {
+        const auto [begin, end] = crossing.interval;
         const double guess = crossing.guess(), close = 0.4 * tolerance;
         const double before = std::max(begin, guess - close), behind = std::min(end, guess + close);
         for (std::size_t i = 0; i < side_places; ++i) {
-            const double part = static_cast<double>(i) / static_cast<double>(side_places);
-            distance[side_places - 1 - i] = before - part * (before - begin);
-            distance[side_places + i] = behind + part * (end - behind);
+            const double fraction = static_cast<double>(i) / static_cast<double>(side_places);
+            distance[side_places - 1 - i] = before - fraction * (before - begin);
+            distance[side_places + i] = behind + fraction * (end - behind);
         }
         walk.clearances(distance, count, clearance);
         std::size_t i = 0;
         while (i < count && (clearance[i] < 0) == below) ++i;
-        if (i > 0) crossing.stretch.begin = distance[i - 1], crossing.at_begin = clearance[i - 1];
-        if (i < count) crossing.stretch.end = distance[i], crossing.at_end = clearance[i];
+        if (i > 0) crossing.interval.begin = distance[i - 1], crossing.at_begin = clearance[i - 1];
+        if (i < count) crossing.interval.end = distance[i], crossing.at_end = clearance[i];
     }
     return crossing.guess();
 }
 
-/// How many steps of a ray can't meet the water, from its clearance. Of a frame of one cascade each step is looked at.
+/// Computes from the clearance how many steps of a ray cannot meet the water. With one cascade
+/// there is no bound, and each step is sampled.
 class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
-        : ground_(walk.along_ground()),
-          vertical_velocity_(walk.upwards()),
+        : horizontal_(walk.horizontal()),
+          vertical_(walk.vertical()),
           step_m_(step_m),
-          unsure_m_(2 * query.tolerance_m()) {
+          error_m_(2 * query.tolerance_m()) {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
         if (query.frame().cascades.size() > 1)
@@ -122,26 +127,28 @@ class FreeSteps {
                             static_cast<double>(shore.parts_change_per_m));
     }
 
-    /// How many are asked about before a clearance is known.
+    /// Returns the number of positions in the first query, before a clearance is known.
     std::size_t first_places() const { return change_ ? 1 : near_places; }
+    /// Returns the number of steps from a position that cannot meet the water.
     double from(double clearance_m, double max) const {
         if (!change_) return 0;
-        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, max * step_m_) /
+        return std::floor(change_->free_distance(certain(clearance_m), horizontal_, vertical_, max * step_m_) /
                           step_m_);
     }
-    /// Between two places: all of them from the first, or half from either.
+    /// Returns whether the steps between two positions cannot meet the water: all of them from the
+    /// first position, or half of them from each.
     bool are_free(double steps, double first_m, double second_m) const {
         return steps == 1 || is_free(steps, first_m) || (is_free(steps / 2, first_m) && is_free(steps / 2, second_m));
     }
 
    private:
     bool is_free(double steps, double clearance_m) const {
-        return change_->is_free(sure(clearance_m), ground_, vertical_velocity_, steps * step_m_);
+        return change_->is_free(certain(clearance_m), horizontal_, vertical_, steps * step_m_);
     }
-    double sure(double clearance_m) const { return std::fabs(clearance_m) - unsure_m_; }
+    double certain(double clearance_m) const { return std::fabs(clearance_m) - error_m_; }
 
-    double ground_, vertical_velocity_, step_m_;
-    double unsure_m_;  ///< a clearance may be off by this
+    double horizontal_, vertical_, step_m_;
+    double error_m_;  ///< error bound of a clearance
     std::optional<HeightChange> change_;
 };
 
@@ -161,14 +168,14 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
     return {};
 }
 
-std::optional<SurfaceHit> first_hit(const SurfaceQuery& asked, const SurfaceRay& ray) {
+std::optional<SurfaceHit> first_hit(const SurfaceQuery& any_query, const SurfaceRay& ray) {
     const DefaultFloatEnvironment environment;
-    const SurfaceQuery query = asked.with(Interpolation::linear);
+    const SurfaceQuery query = any_query.with(Interpolation::linear);
     const RayWalk walk(query, ray);
-    const Stretch near = walk.near_water(ray.reach_m);
+    const Interval near = walk.near_water(ray.reach_m);
     if (near.begin > near.end) return {};
 
-    const double length = near.end - near.begin, ground = length * walk.along_ground();
+    const double length = near.end - near.begin, ground = length * walk.horizontal();
     const double steps = std::max(1.0, std::ceil(ground / (0.5 * query.texel_m())));
     const double step = length / steps;
     const double tolerance = std::max(query.tolerance_m(), 1e-9 * near.end);
@@ -190,7 +197,7 @@ std::optional<SurfaceHit> first_hit(const SurfaceQuery& asked, const SurfaceRay&
     bool below = false;
     double here = 0;
     for (double done = -1; done < steps;) {
-        // What is free from here, as often as that goes on, and single steps near the water.
+        // Strides of the free distance as long as they are proven, and single steps near the water.
         const double stride = done < 0 ? 1 : std::max(1.0, free_steps.from(here, steps - done));
         const std::size_t together = stride > 1 ? far_places : done < 0 ? free_steps.first_places() : near_places;
         const auto count =

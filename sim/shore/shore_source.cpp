@@ -229,8 +229,7 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
         const double stands_m =
             max[texel] < Refraction::nowhere ? max[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
         highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
-        // Stokes 1847, second order: crests are higher by k a^2 (3 - t^2) / (4 t^3), with t = tanh
-        // k d.
+        // Stokes 1847, second order: crests are higher by k a^2 (3 - t^2) / (4 t^3), t = tanh(k d).
         const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
         const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
         sharpness_.data()[texel] = static_cast<float>(
