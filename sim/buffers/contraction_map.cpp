@@ -11,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-/// Of sums in float.
+/// Upper bound of the relative rounding error of float sums.
 constexpr double rounding = 1 + 1e-5;
 
 std::size_t blocks_of(int resolution) { return static_cast<std::size_t>(resolution) * resolution / 4; }
@@ -49,7 +49,7 @@ double ContractionMap::largest_m() const {
 
 void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
                             double finest_texel_m, const Kernels& kernels) {
-    // The file's r_i, with what a search may be off.
+    // r_i of contraction_map.hpp, including the position error of a search.
     double reach_m = 0, reference_m = margin * finest_texel_m;
     for (std::size_t i = maps.size(); i-- > 0;) {
         reference_m += 2 * maps[i]->largest_m();

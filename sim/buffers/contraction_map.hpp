@@ -1,18 +1,25 @@
-// Where a sum of cascades can't lie over itself.
+// A map of positions at which a sum of cascades cannot self-intersect.
 //
-// A reference point q is drawn at F(q) = q + sum of D_i(q). Let -s_i be the least eigenvalue of the symmetric part of cascade i's
-// slopes, or 0 if that is positive. Where 1 - sum s_i >= m > 0 on a convex set, (F(q') - F(q)) . (q' - q) >= m |q' - q|^2 on it:
-// at most one of its points is drawn at any place. How far from a reference point q can another one q' of the same place be? Let
-// e_i be the largest |D_i|, and the cascades be sorted, the coarsest first.
+// A reference position q is displaced to F(q) = q + sum of D_i(q). Let -s_i be the smallest
+// eigenvalue of the symmetric part of cascade i's slopes, and s_i = 0 if that eigenvalue is
+// positive. If 1 - sum s_i >= m > 0 on a convex set, then (F(q') - F(q)) . (q' - q) >= m |q' - q|^2
+// on this set. At most one of its points is then displaced to any given position.
 //
-//   F(q') = F(q), so q' - q = sum of D_i(q) - D_i(q'):                          |q' - q| <= r_0 = 2 (e_0 + e_1 + ...)
+// The following bounds limit the distance of two reference positions q and q' with F(q) = F(q').
+// Let e_i be the largest |D_i|, and let the cascades be sorted from coarse to fine.
+//
+//   F(q') = F(q), so q' - q = sum of D_i(q) - D_i(q'):
+//     |q' - q| <= r_0 = 2 (e_0 + e_1 + ...)
 //   if 1 - s_0 - ... - s_(i-1) >= m_i within r_(i-1) of q, then with
 //   C(q) = q + D_0(q) + ... + D_(i-1)(q):
-//   m_i |q' - q| <= |C(q') - C(q)| = |sum over j >= i of D_j(q) - D_j(q')|:     |q' - q| <= r_i = 2 (e_i + e_(i+1) + ...) / m_i
+//     m_i |q' - q| <= |C(q') - C(q)| = |sum over j >= i of D_j(q) - D_j(q')|
+//     |q' - q| <= r_i = 2 (e_i + e_(i+1) + ...) / m_i
 //
-// So a cascade need only be looked at within r_i, some of its own texels, and if the slack m_i is left after each cascade, the last
-// step leaves q alone. The map holds the largest s_i within r_i of each block of 2 x 2 cells, for fixed m_i, in a byte: at a
-// point a query adds up one byte of each cascade. Where that says nothing, query/stack_search.hpp looks closer.
+// Cascade i therefore only has to be searched within r_i, which is a few of its own texels. If the
+// slack m_i remains after each cascade, the last step proves that q is unique. The map stores the
+// largest s_i within r_i of each block of 2 x 2 cells, for fixed m_i, in one byte. At a point, a
+// query adds one byte of each cascade. If the sum proves nothing, query/stack_search.hpp searches
+// in more detail.
 #pragma once
 
 #include <cstddef>
@@ -29,26 +36,31 @@ namespace pelagic {
 /// The map of one cascade.
 class ContractionMap {
    public:
-    /// Rows of cells that one job looks at.
+    /// Rows of cells per job.
     static constexpr std::size_t rows_per_job = 16;
-    /// What cascades but the last must leave of 1, and what all must leave: there a small error of the search is a larger one
-    /// of the reference point.
+    /// Smallest slack after any cascade except the last, and after all cascades. At a small slack,
+    /// a small error of the search becomes a large error of the reference position.
     static constexpr double min_slack = 0.3, min_slack_of_all = 0.05;
-    /// Of the finest cascade's texel: more than a query's search for a reference point may be off.
+    /// Upper bound of the position error of a query's search, as a fraction of the finest cascade's
+    /// texel.
     static constexpr double margin = 0.125;
 
     explicit ContractionMap(int resolution, const Allocator& memory = {});
 
-    /// Stage `folds`: looks at cells. Rows of different jobs may be looked at side by side.
+    /// Stage `folds`: computes the contraction of one job's cells. Different jobs may run
+    /// concurrently.
     void find(const Cascade& cascade, const Kernels& kernels, std::size_t job);
     std::size_t jobs() const { return extremes_.size(); }
-    /// Stage `folds tail`, when that is done for all cascades: the rest of it. Sets cascade.contraction, a view into the map.
-    /// \param maps   of all cascades, the coarsest first
-    /// \param number  of this map among them
+    /// Stage `folds tail`: completes the map and sets cascade.contraction, a view into the map.
+    /// \pre find() has run for all jobs of all cascades
+    /// \param maps  maps of all cascades, the coarsest first
+    /// \param number  index of this map in `maps`
+    /// \param finest_texel_m  texel of the finest cascade, metres
     void spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
                 double finest_texel_m, const Kernels& kernels);
 
-    /// All of it, for cascades that no ocean made.
+    /// Runs all jobs of both stages on the calling thread, for cascades that do not belong to an
+    /// ocean.
     static void update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels);
 
     std::size_t bytes() const { return blocks_.bytes() + around_.bytes() + scratch_.bytes(); }
@@ -58,7 +70,7 @@ class ContractionMap {
 
     int resolution_;
     AlignedBuffer<std::uint8_t> blocks_, around_, scratch_;
-    std::vector<ContractionExtremes> extremes_;  ///< of each job
+    std::vector<ContractionExtremes> extremes_;  ///< one per job
 };
 
 }  // namespace pelagic

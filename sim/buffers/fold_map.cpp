@@ -57,7 +57,7 @@ void FoldMap::mark(const Cascade& cascade) {
 }
 
 void FoldMap::mark_squares(int first_x, int last_x, int first_z, int last_z) {
-    // A cell drawn over more than the whole patch marks all of it, once.
+    // A cell that is displaced over more than the whole cascade marks each square once.
     last_x = std::min(last_x, first_x + resolution_ - 1);
     last_z = std::min(last_z, first_z + resolution_ - 1);
     for (int z = first_z; z <= last_z; ++z) {

@@ -15,7 +15,8 @@ TextureTargets textures_in(CascadeBuffers& buffers, int n) {
     return {buffers.rgba16f.data(), chain(buffers.rgba8), chain(buffers.slopes), chain(buffers.moments)};
 }
 
-/// Of what stands in the buffers itself.
+/// Sets the cascade's views of textures that are written to its own buffers; all others become
+/// empty.
 void view_textures(Cascade& cascade, const CascadeBuffers& buffers, const TextureTargets& elsewhere) {
     const auto view = []<class T>(const AlignedBuffer<T>& texels, bool is_elsewhere) {
         return is_elsewhere ? std::span<const T>() : std::span<const T>(texels.data(), texels.size());
@@ -91,7 +92,8 @@ void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {
         for (const auto chain : chains) {
             if (!(elsewhere.*chain)[0]) continue;
             textures.*chain = elsewhere.*chain;
-            (textures.*chain)[last] = (slot.own_textures[i].*chain)[last];  // it is read
+            // The last level stays in the own buffer, because finish_textures() reads it.
+            (textures.*chain)[last] = (slot.own_textures[i].*chain)[last];
         }
         view_textures(slot.cascades[i], slot.buffers[i], elsewhere);
     }

@@ -1,4 +1,5 @@
-// The buffers of frames: two slots, so that one frame is computed while the application still draws the one before.
+// The buffers of frames. Two slots exist, so that one frame is computed while the application
+// renders the previous one.
 #pragma once
 
 #include <array>
@@ -16,45 +17,47 @@
 
 namespace pelagic {
 
-/// What frames hold beside the sea.
+/// Optional contents of frames, and the memory for them.
 struct FrameExtras {
     bool folds = false;
     bool velocities = false;
-    bool gradients = true;  ///< each cascade's own normals
-    bool slopes = false;    ///< and those that add to other cascades'
-    bool foam = false;      ///< that lasts
-    Allocator memory = {};  ///< for everything whose size grows with N^2
+    bool gradients = true;  ///< normals of each cascade
+    bool slopes = false;    ///< slopes, which can be added over the cascades
+    bool foam = false;      ///< foam accumulation and decay
+    Allocator memory = {};  ///< for all buffers whose size grows with N^2
 };
 
-/// The buffers of one cascade of one frame, and the views of them.
+/// The buffers of one cascade of one frame.
 struct CascadeBuffers {
-    /// \param lanes  Kernels::lanes of the instruction set that computes them
-    /// \param cascades  of the frame
+    /// \param cascades  number of cascades of the frame
+    /// \param lanes  Kernels::lanes of the instruction set that computes the frame
     CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
     std::size_t bytes() const;
 
-    AlignedBuffer<float> surface;               ///< lines at first, see kernels/wave_blocks.hpp
-    AlignedBuffer<float> velocity;              ///< the same for the derivative in time, if wanted
-    std::optional<FoldMap> folds;               ///< of one cascade, if wanted
-    std::optional<ContractionMap> contraction;  ///< of several
+    /// Lines, later the surface (kernels/wave_blocks.hpp).
+    AlignedBuffer<float> surface;
+    /// Time derivative of `surface`, if FrameExtras::velocities.
+    AlignedBuffer<float> velocity;
+    std::optional<FoldMap> folds;               ///< if FrameExtras::folds and one cascade
+    std::optional<ContractionMap> contraction;  ///< if FrameExtras::folds and several cascades
     AlignedBuffer<std::uint16_t> rgba16f;
-    AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
-    AlignedBuffer<std::uint32_t> slopes, moments;  ///< if wanted
-    AlignedBuffer<std::uint8_t> foam;              ///< the chain, if wanted
+    AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameExtras::gradients
+    AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameExtras::slopes
+    AlignedBuffer<std::uint8_t> foam;              ///< mip chain, if FrameExtras::foam
 };
 
-/// The foam of a cascade at the last tick, and how much of it has faded since.
+/// The foam of a cascade at the last tick, and its decay since then.
 struct RememberedFoam {
-    const std::uint8_t* bytes = nullptr;  ///< N^2, null where nothing is remembered
-    int fade = 0;
+    const std::uint8_t* bytes = nullptr;  ///< N^2; null if no foam is accumulated
+    int fade = 0;                         ///< decay since the last tick, in bytes
 };
 
-/// Stages write to the slot that is the back one, and look for it when they run.
+/// Two slots of frame buffers. Stages write to the back slot, which they look up when they run.
 class FrameSlots {
    public:
-    /// \param cascades  how many there are, of resolution^2 texels each
+    /// \param cascades  number of cascades, of resolution^2 texels each
     FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
-    FrameSlots(const FrameSlots&) = delete;  // frames point into it
+    FrameSlots(const FrameSlots&) = delete;  // frames hold pointers into the slots
     FrameSlots& operator=(const FrameSlots&) = delete;
 
     std::size_t cascade_count() const { return slots_[0].cascades.size(); }
@@ -62,19 +65,24 @@ class FrameSlots {
 
     CascadeBuffers& buffers(std::size_t cascade) { return slots_[back_].buffers[cascade]; }
     Cascade& cascade(std::size_t cascade) { return slots_[back_].cascades[cascade]; }
-    /// Where the cascade's textures go: all that it has, into its buffers or into memory of the application's.
+    /// Returns the targets of all textures of the cascade: its own buffers or the application's
+    /// memory.
     const TextureTargets& textures(std::size_t cascade) const { return slots_[back_].textures[cascade]; }
     Frame& frame() { return slots_[back_].frame; }
-    /// What the cascade's frame finds of foam.
+    /// Returns the accumulated foam of the cascade in the back slot.
     RememberedFoam& remembered_foam(std::size_t cascade) { return slots_[back_].remembered_foam[cascade]; }
 
-    /// Makes the other slot the back one: for the next frame, and to give up the last one, so that the one before it is not
-    /// written over yet.
+    /// Swaps the slots: for the next frame, or to discard the last frame without overwriting the
+    /// one before it.
     void turn() { back_ = 1 - back_; }
 
-    /// What the slot's frame writes elsewhere, by cascade; it has no views of that. None: everything is its own.
+    /// Sets the application's texture targets of the back slot's frame. The frame has no views of
+    /// textures in the application's memory.
+    /// \param cascades  targets by cascade; empty: all textures are written to the slot's own
+    /// buffers
     void write_textures_to(std::span<const TextureTargets> cascades);
-    /// What becomes of the textures when all stages are done.
+    /// Copies the last mip levels to the application's targets and sets Cascade::slope_variance.
+    /// \pre all stages are done
     void finish_textures();
 
     std::size_t bytes() const;
@@ -82,9 +90,9 @@ class FrameSlots {
    private:
     struct Slot {
         std::vector<CascadeBuffers> buffers;
-        std::vector<TextureTargets> own_textures;  ///< in the buffers
-        std::vector<TextureTargets> elsewhere;     ///< what the application has asked for
-        std::vector<TextureTargets> textures;      ///< where the frame's are written
+        std::vector<TextureTargets> own_textures;  ///< the slot's own buffers
+        std::vector<TextureTargets> elsewhere;     ///< the application's targets
+        std::vector<TextureTargets> textures;      ///< the targets that stages write to
         std::vector<Cascade> cascades;
         std::vector<RememberedFoam> remembered_foam;
         Frame frame;

@@ -1,4 +1,4 @@
-// Stages of a frame whose items are independent of one another.
+// Helpers for stages of a frame whose items are independent of one another.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@
 
 namespace pelagic {
 
-/// What a job's own functions take of the stack, beside the arrays that kernels.hpp states.
+/// Stack bytes of a job's functions, in addition to the arrays that kernels.hpp documents.
 inline constexpr std::size_t stack_margin = 64 * 1024;
 
-/// Calls item(i) for each item of a block, in the default floating-point environment.
+/// Returns a job body that calls item(i) for each item of a block, in the default floating-point
+/// environment.
 template <class Item>
 JobBody for_each_item(Item item) {
     return [item](std::size_t begin, std::size_t end) {
@@ -21,7 +22,8 @@ JobBody for_each_item(Item item) {
     };
 }
 
-/// The name of a stage of one cascade: "evolve+rows" of the coarsest, "evolve+rows c1" of the next.
+/// Returns the name of a stage of one cascade: "evolve+rows" for the coarsest, "evolve+rows c1" for
+/// the next.
 inline std::string stage_name(const char* stage, std::size_t cascade) {
     return cascade == 0 ? stage : std::string(stage) + " c" + std::to_string(cascade);
 }

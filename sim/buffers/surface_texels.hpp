@@ -1,4 +1,4 @@
-// A cascade's planes as the kernels of surface queries take them.
+// Converts a cascade's planes to the input of the query kernels.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,8 @@
 
 namespace pelagic {
 
-/// \pre All planes of the cascade are laid out alike, in blocks of a power of two of columns (asserted).
+/// Returns the planes of a cascade. \pre All planes have equal layouts, with a power of two of
+/// columns per block (asserted).
 inline SurfaceTexels texels_of(const Cascade& cascade) {
     const PlaneView& plane = cascade.height;
     [[maybe_unused]] const auto is_alike = [&](const PlaneView& other) {
@@ -33,7 +34,7 @@ inline SurfaceTexels texels_of(const Cascade& cascade) {
             .block_stride = static_cast<std::int32_t>(plane.block_stride)};
 }
 
-/// Where texel (i, j) lies in each plane; i and j may be outside of the patch.
+/// Returns the offset of texel (i, j) in each plane. i and j may be outside the cascade.
 inline std::ptrdiff_t place_of(const SurfaceTexels& surface, int i, int j) {
     const int column = i & (surface.resolution - 1), row = j & (surface.resolution - 1);
     return static_cast<std::ptrdiff_t>(column >> surface.block_shift) * surface.block_stride +

@@ -10,7 +10,7 @@ Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
     const double x = place.along * texels_per_m, z = place.across * texels_per_m;
     const double column = std::floor(x), row = std::floor(z);
     const double right = x - column, down = z - row;
-    // The resolution is a power of two, so a mask wraps negative texels too.
+    // The resolution is a power of two, so the mask also wraps negative indices.
     const int mask = cascade.resolution() - 1;
     const int i0 = static_cast<int>(static_cast<long long>(column) & mask), i1 = (i0 + 1) & mask;
     const int j0 = static_cast<int>(static_cast<long long>(row) & mask), j1 = (j0 + 1) & mask;

@@ -1,5 +1,5 @@
-// The displacement of a frame between the texels: the sum of its cascades, each bilinear and periodic, as a GPU samples them; in
-// double.
+// Displacement of a frame between texels: the sum of its cascades. Each cascade is periodic and
+// interpolated bilinearly, as a GPU samples it, in double precision.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"
@@ -11,10 +11,12 @@ struct Displacement {
     double dx = 0, height = 0, dz = 0;
 };
 
-/// What one cascade adds to the point that rests at (x_m, z_m), anywhere in the world.
+/// Returns the displacement of one cascade at the reference position (x_m, z_m), anywhere in the
+/// world.
 Displacement displacement_of(const Cascade& cascade, double x_m, double z_m);
 
-/// The same of all cascades.
+/// Returns the displacement of all cascades at the reference position (x_m, z_m), anywhere in the
+/// world.
 Displacement displacement_of(const Frame& frame, double x_m, double z_m);
 
 }  // namespace pelagic

@@ -1,4 +1,5 @@
-// What queries need to know about where the surface may lie over itself: stages `folds` and `folds tail` of each cascade.
+// Stages `folds` and `folds tail` of each cascade: they compute the maps of possible
+// self-intersections, which queries read.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +11,17 @@
 
 namespace pelagic {
 
-/// The stages of a frame. One cascade has a fold map. Several have a contraction map each, whose second stages wait for the first ones
-/// of all: how far one cascade must look depends on how far the others move the water.
+/// The fold stages of a frame. A single cascade has a fold map. Several cascades have a contraction
+/// map each. Their second stages wait for the first stages of all cascades, because the search
+/// radius in one cascade depends on the displacement of the others.
 class FoldStages {
    public:
     FoldStages(FrameSlots& slots, const Kernels& kernels) : slots_(slots), kernels_(kernels) {}
-    FoldStages(const FoldStages&) = delete;  // stages point into it
+    FoldStages(const FoldStages&) = delete;  // stages hold pointers to the object
     FoldStages& operator=(const FoldStages&) = delete;
 
-    /// \param surfaces_done  the stages that leave the displacement in the cascades' buffers
+    /// Adds the stages to a graph. \param surfaces_done  the stages that write the cascades'
+    /// displacement, one per cascade
     void add_to(JobGraph& graph, std::span<const StageId> surfaces_done);
 
    private:

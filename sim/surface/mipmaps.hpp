@@ -1,6 +1,7 @@
-// Stage `mipmaps`: the chain of averaged normals and Jacobians, or of slopes (kernels.hpp), kept in float because bytes lose the smoothness:
-// at a length of one a single step of a byte already means 0.88 (errata). Cascades of texels make the first levels
-// (kernels.hpp), one job the rest, the tail.
+// Stage `mipmaps`: the mip chain of averaged normals and Jacobians, or of slopes (kernels.hpp).
+// Averages are stored as float, because bytes lose the smoothness: near a normal length of 1, one
+// byte step already means a smoothness of 0.88 (errata). Jobs on blocks of texels compute the first
+// levels (kernels.hpp); one job computes the remaining levels, the tail.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +11,16 @@
 
 namespace pelagic {
 
-/// Float averages of the levels that a cascade leaves to others: GradientsJob::cascade_levels and up.
+/// Float averages of the levels from GradientsJob::cascade_levels up, which jobs on blocks of
+/// texels pass to the tail.
 class MipAverages {
    public:
-    /// \param planes  of a row of averages: those of MipLevelJob, or slope_planes for SlopeLevelJob
+    /// \param planes  planes per row of averages: mip_planes + 1 for MipLevelJob, slope_planes for
+    /// SlopeLevelJob
     explicit MipAverages(int resolution, const Allocator& memory = {}, std::size_t planes = mip_planes + 1);
 
-    /// As those jobs want them.
+    /// Averages of a level and the stride of a plane, in the layout of MipLevelJob and
+    /// SlopeLevelJob.
     float* level(int level);
     std::size_t stride(int level) const;
     std::size_t bytes() const { return values_.bytes(); }

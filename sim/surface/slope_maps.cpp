@@ -12,7 +12,7 @@ std::size_t jobs_across(int resolution) {
     return std::max(static_cast<std::size_t>(resolution) / SlopesJob::cascade_columns, std::size_t{1});
 }
 
-// Flatter than any byte of a normal can tell.
+// Smaller than the resolution of a byte of a normal.
 constexpr double min_mean_square_slope = 1e-12;
 
 }  // namespace

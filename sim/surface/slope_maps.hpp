@@ -1,4 +1,5 @@
-// Stages `slopes+mipmaps` and `slopes tail` of one cascade: from its surface to the two maps of sim/slope_sum.hpp.
+// Stages `slopes+mipmaps` and `slopes tail` of one cascade: they compute the two maps of
+// sim/slope_sum.hpp from its surface.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +12,32 @@
 
 namespace pelagic {
 
-/// Ranges for a cascade whose waves have the mean squares h_x^2 + h_z^2 of slopes and (D_xx + D_zz)^2 of convergence at choppiness 1, which
-/// is the larger one in shallow water. Slopes: four times the root of the larger, which is at least four standard deviations along any
-/// axis and five where waves go both ways. Variances: three times the mean square slope. A sea without waves gets ranges too.
+/// Returns the value ranges of a cascade's slope maps. The slope range is four times the root of
+/// the larger mean square. This is at least four standard deviations along any axis, and five if
+/// waves run in opposite directions. The variance range is three times the mean square slope. A sea
+/// without waves has positive ranges, too.
+/// \param mean_square_slope  mean of h_x^2 + h_z^2
+/// \param mean_square_convergence  mean of (D_xx + D_zz)^2 at choppiness 1; the larger of both in
+/// shallow water
 SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
 
-/// Where slopes come from and where they go; a view.
+/// Input and output of the slope stages of one cascade. A view: it owns no memory.
 struct SlopeMaps {
     const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
     int resolution;
     std::size_t block_stride;     ///< floats between column blocks
-    double side_m;                ///< of the cascade
-    double cosine = 1, sine = 0;  ///< how its axes are rotated, GradientsJob
+    double side_m;                ///< side of the cascade
+    double cosine = 1, sine = 0;  ///< rotation of the cascade's axes, see GradientsJob
     SlopeRanges ranges;           ///< positive
-    std::uint16_t* rgba16f;       ///< 4 N^2, null if nobody wants them
-    ShownFoam foam;               ///< with them
+    std::uint16_t* rgba16f;       ///< 4 N^2; null: not written
+    ShownFoam foam;               ///< written with rgba16f
     TextureTargets::Chain slopes, moments;
-    MipAverages* averages;  ///< of slope_planes planes
+    MipAverages* averages;  ///< with slope_planes planes
 
-    /// Jobs of the first stage; they may run side by side.
+    /// Number of jobs of the first stage. Different jobs may run concurrently.
     std::size_t jobs() const;
     void make(const Kernels& kernels, std::size_t job) const;
-    /// The second stage.
+    /// Runs the second stage. \pre make() has run for all jobs
     void make_tail(const Kernels& kernels) const;
 
    private:

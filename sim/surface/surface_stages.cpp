@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-// Pieces of a cascade that one job takes are as large whatever N is.
+// The stack size does not depend on N, because jobs process blocks of texels of fixed size.
 constexpr std::size_t gradients_stack_bytes = 48 * 1024 + stack_margin;
 constexpr std::size_t slopes_stack_bytes = 60 * 1024 + stack_margin;
 

@@ -1,5 +1,5 @@
-// From a cascade's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, `slopes+mipmaps` and
-// `slopes tail`.
+// Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps`, `slopes tail` and `foam tail`: they
+// compute the textures of a cascade from its displacement.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,15 @@
 
 namespace pelagic {
 
-/// The stages of one cascade.
+/// The texture stages of one cascade.
 class SurfaceStages {
    public:
     SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
-    SurfaceStages(const SurfaceStages&) = delete;  // stages point into it
+    SurfaceStages(const SurfaceStages&) = delete;  // stages hold pointers to the object
     SurfaceStages& operator=(const SurfaceStages&) = delete;
 
-    /// \param surface_done  the stage that leaves the displacement in the cascade's buffers
+    /// Adds the stages to a graph. \param surface_done  the stage that writes the cascade's
+    /// displacement
     void add_to(JobGraph& graph, StageId surface_done);
 
     std::size_t bytes() const {
@@ -36,8 +37,8 @@ class SurfaceStages {
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();
-    /// Foam stands in the half floats. Of one cascade it comes with the paper's gradients, of several with slopes, which they
-    /// always have.
+    /// Returns whether the slope stages write the half floats, which include the foam. With one
+    /// cascade the gradient stages write them. Several cascades always have slopes.
     bool slopes_make_halves() const { return slots_.cascade_count() > 1; }
 
     FrameSlots& slots_;
