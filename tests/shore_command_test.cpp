@@ -119,7 +119,7 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
         {{"--shore"}, "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
         {{"--floor-size", "20", "--shore"},
          "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
-        {{"--floor", file}, "pelagic: --floor is given, needs --shore beside it: no other water feels its floor\n"},
+        {{"--floor", file}, "pelagic: --floor needs --shore: only a shore uses the floor\n"},
         {{"--floor-middle", "3,4"}, "pelagic: --floor-middle is 3,4, needs --floor beside it\n"},
         {{"--floor", "reef.jpg", "--shore"},
          "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},

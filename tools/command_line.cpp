@@ -28,15 +28,15 @@ struct CommandEntry {
 };
 
 constexpr CommandEntry command_table[] = {
-    {"bench", "measure frame times on this machine beside stored results", make_bench_command},
-    {"export", "write the frames of a sea as images, and sea.json", make_export_command, "PELAGIC_IMAGES"},
-    {"info", "print a sea's statistics, stages and memory", make_info_command},
-    {"merge", "join the shards of an export, and check every file", make_merge_command, "PELAGIC_IMAGES"},
-    {"quadtree", "select the patches that a view draws; print statistics, write meshes", make_quadtree_command},
+    {"bench", "measure frame times on this machine, beside stored results", make_bench_command},
+    {"export", "export frames of a sea as images or meshes, and sea.json", make_export_command, "PELAGIC_IMAGES"},
+    {"info", "print sea-state statistics, stages and memory", make_info_command},
+    {"merge", "join the shards of an export after checking every file", make_merge_command, "PELAGIC_IMAGES"},
+    {"quadtree", "select the mesh patches for a view; print statistics, write meshes", make_quadtree_command},
     {"query", "print height, normal and velocity of the water at given points", make_query_command},
-    {"render", "draw images of a sea, without a window", make_render_command, "PELAGIC_GL"},
-    {"verify", "check every file of an export, and compute some frames again", make_verify_command, "PELAGIC_IMAGES"},
-    {"view", "show a sea in a window, with sliders", make_view_command, "PELAGIC_GL"}};
+    {"render", "render images of a sea offscreen", make_render_command, "PELAGIC_GL"},
+    {"verify", "check every file of an export, and recompute some frames", make_verify_command, "PELAGIC_IMAGES"},
+    {"view", "show a sea in a window, with controls", make_view_command, "PELAGIC_GL"}};
 
 /// Returns "bench, export ... or view".
 std::string command_names() {
@@ -132,7 +132,7 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
 }
 
 int run(int argc, const char* const* argv) {
-    CLI::App app("An open sea on CPU jobs and SIMD: exports seamlessly looping displacement and normal maps.",
+    CLI::App app("Simulates FFT ocean waves on the CPU and exports seamlessly looping displacement and normal maps.",
                  "pelagic");
     app.set_version_flag("--version", "pelagic " PELAGIC_VERSION);
     app.get_formatter()->column_width(34);
@@ -162,8 +162,7 @@ int run(int argc, const char* const* argv) {
     }
     const auto used =
         std::find_if(parsers.begin(), parsers.end(), [](const auto& each) { return each.first->parsed(); });
-    if (used == parsers.end())
-        throw InputError("no command, needs " + command_names() + "; pelagic --help says more");
+    if (used == parsers.end()) throw InputError("no command, needs " + command_names() + "; see pelagic --help");
     used->second->run();
     check_standard_output();
     return 0;
@@ -183,7 +182,7 @@ int run_command_line(int argc, const char* const* argv) {
                      stop.done, stop.total);
         return 128 + stop.signal;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "pelagic: out of memory, a smaller --resolution or fewer --threads want less\n");
+        std::fprintf(stderr, "pelagic: out of memory, a smaller --resolution or fewer --threads need less\n");
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());

@@ -1,4 +1,4 @@
-// `pelagic bench`: how long frames take on this machine, beside others.
+// `pelagic bench`: frame times on this machine, beside stored results.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -31,8 +31,8 @@ constexpr const char* seconds_range = "[0.1, 3600]";
 
 std::vector<int> sizes_from(const std::string& text) {
     std::vector<int> sizes;
-    for (const std::string& part : split_at_commas(text)) {
-        const auto n = parse_integer(part);
+    for (const std::string& size : split_at_commas(text)) {
+        const auto n = parse_integer(size);
         if (!n || *n < 16 || *n > 2048 || !std::has_single_bit(static_cast<unsigned>(*n)))
             throw bad_value("--sizes", text, "powers of two from 16 to 2048 with commas, such as 64,256");
         sizes.push_back(static_cast<int>(*n));
@@ -50,7 +50,7 @@ void add_instructions(Json& json, const FrameTiming& frame, const std::string& j
     json["instructions_counted"] = counted ? "here" : "by the project";
 }
 
-/// The keys of bench/results, and more.
+/// Returns an object with the keys of bench/results, and additional keys.
 Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
     Json json = {{"cascades", frame.cascades},
                  {"n", frame.resolution},
@@ -92,7 +92,7 @@ Json as_json(const Timings& timings) {
 class BenchCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Times what was asked for, and prints tables or writes JSON. Throws InputError and FileError.
+    /// Measures frame times and prints tables or writes JSON. Throws InputError and FileError.
     void run() override;
 
    private:
@@ -105,13 +105,16 @@ class BenchCommand final : public Command {
 
 void BenchCommand::add_options(CLI::App& app) {
     app.add_option("--sizes", sizes_,
-                   "N of seas of one cascade, with commas; default 64,128,256,512,1024, and the default sea")
+                   "resolutions N of seas with one cascade, separated by commas (default: 64,128,256,512,1024, "
+                   "and the default sea)")
         ->type_name("N,N");
-    app.add_option("--seconds", seconds_, std::string("about how long to measure; ") + seconds_range + ", default 30")
+    app.add_option("--seconds", seconds_,
+                   std::string("approximate measuring time in seconds; ") + seconds_range + " (default: 30)")
         ->type_name("SECONDS");
     app.add_flag("--headset", headset_,
-                 "seas for a headset on 1, 2 and 3 threads, beside its frame times; without --sizes");
-    app.add_option("--json", json_, "writes the statistics; - prints them instead of tables")->type_name("FILE");
+                 "measure seas for a headset on 1, 2 and 3 threads, beside its frame times; excludes --sizes");
+    app.add_option("--json", json_, "write the statistics as JSON; - prints them instead of the tables")
+        ->type_name("FILE");
     compute_.add_to(app);
 }
 
@@ -143,7 +146,8 @@ void BenchCommand::run() {
     Timings timings;
     {
         Progress progress;
-        timings = time_frames(plan, [&](const std::string& sea, double part) { progress.show("sea " + sea, part); });
+        timings = time_frames(
+            plan, [&](const std::string& sea, double fraction) { progress.show("sea " + sea, fraction); });
     }
     if (prints_json) {
         std::printf("%s\n", as_json(timings).dump(2).c_str());

@@ -1,4 +1,4 @@
-// A subcommand of `pelagic`, and the functions that make each of them.
+// Interface of a subcommand of `pelagic`, and a factory function for each subcommand.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,10 +9,10 @@ namespace pelagic::tools {
 class Command {
    public:
     virtual ~Command() = default;
-    /// Adds the command's options. The command outlives the parser.
+    /// Adds the command's options to the parser. The command must outlive the parser.
     virtual void add_options(CLI::App& app) = 0;
-    /// Runs with the parsed options. Throws InputError for a bad option or input, FileError for output that can't be written,
-    /// Stopped after a signal.
+    /// Runs with the parsed options. Throws InputError for an invalid option or input, FileError if
+    /// output cannot be written, and Stopped after a signal.
     virtual void run() = 0;
 };
 
@@ -23,7 +23,7 @@ std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_quadtree_command();
 std::unique_ptr<Command> make_query_command();
 
-// Null in a build without the library that they need.
+// Null in a build without the required library.
 #if defined(PELAGIC_HAS_IMAGES)
 std::unique_ptr<Command> make_export_command();
 std::unique_ptr<Command> make_merge_command();

@@ -1,4 +1,4 @@
-// `pelagic export`: a sea as image files, one set a frame, and sea.json.
+// `pelagic export`: writes a sea as image files, one set for each frame, and sea.json.
 
 #include <chrono>
 #include <cstdio>
@@ -39,7 +39,9 @@ void make_folder(const std::filesystem::path& folder) {
     if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
 }
 
-/// Computes frames in order, the next one while the last is looked at. False if a signal stopped it. \param player  may be none
+/// Computes frames in order and calls `take` for each while the next one is computed. Returns false
+/// if a signal stopped it.
+/// \param player  may be null
 bool for_each_frame(const ExportOptions& options, Ocean& ocean, EventPlayer* player, std::span<const int> numbers,
                     const std::function<void(int, const Frame&)>& take) {
     if (numbers.empty()) return true;
@@ -59,8 +61,8 @@ Stopped stopped(const ExportOptions& options, std::size_t done) {
     return {stop_signal(), static_cast<int>(done), static_cast<int>(options.frames_here().size())};
 }
 
-/// Puts a copy of the events beside the frames, from which `pelagic merge`, `verify` and --resume take them. Shards of one export
-/// may do so at the same moment: whoever of them is late finds it done.
+/// Copies the events file to the export's folder, from which `pelagic merge`, `verify` and --resume
+/// read it. Shards of one export may do so at the same time; a later shard finds an equal copy.
 void keep_events(const EventFile& events, const OutputFolder& folder) {
     constexpr int max_tries = 50;
     for (int tries = 1;; ++tries) try {
@@ -89,7 +91,7 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
     if (!all_made) throw stopped(options, records.size());
 }
 
-/// Computes all frames once more for what is made of them together.
+/// Computes all frames again for the files that are made of all frames together.
 std::vector<FileRecord> make_sequences(const ExportOptions& options, const OutputFolder& folder,
                                        const std::shared_ptr<ChromeTrace>& trace) {
     const std::vector<std::unique_ptr<SequenceOutput>> outputs = sequence_outputs(options);
@@ -131,7 +133,7 @@ void run_export(const ExportOptions& options) {
     if (options.events) keep_events(*options.events->file, folder);
     journal.begin();
     print_notes(stdout, options);
-    std::fflush(stdout);  // a pipe gets the notes now, too
+    std::fflush(stdout);  // so that a pipe receives the notes before the first frame
     std::map<int, FrameRecord> records = journal.done();
     const std::size_t kept = records.size();
     const auto trace = options.trace ? std::make_shared<ChromeTrace>() : nullptr;
@@ -166,7 +168,7 @@ void run_export(const ExportOptions& options) {
 class ExportCommand final : public Command {
    public:
     void add_options(CLI::App& app) override { flags_.add_to(app); }
-    /// Prints a summary on stdout, and progress on stderr if that is a terminal.
+    /// Prints a summary on stdout, and progress on stderr if stderr is a terminal.
     void run() override { run_export(flags_.resolve()); }
 
    private:

@@ -1,4 +1,4 @@
-// `pelagic info`: what a sea is, before anything is written, or what an export holds.
+// `pelagic info`: prints sea-state statistics, or measures an export.
 
 #include <CLI/App.hpp>
 #include <cmath>
@@ -27,12 +27,13 @@
 namespace pelagic::tools {
 namespace {
 
-/// Made beside the ocean's own spectrum, which takes as long, if there is a thread for it.
+/// Starts computing the report on another thread if --threads allows one. It takes as long as the
+/// ocean's spectrum, which is computed at the same time.
 std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& compute) {
     const auto report = [sea] { return report_on(sea); };
     try {
         if (compute.threads != 1) return std::async(std::launch::async, report);
-    } catch (const std::system_error&) {  // no thread left
+    } catch (const std::system_error&) {  // the system cannot start a thread
     }
     return std::async(std::launch::deferred, report);
 }
@@ -67,19 +68,20 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     return json;
 }
 
-/// What rounding leaves of 0.
+/// Smallest absolute value that is printed; smaller ones are rounding errors of 0.
 constexpr double min_shown = 1e-9;
 
-/// Four digits of what is computed, and six of what was asked for: more mean nothing to a reader, and --json has all.
+/// Formats a value for the table. --json prints all digits.
+/// \param digits  significant digits: 4 for computed values, 6 for options
 std::string value_text(const Json& value, int digits) {
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number_float()) return value.dump();
     const double number = value.get<double>();
-    if (!std::isfinite(number)) return "none";  // such as a period of a sea without waves
+    if (!std::isfinite(number)) return "none";  // for example the period of a sea without waves
     return std::fabs(number) < min_shown ? "0" : rounded_text(number, digits);
 }
 
-/// Directions to a hundredth of a degree.
+/// Rounds directions to 0.01 degrees.
 Json shown(const std::string& key, const Json& value) {
     if (!key.ends_with("_deg") || !value.is_number_float()) return value;
     return std::floor(value.get<double>() * 100 + 0.5) / 100;
@@ -99,7 +101,8 @@ void print_section(const char* title, const Json& values, int digits = 4) {
     }
 }
 
-/// The options that decide something in this sea, and no 0 that stands for a value chosen by the sea.
+/// Returns the options that have an effect in this sea, without values of 0 that select an
+/// automatic value.
 Json sea_for_people(const Json& sea) {
     const std::string waves = sea.at("waves");
     const bool is_spectrum = waves == "spectrum", has_swell = is_spectrum && sea.at("swell_height_m") > 0;
@@ -123,7 +126,8 @@ Json sea_for_people(const Json& sea) {
     return rows;
 }
 
-/// Steps of scales as "6, strong breeze", and a row for each cascade's slopes.
+/// Returns the waves section of the table: steps of scales as "6, strong breeze", and a row for
+/// each cascade's slopes.
 Json waves_for_people(const Json& waves, bool has_spectrum) {
     Json rows = Json::object();
     for (const auto& [key, value] : waves.items()) {
@@ -148,7 +152,7 @@ Json waves_for_people(const Json& waves, bool has_spectrum) {
     return rows;
 }
 
-/// A row for each cascade's drift.
+/// Returns the foam section of the table, with a row for each cascade's drift.
 Json foam_for_people(Json foam) {
     const Json cascades = foam.at("cascades");
     foam.erase("cascades");
@@ -164,7 +168,7 @@ Json foam_for_people(Json foam) {
     return foam;
 }
 
-/// What most readers want to know, a line each.
+/// Prints a summary of five lines.
 void print_summary(const Json& json) {
     const Json &sea = json.at("sea"), &waves = json.at("waves"), &computing = json.at("computing");
     const auto number = [](const Json& value) { return value_text(value, 3); };
@@ -198,13 +202,15 @@ void print_table(const Json& json) {
     const bool has_spectrum = json.at("sea").at("waves") == "spectrum";
     print_section("\nSea", sea_for_people(json.at("sea")), 6);
     print_section("Waves", waves_for_people(json.at("waves"), has_spectrum));
-    if (json.at("foam").at("whitecap_cover") > 0) print_section("Foam that lasts", foam_for_people(json.at("foam")));
+    if (json.at("foam").at("whitecap_cover") > 0)
+        print_section("Foam accumulation", foam_for_people(json.at("foam")));
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");
     std::string stages;
     for (const Json& stage : computing.at("stages")) {
         const auto name = stage.at("name").get<std::string>();
-        if (job_of(name) != name) continue;  // of a finer cascade, as those of the coarsest
+        // stages of finer cascades repeat those of the coarsest
+        if (job_of(name) != name) continue;
         stages += (stages.empty() ? "" : " -> ") + name;
     }
     computing["stages"] = stages;
@@ -221,8 +227,9 @@ void print_table(const Json& json) {
 class InfoCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Prints the resolved options, heights and periods, the stages, memory and what runs here: a table, or --json. With --measure
-    /// what the frames of an export hold instead. Throws InputError and FileError.
+    /// Prints the resolved options, heights and periods, stages, memory and computing resources, as
+    /// a table or with --json as JSON. With --measure it prints the measured waves of an export
+    /// instead. Throws InputError and FileError.
     void run() override;
 
    private:
@@ -235,13 +242,12 @@ class InfoCommand final : public Command {
 };
 
 void InfoCommand::add_options(CLI::App& app) {
-    app.add_flag("--json", json_, "for programs");
+    app.add_flag("--json", json_, "print JSON");
     app.add_option("--measure", measure_,
-                   "reads an export back instead: heights, periods, directions and spectra of its frames, beside "
-                   "those of the "
-                   "sea that was asked for")
+                   "read an export and print the heights, periods, directions and spectra of its frames, beside "
+                   "those expected from its options")
         ->type_name("DIR");
-    app.add_option("--svg", svg_, "with --measure: draws both spectra, those found and those asked for")
+    app.add_option("--svg", svg_, "with --measure: write both spectra, measured and expected, as an SVG image")
         ->type_name("FILE");
     sea_.add_to(app);
     sea_.add_weather_to(app);
@@ -263,7 +269,7 @@ void InfoCommand::measure() const {
         throw InputError("--measure is " + *measure_ + ", needs no other sea: the export's own sea.json has it");
     if (svg_ && svg_->empty()) throw InputError("--svg is empty, needs a file to write to");
     std::optional<OutputFile> svg;
-    if (svg_) svg.emplace(*svg_);  // before the work begins
+    if (svg_) svg.emplace(*svg_);  // opened before measuring
 #if defined(PELAGIC_HAS_IMAGES)
     const Json json = measure_export(*measure_);
     if (svg) svg->write(measurement_as_svg(json));

@@ -1,4 +1,4 @@
-// `pelagic merge`: the shards of an export become one export, if all of it is there.
+// `pelagic merge`: joins the shards of an export, if all of them are complete.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -30,11 +30,13 @@ namespace {
 
 constexpr std::size_t max_lines = Findings::max_kept;
 
-/// What is in the folder, but for images.
+/// Names of files in the folder other than images.
 struct FolderNames {
-    std::map<int, std::set<int>> shards;  ///< that have a record: their index, by how many the export has
-    std::vector<std::string> leftovers;   ///< that nobody needs when the export is whole, if they are an export's
-    bool has_record = false, has_sea_json = false;  ///< of a whole export
+    /// indices of the shards with a record, by the number of shards
+    std::map<int, std::set<int>> shards;
+    /// candidates for removal once the export is complete
+    std::vector<std::string> leftovers;
+    bool has_record = false, has_sea_json = false;  ///< of a merged or unsharded export
 };
 
 FolderNames names_in(const OutputFolder& folder) {
@@ -49,7 +51,7 @@ FolderNames names_in(const OutputFolder& folder) {
     return names;
 }
 
-/// The records that make up an export: those of its shards, or its own.
+/// Reads the records of an export: those of its shards, or the record of the whole export.
 class Merge {
    public:
     Merge(const OutputFolder& folder, FolderNames names, const ComputeOptions& compute, bool has_lock)
@@ -77,7 +79,8 @@ class Merge {
 
     std::string path_of(const std::string& name) const { return (folder_.path() / name).string(); }
 
-    /// Those of the first record that can be read are what all others must have.
+    /// Reads the options of the first readable record. All other records must have the same
+    /// options.
     void find_options() {
         for (const int index : names_.shards.begin()->second) try {
                 first_name_ = record_name(Shard{index, count_});
@@ -92,7 +95,7 @@ class Merge {
                 wanted_ = options_json_;
                 return;
             } catch (const DamagedRecord&) {
-                // It is named with all that is wrong, if another one says what the export is.
+                // check_all() reports this record if another one can be read.
             }
         throw FileError("no record of a shard in " + folder_.path().string() +
                         " can be read: nothing says what the export was, so all " + std::to_string(count_) +
@@ -102,12 +105,14 @@ class Merge {
     void require_same_options(const std::string& name, const ReadJson& head) const {
         const ReadJson options = options_in(head);
         if (options == wanted_) return;
-        options_of_record(head, folder_.path() / name);  // if it is of another version, that is said
+        // throws if the record is of another version
+        options_of_record(head, folder_.path() / name);
         throw InputError(path_of(name) + " is of another export than " + first_name_ + ": " +
                          first_option_difference(options, options_json_).is_not());
     }
 
-    /// All is there, whatever became of the shards' records: a merge was interrupted, or shards were made once more.
+    /// Returns true if the folder has the record and sea.json of a whole export, and fewer records
+    /// of shards than shards: a merge was interrupted, or shards were made again.
     bool has_finished_export() const {
         int found = 0;
         for (const std::string& name : {record_name({}), std::string(sea_json_name)}) try {
@@ -130,34 +135,35 @@ class Merge {
         return is_finished_ ? std::nullopt : std::optional(Shard{record, count_});
     }
 
-    /// What is wrong with a record; empty if nothing.
+    /// Reads a record. Returns the error in it; an empty text if there is none.
     std::string read(int record, const Take& take) const {
         const std::optional<Shard> shard = shard_of(record);
         const std::string name = record_name(shard);
         const std::size_t frames = options_.times.count();
         const Places places = shard ? Places{shard->begin(frames), shard->end(frames)} : Places{0, frames};
-        const auto look_at_head = [&](const ReadJson& head) {
+        const auto check_head = [&](const ReadJson& head) {
             require_same_options(name, head);
             if (shard &&
                 head.value("shard", ReadJson()) != ReadJson{{"index", shard->index}, {"count", shard->count}})
                 throw InputError(path_of(name) + " is of another shard than its name says");
         };
-        const std::string wrong = read_frames(folder_, name, options_, places, look_at_head, take);
+        const std::string wrong = read_frames(folder_, name, options_, places, check_head, take);
         return wrong.empty() ? "" : path_of(name) + wrong;
     }
 
-    /// Every record and every file. The sum of the frames' significant wave heights, in order.
+    /// Checks every record and every file. Returns the sum of the frames' significant wave heights
+    /// in metres, added in order.
     double check_all() {
         double height_sum_m = 0;
         std::mutex mutex;
         const std::size_t frames = options_.times.count();
-        const auto blame = [&](int record, std::size_t place, const std::string& what) {
+        const auto report = [&](int record, std::size_t place, const std::string& what) {
             findings_.add(place, what);
             const std::lock_guard lock(mutex);
             wrong_.insert(record);
         };
         FileCheck check(folder_, options_.compute.threads,
-                        [&](std::size_t place, const std::string& what) { blame(record_at(place), place, what); });
+                        [&](std::size_t place, const std::string& what) { report(record_at(place), place, what); });
         Progress progress("frame", frames);
         for (int record = 1; record <= records(); ++record) {
             const std::string wrong = read(record, [&](std::size_t place, FrameRecord&& frame) {
@@ -165,13 +171,13 @@ class Merge {
                 check.add(place, std::move(frame.files));
                 progress.show(place);
             });
-            if (!wrong.empty()) blame(record, is_finished_ ? 0 : Shard{record, count_}.begin(frames), wrong);
+            if (!wrong.empty()) report(record, is_finished_ ? 0 : Shard{record, count_}.begin(frames), wrong);
         }
         check.finish();
         return height_sum_m;
     }
 
-    /// The record that a frame stands in.
+    /// Returns the index of the record that contains a frame.
     int record_at(std::size_t place) const {
         if (is_finished_) return 1;
         const std::size_t frames = options_.times.count();
@@ -215,7 +221,7 @@ class Merge {
                         std::to_string(count_) + " shards have to be made again, " + text_of_wrong());
     }
 
-    /// "3,7-12", as a scheduler takes it.
+    /// Returns the indices of invalid shards as "3,7-12", the format of job schedulers.
     std::string text_of_wrong() const {
         constexpr std::size_t max_ranges = 100;
         std::vector<FrameRange> ranges;
@@ -236,18 +242,20 @@ class Merge {
     std::string first_name_;
     ExportOptions options_;
     Json options_json_;
-    ReadJson wanted_;  ///< the same
+    ReadJson wanted_;  ///< options_json_ with sorted keys
     bool is_finished_ = false;
     Findings findings_;
-    std::set<int> wrong_;  ///< records
+    std::set<int> wrong_;  ///< indices of invalid records
 };
 
 class MergeCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Checks every record and every file, then writes sea_files.json and sea.json and removes what was the shards'. If anything is missing or wrong
-    /// it touches nothing, names it on stderr, prints on stdout a line for each shard that makes it again, and throws FileError.
-    /// Throws InputError where records are of different exports, or of another version of pelagic.
+    /// Checks every record and every file, then writes sea_files.json and sea.json and removes the
+    /// records, journals and locks of the shards. If anything is missing or invalid, it changes
+    /// nothing, prints the errors on stderr and a command for each shard that has to be made again
+    /// on stdout, and throws FileError. Throws InputError if records are of different exports or of
+    /// another version of pelagic.
     void run() override;
 
    private:
@@ -258,7 +266,8 @@ class MergeCommand final : public Command {
 
 void MergeCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder with the shards of an export")->type_name("");
-    app.add_flag("--no-lock", no_lock_, "for file systems without locks; see to it that no export uses the folder");
+    app.add_flag("--no-lock", no_lock_,
+                 "do not lock the folder, for file systems without locks; no other export may use the folder");
     compute_.add_to(app);
 }
 

@@ -1,4 +1,4 @@
-// `pelagic quadtree`: which patches of sea a view draws, as figures, a mesh and a plan.
+// `pelagic quadtree`: selects the mesh patches for a view and writes statistics, a mesh and a plan.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -36,14 +36,14 @@ constexpr double latest_s = 1e9;
 
 std::span<const std::byte> as_bytes(const Bytes& bytes) { return std::as_bytes(std::span(bytes)); }
 
-/// One view, or two eyes side by side.
+/// Returns one view, or two for eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
     if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
     return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(aspect),
             camera.moved_right(eyes_apart_m / 2).clip_from_world(aspect)};
 }
 
-/// The median of calls that have warmed up.
+/// Returns the median time of a selection in microseconds, over 101 calls.
 double microseconds_of(Selection& selection, const SelectionInput& input) {
     std::vector<double> all;
     for (int i = 0; i < 101; ++i) {
@@ -89,10 +89,10 @@ void print_table(const Json& json) {
                     level.at("patches").dump().c_str());
 }
 
-/// --size and --quality of the grid.
+/// The options for the size and the quality of the quadtree grid.
 class QuadtreeFlags {
    public:
-    /// \param size_option  the name of the option that takes the grid's side
+    /// \param size_option  name of the option for the grid's side
     void add_to(CLI::App& app, const std::string& size_option);
     QuadtreeOptions resolve() const;  ///< throws InputError
 
@@ -104,7 +104,7 @@ class QuadtreeFlags {
 class QuadtreeCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Prints the figures and writes the files that options name. Throws InputError and FileError.
+    /// Prints statistics and writes the files that options name. Throws InputError and FileError.
     void run() override;
 
    private:
@@ -118,9 +118,11 @@ class QuadtreeCommand final : public Command {
 
 void QuadtreeFlags::add_to(CLI::App& app, const std::string& size_option) {
     size_option_ = size_option;
-    app.add_option(size_option, size_, "side of the square of sea, metres, [256, 8192] [2048]")->type_name("M");
+    app.add_option(size_option, size_, "side of the square of sea in metres; [256, 8192] (default: 2048)")
+        ->type_name("M");
     app.add_option("--quality", quality_,
-                   "level of detail: low, medium, high or ultra; paper_low ... paper_ultra are the paper's [high]")
+                   "level of detail: low, medium, high or ultra; paper_low ... paper_ultra are those of the "
+                   "paper (default: high)")
         ->type_name("NAME");
 }
 
@@ -139,17 +141,19 @@ QuadtreeOptions QuadtreeFlags::resolve() const {
 void QuadtreeCommand::add_options(CLI::App& app) {
     quadtree_.add_to(app, "--size");
     camera_.add_to(app);
-    app.add_option("--stereo", stereo_, "two eyes that far apart, metres, (0, 1]")->type_name("M");
-    app.add_option("--time", time_, "of the frame, seconds, [-1e9, 1e9] [0]")->type_name("S");
-    app.add_flag("--all", all_, "every patch, whatever the camera sees");
+    app.add_option("--stereo", stereo_, "distance between two eyes in metres; (0, 1] (default: one view)")
+        ->type_name("M");
+    app.add_option("--time", time_, "time of the frame in seconds; [-1e9, 1e9] (default: 0)")->type_name("S");
+    app.add_flag("--all", all_, "select every patch, visible or not");
     app.add_option("--obj", obj_,
-                   "write the displaced mesh, with texture coordinates for an export's maps and normals")
+                   "write the displaced mesh as OBJ, with normals and with texture coordinates for the maps of "
+                   "an export")
         ->type_name("FILE");
-    app.add_option("--ply", ply_, "the same as PLY, binary")->type_name("FILE");
-    app.add_option("--gltf", gltf_, "the same as binary glTF, FILE.glb")->type_name("FILE");
-    app.add_flag("--foam", foam_, "the mesh's vertices have foam too, as colour");
-    app.add_option("--json", json_, "write the statistics")->type_name("FILE");
-    app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
+    app.add_option("--ply", ply_, "write the displaced mesh as binary PLY")->type_name("FILE");
+    app.add_option("--gltf", gltf_, "write the displaced mesh as binary glTF, FILE.glb")->type_name("FILE");
+    app.add_flag("--foam", foam_, "add foam to the vertices of the mesh, as colour");
+    app.add_option("--json", json_, "write the statistics as JSON")->type_name("FILE");
+    app.add_option("--svg", svg_, "write the plan of the patches, coloured by level, as SVG")->type_name("FILE");
     sea_.add_to(app);
     compute_.add_to(app);
 }

@@ -1,4 +1,4 @@
-// `pelagic query`: how high the water is at given points, which way it faces, how it moves and how white it is.
+// `pelagic query`: height, normal, velocity and foam of the water at given points.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -28,11 +28,11 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double latest_time_s = 1e9;  // as `export --start`
+constexpr double latest_time_s = 1e9;  // the range of `export --start`
 constexpr double longest_loop_s = 86400;
 constexpr std::size_t max_times = 1'000'000;
 
-/// Points in memory at once: some megabytes, and enough for each of many threads.
+/// Points in memory at once: a few megabytes, and enough work for many threads.
 constexpr std::size_t block_points = std::size_t{1} << 15;
 
 constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [-1e9, 1e9], at most 1000000 times";
@@ -40,7 +40,8 @@ constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [
 constexpr NamedValues<Interpolation, 2> interpolations = {
     {{Interpolation::linear, "linear"}, {Interpolation::cubic, "cubic"}}};
 
-/// Throws InputError if the times span more than the sea's loop, which nobody asked for, and names one that fits.
+/// Throws InputError if the times span more than the sea's loop and --loop-period is not given. The
+/// message suggests a loop period.
 void require_no_repetition(const std::string& text, const std::vector<double>& times_s, const ResolvedSea& sea) {
     const double loop_s = sea.sea.loop_period_s, span_s = times_s.back() - times_s.front();
     if (sea.has_loop_period || span_s <= loop_s) return;
@@ -53,12 +54,12 @@ void require_no_repetition(const std::string& text, const std::vector<double>& t
                      "--loop-period " + number_text(loop_s) + " permits repetition");
 }
 
-/// Prints once that points are farther apart than the sea is long before it repeats.
+/// Prints a note, once, if the points span more than the distance after which the sea repeats.
 class SpanNote {
    public:
     explicit SpanNote(double repeat_m) : repeat_m_(repeat_m) {}
 
-    void look_at(const PointBlock& block) {
+    void extend(const PointBlock& block) {
         if (is_printed_) return;
         x_.extend(block.x);
         z_.extend(block.z);
@@ -94,7 +95,7 @@ std::vector<double> series(const std::string& text) {
     if (!first || !last || !step || *step <= 0 || *first > *last || std::fabs(*first) > latest_time_s ||
         std::fabs(*last) > latest_time_s)
         throw bad_value("--times", text, a_series);
-    // 0:1:0.1 has 11 times, though ten tenths are not quite one.
+    // 0:1:0.1 has 11 times, although ten tenths are slightly less than one.
     const double steps = std::floor((*last - *first) / *step + 1e-6);
     if (steps >= static_cast<double>(max_times)) throw bad_value("--times", text, a_series);
     std::vector<double> times;
@@ -105,8 +106,9 @@ std::vector<double> series(const std::string& text) {
 class QueryCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Reads points block by block and prints a row for each of them, so that memory does not grow with the file. Throws
-    /// InputError, for what is wrong with the options or the first block before anything is printed, and FileError.
+    /// Reads points block by block and prints a row for each, so that memory does not grow with the
+    /// file. Throws FileError, and InputError; errors in the options or in the first block are
+    /// thrown before anything is printed.
     void run() override;
 
    private:
@@ -123,24 +125,24 @@ class QueryCommand final : public Command {
 };
 
 void QueryCommand::add_options(CLI::App& app) {
-    app.add_option(
-           "--points", points_,
-           "where to look: lines x,z in metres, or columns x and z and others by a first line that names them; "
-           "- is standard input")
+    app.add_option("--points", points_,
+                   "positions: lines x,z in metres, or named columns x and z among others if the first line is a "
+                   "header; - reads standard input")
         ->type_name("FILE.csv");
-    app.add_option("--time", time_, "in seconds; [-1e9, 1e9], default 0")->type_name("NUMBER");
-    app.add_option(
-           "--times", times_,
-           "a series instead: every point at FIRST, then at FIRST + STEP and so on, the time in a first column")
+    app.add_option("--time", time_, "time in seconds; [-1e9, 1e9] (default: 0)")->type_name("NUMBER");
+    app.add_option("--times", times_,
+                   "sample every point at FIRST, FIRST + STEP and so on until LAST, in seconds; adds a first "
+                   "column with the time")
         ->type_name("FIRST:LAST:STEP");
     app.add_option("--interpolation", interpolation_,
-                   "between texels: cubic, the default, keeps the heights and slopes of short waves; linear is the "
-                   "surface that is drawn, of which N = 128 keeps 93 % of Hm0")
+                   "interpolation between texels. cubic keeps the heights and slopes of short waves; linear is "
+                   "the rendered surface, and keeps 93 % of Hm0 at N = 128 (default: cubic)")
         ->type_name("linear|cubic");
-    app.add_flag("--json", json_, "an array of objects, one a line, instead of CSV");
-    app.add_flag("--foam", foam_,
-                 "a column foam too: how much of the water is white, 0 to 1, with what is left of 2.9 seconds "
-                 "before; a jump in time costs 29 ticks, each less than a frame");
+    app.add_flag("--json", json_, "print an array of objects, one for each line, instead of CSV");
+    app.add_flag(
+        "--foam", foam_,
+        "add a column foam: foam coverage, 0 to 1, with the foam remaining from the last 2.9 seconds. A jump "
+        "in time costs 29 ticks, each cheaper than a frame");
 #if defined(PELAGIC_HAS_IMAGES)
     floor_.add_to(app);
 #endif
@@ -149,14 +151,15 @@ void QueryCommand::add_options(CLI::App& app) {
     sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(
-        "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
-        "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre;\n"
-        "with --foam a column foam before the last one, with --shore a column depth: of still water in metres, 0 or\n"
-        "less where the ground is dry. Over a shore vx and vz include the motion of long waves by linear theory.\n"
-        "The displacement of these waves is vertical, so error_m and jacobian do not include them.\n"
-        "Standard error names the interpolation; with --json each object does, as interpolation.\n"
-        "Columns of the file stand before the answers, as they are. A file may have any length, in blocks of 32768\n"
-        "points: a bad line ends the work when its block is reached, and --times goes block by block.");
+        "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged. Units are metres and metres per\n"
+        "second; the normal is a unit vector. error_m is the distance between the sampled and the requested\n"
+        "point; converged: whether it is at most a millimetre. --foam adds a column foam before the last one.\n"
+        "--shore adds a column depth: still-water depth in metres, 0 or less on dry ground. Over a shore vx and\n"
+        "vz include the motion of long waves by linear theory. The displacement of these waves is vertical, so\n"
+        "error_m and jacobian do not include them. The interpolation is printed on standard error, or with\n"
+        "--json as interpolation in each object. Other columns of the file are copied in front of the results.\n"
+        "A file may have any length. It is read in blocks of 32768 points: an invalid line ends the command\n"
+        "when its block is read, and --times applies to one block at a time.");
 }
 
 std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {
@@ -173,7 +176,7 @@ std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {
 std::optional<ShoreOptions> QueryCommand::shore([[maybe_unused]] const ResolvedSea& sea) const {
 #if defined(PELAGIC_HAS_IMAGES)
     if (floor_.has_floor() && !floor_.has_shore())
-        throw InputError("--floor is given, needs --shore beside it: no other water feels its floor");
+        throw InputError("--floor needs --shore: only a shore uses the floor");
     return floor_.resolve(sea).shore();
 #else
     return {};
@@ -213,7 +216,7 @@ void QueryCommand::run() {
     if (!json_) std::fprintf(stderr, "note: interpolation is %s\n", std::string(name_of(interpolation)).c_str());
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         answers.resize(block.size());
-        span_note.look_at(block);
+        span_note.extend(block);
         for (const double time_s : times_s) {
             if (!frame || times_s.size() > 1) {
                 frame = ocean.frame_at(time_s);

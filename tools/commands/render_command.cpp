@@ -1,4 +1,4 @@
-// `pelagic render`: images of a sea, without a window.
+// `pelagic render`: renders images of a sea offscreen.
 
 #include <algorithm>
 #include <array>
@@ -34,14 +34,15 @@ namespace pelagic::tools {
 namespace {
 
 constexpr int samples_a_pixel = 4;
-/// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual image.
+/// Texels along an edge of a face of the sky's cube map. A texel is 0.18 degrees wide, about three
+/// pixels of an image of default size.
 constexpr int sky_face_size = 512;
-/// Where the exposure is metered: a small image of the same view.
+/// Width of the image that meters the exposure, pixels; it shows the same view.
 constexpr int metered_width = 320;
-/// Of the sky as an image of all directions: a texel is as wide as the cube's.
+/// Size of the panorama of the sky, in pixels. A texel is as wide as one of the cube map.
 constexpr int panorama_width = 2048, panorama_height = 1024;
 constexpr const char* fastest_quality = "low";
-/// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
+/// Distance between the eyes, in metres (Dodgson 2004: mean 63 mm).
 constexpr double eye_distance_m = 0.063;
 
 double median(std::vector<double> values) {
@@ -49,7 +50,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Times of each frame, and what the last one drew.
+/// Times of each frame, and draw statistics of the last one.
 struct Measured {
     std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, image_ms;
     gl::DrawStatistics last;
@@ -61,7 +62,7 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
-/// Everything that an image needs, built once.
+/// Renders frames offscreen. Ocean, renderer and targets are created once.
 class OfflineRenderer {
    public:
     OfflineRenderer(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
@@ -110,7 +111,7 @@ class OfflineRenderer {
         ev_ = settings.fixed_ev ? *settings.fixed_ev : metered_ev() - settings.bias_stops;
     }
 
-    /// One frame, for pixels() and radiance().
+    /// Renders a frame; pixels() and radiance() return the result.
     void draw(double time_s) {
         const gl::Stopwatch all;
         Frame frame = ocean_.frame_at(time_s);
@@ -133,9 +134,9 @@ class OfflineRenderer {
         measured_.image_ms.push_back(all.milliseconds());
     }
 
-    /// RGBA8, the upper row first.
+    /// Returns RGBA8 pixels, top row first.
     const std::vector<std::uint8_t>& pixels() const { return pixels_; }
-    /// RGB, the upper row first.
+    /// Returns the radiance as RGB, top row first.
     std::vector<float> radiance() const {
         std::vector<float> rgb;
         for (std::size_t i = 0; i < radiance_.size(); i += 4)
@@ -175,7 +176,8 @@ class OfflineRenderer {
         return {pair.left, pair.right};
     }
 
-    /// \param weighs_samples  the mean of a pixel's samples is the screen's; else it is that of light
+    /// \param weighs_samples  true: weight the samples of a pixel for display, see gl::SeaRenderer;
+    ///     false: the samples average to true radiance
     const gl::DrawStatistics& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
                                    gl::RenderTarget& target, bool weighs_samples) {
         const gl::Functions& functions = context_.functions();
@@ -183,10 +185,11 @@ class OfflineRenderer {
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
-        // A driver in software moves vertices at once, by mips of the displacement that its other threads still make.
+        // A software driver processes vertices immediately, and would read mips of the displacement
+        // that its threads still generate.
         functions.Finish();
         const glm::dvec3 viewer = options_.scene.camera.position_m;
-        // Small water lies level, or nearly.
+        // Ponds and rivers are level, or nearly.
         const gl::CameraWaterPlane water = options_.scene.surface == gl::Surface::open
                                                ? gl::camera_water_plane(SurfaceQuery(frame), viewer)
                                                : gl::CameraWaterPlane{};
@@ -221,8 +224,9 @@ class OfflineRenderer {
 
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
 
-    /// Of the view at time 0, whatever times are asked for: camera and light rest, so films don't flicker, and each of their
-    /// images is the same in whichever run it is made.
+    /// Returns the exposure value metered for the view at time 0, whatever times are rendered.
+    /// Camera and light are constant, so films do not flicker, and an image is identical in every
+    /// run that contains it.
     float metered_ev() {
         const int width = std::min(options_.scene.width, metered_width);
         const int height = std::max(1, options_.scene.height * width / options_.scene.width);
@@ -235,7 +239,7 @@ class OfflineRenderer {
         return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
     }
 
-    /// What was drawn, as the camera shows it.
+    /// Tone maps the rendered image and returns RGBA8 pixels.
     std::vector<std::uint8_t> shown() {
         const gl::TexturePart radiance = target_.resolved();
         screen_->bind();
@@ -249,7 +253,7 @@ class OfflineRenderer {
     const RenderOptions& options_;
     gl::HeadlessContext context_;
     Ocean ocean_;
-    std::optional<EventPlayer> player_;  ///< of what pushes at the water
+    std::optional<EventPlayer> player_;  ///< of dynamic waves; none without --events
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
     std::optional<gl::Rock> rock_;
@@ -265,7 +269,7 @@ class OfflineRenderer {
     Measured measured_;
 };
 
-/// The files of one option, --out, --hdr or --sky; none where it was not given.
+/// The output files of one option, --out, --hdr or --sky; none if the option is not given.
 class Files {
    public:
     Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
@@ -289,7 +293,7 @@ class Files {
 
 Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-/// What lights a scene besides the sky's own image.
+/// Returns the light of a scene, except the image of the sky.
 Json as_json(const gl::Sky& sky) {
     return {{"sun_direction", values(sky.sun_direction)},
             {"sun_irradiance", values(sky.unit * sky.sun_irradiance)},
@@ -304,7 +308,7 @@ Json as_json(const gl::WaterOptics& water) {
             {"backscattering_per_m", values(water.backscattering_per_m)}};
 }
 
-/// Draws and writes all images; what they took.
+/// Renders and writes all images. Returns their statistics.
 Json write_images(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
                   Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;

@@ -1,4 +1,5 @@
-// `pelagic verify`: whether a finished export is still what was written, and what this machine would write.
+// `pelagic verify`: compares a finished export with its record, and with frames computed on this
+// machine.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -34,7 +35,8 @@ namespace {
 constexpr const char* whole_export = "all";
 constexpr std::size_t default_sample = 8;
 
-/// So many places of an export, each once, the same for the same seed. Floyd's algorithm (Bentley 1987).
+/// Returns `count` distinct random indices of frames, determined by the seed. Floyd's algorithm
+/// (Bentley 1987).
 std::set<std::size_t> sample_of(std::size_t frames, std::size_t count, std::uint64_t seed) {
     std::set<std::size_t> places;
     std::mt19937_64 random(seed);
@@ -61,10 +63,10 @@ class Verification {
     std::size_t frames() const { return options_.times.count(); }
     std::size_t wrong() const { return findings_.count(); }
 
-    /// The record, every file and sea.json; keeps what the record says of some frames.
+    /// Checks the record, every file and sea.json. Stores the recorded entries of the sample.
     void check_files(const std::set<std::size_t>& sample) {
         double height_sum_m = 0;
-        std::vector<std::string> summaries;  // XXH3 of what sea.json has to say of each frame
+        std::vector<std::string> summaries;  // XXH3 of the expected entry of each frame in sea.json
         FileCheck check(folder_, options_.compute.threads,
                         [&](std::size_t place, const std::string& what) { findings_.add(place, what); });
         Progress progress("frame", frames());
@@ -87,7 +89,7 @@ class Verification {
         check.finish();
     }
 
-    /// The frames that were kept, computed once more.
+    /// Computes the frames of the sample again and compares them with their entries.
     void check_sample() {
         if (sample_.empty()) return;
         const OceanOptions how = ocean_options(options_, nullptr);
@@ -108,10 +110,10 @@ class Verification {
         }
     }
 
-    /// \pre something is wrong
+    /// \pre wrong() > 0
     [[noreturn]] void reject() {
         findings_.print();
-        options_.resume = !is_other_sea_;  // which would keep files that are what their record says
+        options_.resume = !is_other_sea_;  // --resume would keep files that match their record
         options_.overwrite = is_other_sea_;
         std::printf("%s\n", command_line_of(options_, path()).c_str());
         throw FileError(folder_.path().string() + " is not what was exported: " + std::to_string(findings_.count()) +
@@ -131,7 +133,7 @@ class Verification {
         return has_shards ? "; pelagic merge makes one of the shards" : "";
     }
 
-    /// The files that are made of all frames together.
+    /// Checks the head of the record. Returns the files that are made of all frames together.
     std::vector<FileRecord> check_head() {
         std::vector<FileRecord> sequence_files;
         for (const ReadJson& file : head_.value("sequence_files", ReadJson::array())) {
@@ -146,17 +148,17 @@ class Verification {
         return sequence_files;
     }
 
-    /// sea.json says what follows from the record.
+    /// Checks that sea.json has the contents that follow from the record.
     void check_sea_json(double mean_significant_wave_height_m, const std::vector<FileRecord>& sequence_files,
                         const std::vector<std::string>& summaries) {
         std::size_t next = 0;
         std::string wrong;
-        const auto look_at_head = [&](const ReadJson& head) {
+        const auto check_summary_head = [&](const ReadJson& head) {
             const Json expected = sea_json_head(options_, mean_significant_wave_height_m, sequence_files);
             if (head != ReadJson(expected)) wrong = " is edited: " + first_difference(head, expected).is_not();
             return wrong.empty();
         };
-        const auto look_at_frame = [&](const ReadJson& entry) {
+        const auto check_summary_frame = [&](const ReadJson& entry) {
             if (next == summaries.size() || digest_of(entry.dump()) != summaries[next])
                 wrong =
                     " is edited: its entry " + std::to_string(next) + " of frames is not what an export writes there";
@@ -164,7 +166,7 @@ class Verification {
             return wrong.empty();
         };
         try {
-            if (!read_record(folder_, sea_json_name, {.head = look_at_head, .frame = look_at_frame}))
+            if (!read_record(folder_, sea_json_name, {.head = check_summary_head, .frame = check_summary_frame}))
                 wrong = " is missing";
             else if (wrong.empty() && next < summaries.size())
                 wrong = " is edited: it has " + std::to_string(next) + " of " + std::to_string(summaries.size()) +
@@ -187,9 +189,10 @@ class Verification {
 class VerifyCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Looks at the record, at every file against its hash, at sea.json, and computes a sample of the frames once more. If anything is wrong it
-    /// names it on stderr, prints on stdout the line that makes it again, and throws FileError. Writes nothing.
-    /// Throws InputError where there is no export, or one of another version of pelagic.
+    /// Checks the record, every file against its hash, and sea.json, and computes a sample of
+    /// frames again. If anything is wrong, it prints the errors on stderr and the command that
+    /// repairs the export on stdout, and throws FileError. Writes no files. Throws InputError if
+    /// there is no export, or one of another version of pelagic.
     void run() override;
 
    private:
@@ -199,9 +202,10 @@ class VerifyCommand final : public Command {
 
 void VerifyCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder of a finished export")->type_name("");
-    app.add_option("--sample", sample_, "how many frames to compute once more; 0 to 1000000 or all, default 8")
+    app.add_option("--sample", sample_, "number of frames to recompute; 0 to 1000000, or all (default: 8)")
         ->type_name("NUMBER");
-    app.add_option("--seed", seed_, "which frames those are; 0 to 2147483647, default 0")->type_name("NUMBER");
+    app.add_option("--seed", seed_, "seed that selects the recomputed frames; 0 to 2147483647 (default: 0)")
+        ->type_name("NUMBER");
     compute_.add_to(app);
 }
 

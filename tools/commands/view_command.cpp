@@ -1,4 +1,4 @@
-// `pelagic view`: the sea in a window.
+// `pelagic view`: shows the sea in a window.
 
 #include <CLI/App.hpp>
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// Images are numbered on, so that none is overwritten.
+/// Returns the first unused numbered name, so that no image is overwritten.
 std::filesystem::path next_image(const std::filesystem::path& folder) {
     for (int number = 1;; ++number) {
         char name[32];
@@ -36,7 +36,7 @@ std::string point_text(glm::dvec3 p) {
 
 std::string degrees_text(double radians) { return number_text(std::round(glm::degrees(radians) * 10) / 10); }
 
-/// Of what the sun's and the clouds' options leave open.
+/// Returns the options of the sky and the camera, except those of the sun and the clouds.
 std::string light_text(const viewer::ViewSettings& settings) {
     const gl::SkyOptions& sky = settings.sky;
     std::string text = " --visibility " + number_text(std::round(static_cast<double>(sky.visibility_m)));
@@ -54,14 +54,15 @@ std::string light_text(const viewer::ViewSettings& settings) {
     return text;
 }
 
-/// `pelagic render` with what the window showed when it was closed. Values that are the default's are left out.
+/// Returns the `pelagic render` command for the final state of the window. Default values are
+/// omitted.
 std::string render_command_of(const viewer::ViewResult& result) {
     const SeaState& sea = result.settings.sea;
     const SeaState defaults;
     std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
     if (sea.waves != defaults.waves) text += " --waves " + std::string(name_of(sea.waves));
     for (const SeaStateField& field : sea_state_fields()) {
-        // "wind_speed_mps" is --wind-speed: the flag has no unit.
+        // "wind_speed_mps" is --wind-speed: the option has no unit suffix.
         const double value = field.value_in(sea);
         if (value == field.value_in(defaults)) continue;
         const bool is_angle = field.name.ends_with("_rad");
@@ -88,8 +89,8 @@ std::string render_command_of(const viewer::ViewResult& result) {
 class ViewCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
-    /// Shows the window until it is closed, then prints the command that draws what was seen last. Throws InputError,
-    /// FileError and gl::GlError.
+    /// Shows the window until it is closed, then prints the command that renders its last view.
+    /// Throws InputError, FileError and gl::GlError.
     void run() override;
 
    private:
@@ -99,7 +100,7 @@ class ViewCommand final : public Command {
 
 void ViewCommand::add_options(CLI::App& app) {
     scene_.add_to(app);
-    app.add_option("--images", images_, "where key P saves images, a folder [.]")->type_name("FOLDER");
+    app.add_option("--images", images_, "folder for the images that key P saves (default: .)")->type_name("FOLDER");
 }
 
 void ViewCommand::run() {
@@ -132,7 +133,7 @@ void ViewCommand::run() {
         std::fflush(stdout);
     };
     const viewer::ViewResult result = viewer::show_sea(options);
-    std::printf("%llu frames, by %s. The same without a window:\n  %s\n",
+    std::printf("%llu frames, by %s. Equivalent command without a window:\n  %s\n",
                 static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
                 (render_command_of(result) + scene_.typed_floor()).c_str());
 }

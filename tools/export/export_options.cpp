@@ -179,65 +179,61 @@ void ExportFlags::add_to(CLI::App& app) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
     add("out", "DIR",
-        "folder for the files; made if missing, one with a finished export needs --resume or --overwrite. Or a "
-        "folder and a name for the "
-        "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and cascades "
-        "stand "
-        "before the number: wave.foam_c1.0007.png");
-    add("start", "SECONDS", "time of the first frame; default 0");
+        "output folder, created if missing; a finished export in it needs --resume or --overwrite. Or "
+        "a folder and a name for the sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; if a frame has "
+        "several images, map and cascade precede the number: wave.foam_c1.0007.png");
+    add("start", "SECONDS", "time of the first frame in seconds; [-1e9, 1e9] (default: 0)");
     add("frames", "NUMBERS",
-        "how many frames; 1 to 1000000, default 1. Or their numbers, as 10-20,40 or 7-7, where --start-number is "
-        "the one at --start; or loop: as many as one loop period has at --fps");
-    add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999, default 0");
-    add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
-    add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
+        "number of frames, 1 to 1000000; or frame numbers such as 10-20,40 or 7-7, where "
+        "--start-number is the frame at --start; or loop: one loop period at --fps (default: 1)");
+    add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999 (default: 0)");
+    add("fps", "NUMBER", "frames per second; (0, 1000] (default: 24)");
+    add("loop-frames", "NUMBER", "number of frames over exactly one loop period; replaces --frames and --fps");
     add("maps", "NAMES",
         names_of_maps() +
-            ", or some of them with commas, or none; default displacement,gradient. Foam lasts: it costs a tick, "
-            "less than a frame, for each tenth of a second between frames, 29 at most");
-    add("bit-depth", "BITS", "of normal and foam: 8, 16 or float; default 8");
-    add("normal-y", "WAY", "where normal's green grows to in the image: up (OpenGL) or down (DirectX); default up");
-    add("axes", "NAME",
-        "y-up (x east, z south) or z-up (x east, y north), of what maps and meshes hold; default y-up");
-    add("unit", "NAME", "m or cm, of displacement and meshes, and of velocity a second; default m");
-    add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
+            ", several separated by commas, or none (default: displacement,gradient). Foam accumulates: each 0.1 s "
+            "between frames costs a tick, cheaper than a frame, at most 29");
+    add("bit-depth", "BITS", "bits of normal and foam: 8, 16 or float (default: 8)");
+    add("normal-y", "DIRECTION",
+        "direction of the normal's green channel in the image: up (OpenGL) or down (DirectX) "
+        "(default: up)");
+    add("axes", "NAME", "axes of maps and meshes: y-up (x east, z south) or z-up (x east, y north) (default: y-up)");
+    add("unit", "NAME", "unit of displacement and meshes, and of velocity per second: m or cm (default: m)");
+    add("rows", "EDGE", "edge of the images with the row z = 0: top or bottom (default: top)");
     add("format", "NAME",
-        "exr (floats as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
-        "floats and bytes) or dds; default exr");
+        "exr (floats as EXR, others as PNG), tif (all as TIFF), ktx2 or dds (textures of 16-bit "
+        "floats and bytes for engines) (default: exr)");
     add("compression", "NAME",
-        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. Of KTX2: zstd or none, "
-        "default "
-        "none. All but dwaa keep every bit; "
-        "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
+        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none (default: zip); of KTX2: "
+        "zstd or none (default: none). All but dwaa are lossless; dwaa is for viewing: it stores "
+        "halves, and its error is 1 % of the largest waves or more");
     add("pack", "NAME",
-        "what is in a file: files (one map of one cascade each), layers or parts (one EXR file a frame, "
-        "sea_0000.exr, "
-        "with "
-        "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
-    app.add_flag(
-        "--tiled", tiled_,
-        "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
-        "displacement too");
-    app.add_flag(
-        "--mips", mips_,
-        "every level, down to one texel, of all maps but displacement and velocity; in ktx2 and dds of all, in "
-        "their files");
-    app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
+        "contents of a file: files (one map of one cascade), layers or parts (one EXR file for each "
+        "frame, sea_0000.exr, with layers in one image or with parts, named displacement, "
+        "displacement_c1, ...) (default: files)");
+    app.add_flag("--tiled", tiled_,
+                 "write EXR files in tiles of 64 x 64 pixels, for renderers; with --mips a file has all "
+                 "levels, also of displacement");
+    app.add_flag("--mips", mips_,
+                 "write all mip levels, down to one texel, of all maps but displacement and velocity; in ktx2 "
+                 "and dds of all maps, within their files");
+    app.add_flag("--half", half_, "write 16-bit instead of 32-bit floats");
     add("flipbook", "COLUMNSxROWS",
-        "all frames side by side too: flipbook_MAP, one image a map and cascade, and flipbook.json, which says how");
+        "also write all frames side by side: flipbook_MAP, one image for each map and cascade, and "
+        "flipbook.json, which describes the layout");
     app.add_flag("--preview", preview_,
-                 "no frames: only preview.png, the maps and the sea in an image, preview.mp4 if ffmpeg is there, and "
-                 "how many files and bytes the export will have");
+                 "write no frames, but preview.png with the maps and an image of the sea, and preview.mp4 if "
+                 "ffmpeg is installed; print the number of files and bytes of the export");
     add("shard", "I/N",
-        "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
-        "1000000. pelagic merge joins the parts");
-    app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+        "export one of N equal shards of the frames, 1/N to N/N, for several machines with one "
+        "folder; N up to 1000000. pelagic merge joins the shards");
+    app.add_flag("--resume", resume_, "keep the complete frames of an interrupted export and make the others");
     app.add_flag("--overwrite", overwrite_, "replace a finished export in the folder");
     app.add_flag("--no-sync", no_sync_,
-                 "don't wait for the disk: faster, but a power cut may cost frames that are done");
+                 "do not wait for the disk: faster, but a power failure may lose finished frames");
     app.add_flag("--no-lock", no_lock_,
-                 "for file systems without locks; see to it that no other export uses the folder");
-    add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
+                 "do not lock the folder, for file systems without locks; no other export may use the folder");
+    add("trace", "FILE", "write a Chrome trace of stages and workers, which ui.perfetto.dev opens");
     meshes_.add_to(app);
     events_.add_to(app);
     sea_.add_to(app);

@@ -69,15 +69,16 @@ bool MeshOptions::has(MeshFormat format) const {
 }
 
 void MeshFlags::add_to(CLI::App& app) {
-    app.add_option(
-           "--mesh", formats_,
-           "a square of the sea as meshes with texture coordinates, normals and foam, next to the maps: obj, ply or "
-           "gltf (binary), one file a frame; gltf-animation (morph targets) or mdd (a point cache for the obj), one "
-           "file for all frames; or some of them with commas")
+    app.add_option("--mesh", formats_,
+                   "formats of meshes of a square of the sea, with texture coordinates, normals and foam: obj, "
+                   "ply or gltf (binary), one file for each frame; gltf-animation (morph targets) or mdd (a "
+                   "point cache for obj), one file for all frames; several are separated by commas")
         ->type_name("NAMES");
-    app.add_option("--mesh-size", size_, "side of that square, metres, [0.001, 1e6]; default the coarsest cascade's")
+    app.add_option("--mesh-size", size_,
+                   "side of the square in metres; [0.001, 1e6] (default: the side of the coarsest cascade)")
         ->type_name("M");
-    app.add_option("--mesh-steps", steps_, "squares along its side; 1 to 2048, default --resolution")
+    app.add_option("--mesh-steps", steps_,
+                   "grid cells along the side of the square; 1 to 2048 (default: --resolution)")
         ->type_name("NUMBER");
 }
 
