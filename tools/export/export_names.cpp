@@ -21,7 +21,7 @@ bool is_extension(std::string_view text, MapKind map) {
     return (has_floats && text == "exr") || (has_parts && text == "png");
 }
 
-/// Takes a name to pieces from the front.
+/// Parses a name from the front.
 class NameReader {
    public:
     explicit NameReader(std::string_view name) : rest_(name) {}
@@ -31,7 +31,8 @@ class NameReader {
         rest_.remove_prefix(text.size());
         return true;
     }
-    /// A number from `least` to `most` in at least `digits` digits, with leading zeros up to there and no further.
+    /// Reads a number in [min, max] with at least `digits` digits; leading zeros only to reach
+    /// `digits`.
     bool take_number(std::size_t digits, int min, int max) {
         const std::size_t end = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
         if (end < digits || end > 9 || (end > digits && rest_[0] == '0')) return false;
@@ -39,7 +40,7 @@ class NameReader {
         rest_.remove_prefix(end);
         return min <= number && number <= max;
     }
-    /// "displacement_c1": a map and, of finer cascades, which one.
+    /// Reads a map and the index of a finer cascade: "displacement_c1".
     std::optional<MapKind> take_map_and_cascade() {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
@@ -47,7 +48,7 @@ class NameReader {
         if (map == all_maps.end() || (take("_c") && !take_number(1, 1, max_cascades - 1))) return {};
         return *map;
     }
-    /// "_mip2", if the map has levels, or nothing.
+    /// Reads an optional "_mip2" if the map has mip levels.
     bool take_level(MapKind map) { return !has_chain(map) || !take("_mip") || take_number(1, 1, max_level); }
     std::string_view rest() const { return rest_; }
 
@@ -59,7 +60,7 @@ constexpr const char* mesh_mark = "mesh";
 constexpr const char* flipbook_mark = "flipbook_";
 constexpr const char* packed_start = "sea";
 
-/// "_0007"
+/// Returns "_0007".
 std::string number_in_name(int frame) {
     std::array<char, 16> number;
     std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);

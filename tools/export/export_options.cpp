@@ -24,7 +24,7 @@ constexpr double default_fps = 24;
 constexpr const char* one_loop = "loop";
 constexpr const char* no_maps = "none";
 
-/// "displacement, gradient, foam".
+/// Returns "displacement, gradient, foam".
 std::string names_of_maps() {
     std::string names;
     for (const MapKind map : all_maps) names.append(names.empty() ? "" : ", ").append(name_of(map));
@@ -44,7 +44,7 @@ std::vector<MapKind> maps_in(const std::string& text) {
     return maps;
 }
 
-/// The one of `all` that has the name. Throws InputError.
+/// Returns the element of `all` with this name. Throws InputError if there is none.
 template <class All>
 auto named(const std::string& option, const std::string& text, const All& all) {
     std::vector<std::string> names;
@@ -54,7 +54,7 @@ auto named(const std::string& option, const std::string& text, const All& all) {
     return all[static_cast<std::size_t>(found - names.begin())];
 }
 
-/// Throws InputError.
+/// Returns the compression with this name. Throws InputError if the format does not support it.
 Compression compression_in(ImageFormat format, const std::string& text) {
     const std::string option = "--compression";
     switch (format) {
@@ -69,7 +69,7 @@ Compression compression_in(ImageFormat format, const std::string& text) {
     return compression;
 }
 
-/// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
+/// Throws InputError if options for EXR files apply to no file, or EXR does not support them.
 void check_exr(const MapOptions& options) {
     const bool has_exr =
         std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
@@ -86,7 +86,8 @@ void check_exr(const MapOptions& options) {
                         "--tiled with --mips: levels within an EXR file are in tiles");
 }
 
-/// `count` frames from a number on.
+/// Returns the range of `count` frames from `first` on. Throws InputError if the last number is too
+/// large.
 std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
     if (count - 1 > FrameTimes::largest_number - first)
         throw bad_value(option, text,
@@ -95,10 +96,10 @@ std::vector<FrameRange> one_run(int first, int count, const std::string& option,
     return {{first, first + count - 1}};
 }
 
-/// Throws InputError unless they are a whole number.
+/// Returns the number of frames in a loop. Throws InputError unless it is a whole number.
 int frames_of_a_loop(double loop_period_s, double fps) {
     const double frames = loop_period_s * fps, whole = std::round(frames);
-    // A product of two rounded numbers is off by far less.
+    // The rounding error of the product is far smaller.
     if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > max_frames)
         throw InputError("--frames is loop, needs a loop of whole frames, 1 to 1000000: --loop-period " +
                          number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
@@ -107,7 +108,7 @@ int frames_of_a_loop(double loop_period_s, double fps) {
     return static_cast<int>(whole);
 }
 
-/// "wave.png": what nobody would call a folder.
+/// Returns true for names such as "wave.png", which are not meant as folders.
 bool is_image_name(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     constexpr std::array images = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
@@ -119,7 +120,7 @@ struct OutputPlace {
     std::optional<NamePattern> names;
 };
 
-/// "8x4".
+/// Parses "8x4".
 FlipbookGrid grid_in(const std::string& text) {
     const std::size_t cross = text.find('x');
     const auto columns = parse_integer(text.substr(0, cross));
@@ -129,7 +130,7 @@ FlipbookGrid grid_in(const std::string& text) {
     return {static_cast<int>(*columns), static_cast<int>(*rows)};
 }
 
-// A folder may be missing; what is there must be one.
+// The folder may be missing, but no part of its path may be a file.
 OutputPlace checked_place(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
     constexpr const char* accepted = "a folder, or a name for a sequence such as wave.####.exr or wave.%04d.tif";
@@ -153,7 +154,8 @@ OutputPlace checked_place(const std::optional<std::string>& text) {
     return place;
 }
 
-// The finished trace is renamed to its name, so it would take the place of a device, or of a file of the export.
+// The finished trace is renamed to its name, so it must not replace a device or a file of the
+// export.
 std::filesystem::path checked_trace(const std::string& text, const ExportOptions& options) {
     if (text.empty()) throw InputError("--trace is empty, needs a file to write to");
     const std::filesystem::path path = text;
@@ -332,10 +334,10 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
 }
 
 ExportOptions ExportFlags::resolve() const {
-    checked_place(typed("out"));  // what is wrong with it is said before what is wrong with the sea
+    checked_place(typed("out"));  // report errors in --out before errors in the sea
     ExportOptions options = resolve_with(sea_.resolve());
-    if (!options.maps.maps.empty() || options.events)
-        image_codec();  // before anything is written: without its library nothing will be
+    // load the library before anything is written
+    if (!options.maps.maps.empty() || options.events) image_codec();
     return options;
 }
 

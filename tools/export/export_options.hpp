@@ -1,4 +1,4 @@
-// What `pelagic export` was asked for, checked.
+// Parsed and checked options of `pelagic export`.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -18,7 +18,7 @@
 
 namespace pelagic::tools {
 
-/// Frames side by side in one image, from the upper left one on, row by row.
+/// Layout of a flipbook: frames row by row, starting at the upper left.
 struct FlipbookGrid {
     int columns, rows;
 };
@@ -30,19 +30,19 @@ struct ExportOptions {
     FrameTimes times;  ///< of the whole export
     MapOptions maps;
     MeshOptions meshes;
-    std::optional<EventOptions> events;  ///< none: the water answers nobody
-    std::optional<Shard> shard;          ///< none: all frames are made here
+    std::optional<EventOptions> events;  ///< none: no dynamic waves
+    std::optional<Shard> shard;          ///< none: this process makes all frames
     std::optional<FlipbookGrid> flipbook;
-    bool preview = false;  ///< no frames, but what shows what they will be
+    bool preview = false;  ///< makes a preview instead of frames
     bool resume = false;
-    bool overwrite = false;  ///< a finished export in the folder may be replaced
-    bool sync = true;        ///< a frame counts as done once the disk has it
-    bool lock = true;        ///< the folder is locked, so that no other export works in it
+    bool overwrite = false;  ///< replaces a finished export in the folder
+    bool sync = true;        ///< syncs each frame to the disk before it counts as done
+    bool lock = true;        ///< locks the folder against other exports
     std::optional<std::filesystem::path> trace;
 
     bool has_foam() const { return maps.has(MapKind::foam) || meshes.any(); }
 
-    /// The numbers of the frames that are made here.
+    /// Returns the numbers of the frames that this process makes.
     std::vector<int> frames_here() const {
         return shard ? times.numbers(shard->begin(times.count()), shard->end(times.count()))
                      : times.numbers(0, times.count());
@@ -52,24 +52,27 @@ struct ExportOptions {
 class ExportFlags {
    public:
     void add_to(CLI::App& app);
-    /// Throws InputError, one line that names option, value and range, and FileError without the library that writes images;
-    /// writes nothing.
+    /// Parses and checks the options. Writes no files.
+    /// \throws InputError  one line with option, value and range
+    /// \throws FileError  if the library that writes images is missing
     ExportOptions resolve() const;
 
-    /// The same of a sea that did not come from these flags; does without the library.
+    /// Parses and checks the options except those of the sea, which the caller passes. Does not
+    /// load the library that writes images. Throws InputError.
     ExportOptions resolve_with(const ResolvedSea& sea) const;
 
    private:
     FrameTimes times(const ResolvedSea& sea) const;
     MapOptions maps(const std::optional<NamePattern>& names) const;
-    /// As it was typed; none if it wasn't.
+    /// Returns the text of an option; none if it is not given.
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 
     SeaOptions sea_;
     MeshFlags meshes_;
     EventFlags events_;
     ComputeFlags compute_;
-    std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
+    /// text of each option by name, without dashes; none if not given
+    std::map<std::string, std::optional<std::string>> typed_;
     bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, overwrite_ = false,
          no_sync_ = false, no_lock_ = false;
 };

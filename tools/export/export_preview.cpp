@@ -23,19 +23,19 @@
 namespace pelagic::tools {
 namespace {
 
-// Of the film: long enough to see how the sea moves, and some ten seconds to make on two cores.
+// Limits of the film: long enough to show the motion, about ten seconds to make on two cores.
 constexpr std::size_t max_film_frames = 96;
 constexpr int film_width = 640, film_height = 360;
-/// Of the strip, in two columns.
+/// Frames of the strip, in two columns.
 constexpr std::size_t strip_frames = 8, strip_columns = 2;
 
-// Of the sheet, pixels.
+// Layout of the sheet, in pixels.
 constexpr int cells_a_row = 4, cell = 444, margin = 24, line = 28;
 constexpr int sheet_width = cells_a_row * (cell + margin) + margin, still_height = 660;
 constexpr int small_text = 2, large_text = 4;
 constexpr Colour paper = {24, 28, 32}, ink = {232, 236, 240}, pale_ink = {150, 160, 170};
 
-/// "8.61 MB".
+/// Returns "8.61 MB".
 std::string bytes_text(double bytes) {
     const std::vector<std::string> units = {"bytes", "kB", "MB", "GB", "TB"};
     std::size_t unit = 0;
@@ -43,13 +43,13 @@ std::string bytes_text(double bytes) {
     return rounded_text(bytes, 3) + " " + units[unit];
 }
 
-/// How much the export will be.
+/// Expected size of the export.
 struct Expected {
-    std::size_t files = 0;  ///< with sea.json and the record
+    std::size_t files = 0;  ///< including sea.json and the record
     double bytes = 0, bytes_a_frame = 0;
 };
 
-/// By one frame of it.
+/// Estimates the size of the export from one frame.
 Expected expected_of(const ExportOptions& options, const Frame& frame) {
     Expected expected;
     const int number = options.times.number(0);
@@ -101,7 +101,7 @@ std::string expected_text(const Expected& expected) {
            bytes_text(expected.bytes_a_frame) + " a frame";
 }
 
-/// A map of a cascade with what it is called below it.
+/// An image of a map of a cascade, with the lines of text below it.
 struct Cell {
     RgbaImage image;
     std::vector<std::string> texts;
@@ -121,7 +121,7 @@ Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, c
     return result;
 }
 
-/// Map by map, each of the coarsest cascade first.
+/// Returns the cells in the order of maps, each with the coarsest cascade first.
 std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
     const std::vector<ImageFile> files = image_files(options, options.times.number(0));
     std::vector<Cell> cells;
@@ -182,7 +182,7 @@ void write_image(const OutputFolder& folder, const char* name, const RgbaImage& 
     write_bytes(folder, name, encode_png(image.pixels(), image.width(), image.height()));
 }
 
-/// Makes the film of the export's first frames, or shows some of them in a strip.
+/// Renders the first frames of the export as a film, or some of them as a strip.
 class FilmMaker {
    public:
     FilmMaker(const ExportOptions& options, Ocean& ocean, const std::shared_ptr<Executor>& executor)
@@ -191,7 +191,7 @@ class FilmMaker {
           shaded_(options.sea.sea, film_width, film_height, executor),
           frames_(std::min(times_.count(), max_film_frames)) {}
 
-    /// The line that says what was made.
+    /// Writes the film or the strip. Returns a line that describes the file.
     std::string write_to(const OutputFolder& folder) {
         const bool has_ffmpeg = can_make_films();
         const double fps = times_.fps.value_or(static_cast<double>(times_.count()) / times_.loop_period_s);

@@ -1,4 +1,5 @@
-// What an export will be, before it is made: a sheet of its maps, a short film of its sea, how many files and bytes.
+// Preview of an export: a sheet with its maps, a short film of its sea, and the number of files and
+// bytes.
 #pragma once
 
 #include "pelagic/sim/ocean.hpp"
@@ -9,11 +10,12 @@ namespace pelagic::tools {
 
 inline constexpr const char* preview_sheet_name = "preview.png";
 inline constexpr const char* preview_film_name = "preview.mp4";
-inline constexpr const char* preview_strip_name = "preview_loop.png";  ///< instead of the film, without ffmpeg
+/// written instead of the film if ffmpeg is missing
+inline constexpr const char* preview_strip_name = "preview_loop.png";
 
-/// Writes the sheet and the film, or a strip of its frames, and says on stdout what the export will have. Throws FileError, and
-/// Stopped after a signal.
-/// \param how  as for the export
+/// Writes the sheet, and the film or a strip of its frames. Prints on stdout what the export will
+/// contain. Throws FileError, and Stopped after a signal.
+/// \param how  ocean options of the export
 void preview_export(const ExportOptions& options, OceanOptions how, const OutputFolder& folder);
 
 }  // namespace pelagic::tools

@@ -10,8 +10,8 @@ namespace pelagic::tools {
 
 namespace {
 
-/// Returns a note if the sea repeats within the export, else an empty text. An export of weather repeats nothing, and one by
-/// --loop-frames or --frames loop ends with its loop.
+/// Returns a note if the sea repeats within the export, else an empty text. A sea with transitions
+/// does not repeat. An export by --loop-frames or --frames loop ends with its loop.
 std::string warning_about_loop(const ExportOptions& options) {
     const FrameTimes& times = options.times;
     if (!times.fps || !options.sea.changes.empty()) return {};

@@ -1,4 +1,4 @@
-// What an export prints about itself: notes before its first frame, and a summary when it is done.
+// Text that an export prints: notes before the first frame, and a summary at the end.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@ namespace pelagic::tools {
 
 struct ExportSummary {
     std::size_t frames = 0;
-    std::size_t kept = 0;     ///< of them, that --resume found
-    double height_sum_m = 0;  ///< of their significant wave heights
+    std::size_t kept = 0;     ///< frames of an earlier run that --resume kept
+    double height_sum_m = 0;  ///< sum of the frames' significant wave heights, metres
 };
 
-/// Prints one line: folder, frames, significant wave height and peak period.
+/// Prints one line: folder, frames, mean significant wave height and peak period.
 void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary);
 
-/// Prints a line for each warning about the sea, the events and the mesh. A shard has none: the merge of all shards prints them.
+/// Prints a line for each warning about the sea, the events and the mesh. Prints none for a shard;
+/// the merge prints them.
 void print_notes(std::FILE* to, const ExportOptions& options);
 
 }  // namespace pelagic::tools

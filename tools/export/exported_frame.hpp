@@ -1,4 +1,4 @@
-// The frames of an export, as its options compute them.
+// Computation of the frames of an export.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,16 @@
 
 namespace pelagic::tools {
 
-/// Options of an ocean whose frames have what the files need. \param trace  may be null
+/// Returns the options of an ocean that computes all data that the files need.
+/// \param trace  may be null
 OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace);
 
-/// The dynamic waves of the options' events, on the ocean's executor; null without events.
+/// Returns the player for the events of the options, on the ocean's executor; null without events.
 std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const OceanOptions& how);
 
-/// The frame with the dynamic waves beside its cascades; bounds and statistics stay those of the cascades. \param player  may be null
+/// Returns the frame with the dynamic waves added beside the cascades. Bounds and statistics are
+/// those of the cascades.
+/// \param player  may be null
 Frame exported_frame(const Frame& frame, EventPlayer* player);
 
 }  // namespace pelagic::tools

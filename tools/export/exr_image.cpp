@@ -12,8 +12,8 @@
 namespace pelagic::tools {
 namespace {
 
-/// What each byte stands for, as a half: b = round(255 c).
-constexpr std::array<std::uint16_t, 256> parts_of_255 = [] {
+/// The value of each byte b = round(255 c) as a half.
+constexpr std::array<std::uint16_t, 256> fractions_of_255 = [] {
     std::array<std::uint16_t, 256> halves{};
     for (std::size_t byte = 0; byte < halves.size(); ++byte) halves[byte] = half_of(static_cast<float>(byte) / 255.f);
     return halves;
@@ -32,13 +32,13 @@ MapImage without_bytes(MapImage image) {
     if (image.sample != Sample::uint8) return image;
     std::vector<std::uint16_t> halves;
     halves.reserve(image.pixels.size());
-    for (const std::byte byte : image.pixels) halves.push_back(parts_of_255[std::to_integer<std::size_t>(byte)]);
+    for (const std::byte byte : image.pixels) halves.push_back(fractions_of_255[std::to_integer<std::size_t>(byte)]);
     image.sample = Sample::half;
     image.pixels = bytes_of_values(halves);
     return image;
 }
 
-/// "Dx = R m; height = G m; Dz = B m", or "normal_x = 2 R - 1; ...".
+/// Returns "Dx = R m; height = G m; Dz = B m", or "normal_x = 2 R - 1; ...".
 std::string text_of(std::span<const ChannelMeaning> channels) {
     std::string text;
     for (const ChannelMeaning& channel : channels) {
@@ -52,7 +52,7 @@ std::string text_of(std::span<const ChannelMeaning> channels) {
     return text;
 }
 
-/// "displacement", "displacement_c1": as parts and layers are called.
+/// Returns the name of a part or layer: "displacement", "displacement_c1".
 std::string name_of(const ImagePart& part) {
     return std::string(name_of(part.map)) + (part.cascade > 0 ? "_c" + number_text(part.cascade) : "");
 }
@@ -99,7 +99,7 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
             .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
 }
 
-/// A file of the dynamic-wave grid.
+/// Returns the part with the dynamic-wave grid.
 ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& options) {
     const DynamicWavesView& water = frame.dynamic_waves;
     const MapOptions& maps = options.maps;
@@ -132,7 +132,8 @@ ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& 
 
 ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const ExportOptions& options) {
     ExrFile exr{.parts = {}, .is_tiled = options.maps.tiled, .compression = options.maps.compression};
-    // Parts too have the layer in their channels' names: OpenEXR wants no reader to guess it from the part's.
+    // Channel names contain the layer in multi-part files too: OpenEXR advises readers not to
+    // derive it from the part's name.
     const bool is_packed = options.maps.pack != Pack::files, has_layers = options.maps.pack == Pack::layers;
     for (const ImagePart& of : file.parts) {
         if (of.map == MapKind::dynamic_waves) {

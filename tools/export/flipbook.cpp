@@ -15,12 +15,13 @@
 namespace pelagic::tools {
 namespace {
 
-/// Levels of an atlas end where a frame is one texel: in smaller ones frames would mix.
+/// Returns the mip levels of a flipbook. The smallest has one texel for each frame; smaller levels
+/// would mix frames.
 int levels_of(const ExportOptions& options) {
     return is_texture(options.maps.format) && options.maps.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
 
-/// The frames of one map of one cascade.
+/// The frames of one map and cascade.
 struct Atlas {
     MapKind map;
     int cascade;

@@ -1,5 +1,5 @@
-// Frames of an export side by side in one image a map and cascade, for particle systems and shaders that play them, and
-// flipbook.json, which says how.
+// Flipbooks: all frames of an export side by side in one image for each map and cascade, for
+// particle systems and shaders. flipbook.json describes the layout.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,14 @@
 
 namespace pelagic::tools {
 
-/// The widest and highest texture that graphics interfaces have to take (Direct3D 11, Vulkan's usual limit).
+/// Maximum texture size that graphics APIs support (Direct3D 11; usual limit of Vulkan).
 inline constexpr int largest_flipbook_side = 16384;
 
-/// Throws InputError, one line, if the frames have no room in the grid or the images would be too large.
+/// Throws InputError, one line, if the frames do not fit into the grid or the images would be too
+/// large.
 void check_flipbook(const ExportOptions& options, const std::string& typed);
 
+/// Returns the output that writes the flipbooks.
 /// \pre the options have a flipbook
 std::unique_ptr<SequenceOutput> flipbook(const ExportOptions& options);
 

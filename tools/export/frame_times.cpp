@@ -59,10 +59,10 @@ std::string text_of(const std::vector<FrameRange>& ranges) {
 
 std::optional<std::vector<FrameRange>> parse_frame_ranges(const std::string& text) {
     std::vector<FrameRange> ranges;
-    for (const std::string& part : split_at_commas(text)) {
-        const std::size_t dash = part.find('-');
-        const auto first = frame_number(part.substr(0, dash));
-        const auto last = dash == std::string::npos ? first : frame_number(part.substr(dash + 1));
+    for (const std::string& piece : split_at_commas(text)) {
+        const std::size_t dash = piece.find('-');
+        const auto first = frame_number(piece.substr(0, dash));
+        const auto last = dash == std::string::npos ? first : frame_number(piece.substr(dash + 1));
         if (!first || !last || *last < *first || (!ranges.empty() && *first <= ranges.back().last)) return {};
         ranges.push_back({*first, *last});
     }

@@ -1,4 +1,4 @@
-// Which frames an export has, what number each has in its name, and when it is.
+// Frame numbers and times of an export.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace pelagic::tools {
 
-/// Frames `first` to `last`, both of them.
+/// Frames `first` to `last`, inclusive.
 struct FrameRange {
     int first = 0, last = 0;
 
@@ -21,28 +21,31 @@ struct FrameTimes {
 
     double start_s = 0;  ///< time of frame `start_number`
     int start_number = 0;
-    std::vector<FrameRange> ranges = {{0, 0}};  ///< rising, apart, not empty
-    std::optional<double> fps;                  ///< none: the frames are one loop
+    std::vector<FrameRange> ranges = {{0, 0}};  ///< ascending, disjoint, not empty
+    std::optional<double> fps;                  ///< none: the frames span one loop
     double loop_period_s = 0;
 
     std::size_t count() const;
-    /// Of the frame at a place in the export. \pre index < count()
+    /// Returns the number of the frame at an index.
+    /// \pre index < count()
     int number(std::size_t index) const;
-    /// Those from place `begin` on, before place `end`. \pre begin <= end <= count()
+    /// Returns the numbers of the frames at indices [begin, end).
+    /// \pre begin <= end <= count()
     std::vector<int> numbers(std::size_t begin, std::size_t end) const;
     bool contains(int number) const;
     double time_of(int number) const {
         const int frame = number - start_number;
         return start_s + (fps ? frame / *fps : frame * (loop_period_s / static_cast<double>(count())));
     }
-    /// They are `start_number` and those behind it, without a gap.
+    /// Returns true if the numbers start at `start_number` and have no gap.
     bool is_one_run() const { return ranges.size() == 1 && ranges.front().first == start_number; }
 };
 
-/// "10-20,40", as parse_frame_ranges() takes it.
+/// Returns "10-20,40", the format of parse_frame_ranges().
 std::string text_of(const std::vector<FrameRange>& ranges);
 
-/// "10-20,40" as {10, 20}, {40, 40}; none unless they rise and are apart, and each number is at most the largest.
+/// Parses "10-20,40" as {10, 20}, {40, 40}. Returns none unless the ranges are ascending and
+/// disjoint, and every number is at most largest_number.
 std::optional<std::vector<FrameRange>> parse_frame_ranges(const std::string& text);
 
 }  // namespace pelagic::tools

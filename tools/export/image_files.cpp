@@ -8,12 +8,13 @@
 namespace pelagic::tools {
 namespace {
 
-/// A file of the map has all of its levels.
+/// Returns true if a file of the map contains all of its mip levels.
 bool has_levels_within(const ExportOptions& options, MapKind map) {
     return is_texture(options.maps.format) || (options.maps.tiled && options.maps.is_exr(map));
 }
 
-/// Levels of a map that are stored: files that have levels have those of every map, other files those of maps with a chain.
+/// Returns the number of stored mip levels. Formats with levels in a file store those of every map;
+/// other formats store levels of maps that have a mip chain.
 int levels_of(const ExportOptions& options, MapKind map) {
     if (!options.maps.mips) return 1;
     return has_levels_within(options, map) || has_chain(map) ? mip_levels(resolution_of(options.sea.sea)) : 1;
@@ -28,9 +29,11 @@ ImageDescription description_of(MapKind map, const TextureImage& image, const Ma
             .sample = image.sample,
             .colour_space = is_floating(image.sample) ? "Linear" : "Raw",
             .compression = is_png ? nullptr : name_of(options.compression),
-            // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
+            // The default level of zlib for PNG, 6, takes four times as long for files 6 % smaller
+            // (512 x 512, jonswap).
             .png_level = is_png ? 2 : 0,
-            // A smoothness, not a coverage: else OpenImageIO would divide the normals by it.
+            // The alpha channel is smoothness, not coverage; otherwise OpenImageIO would divide the
+            // normals by it.
             .has_unassociated_alpha = map == MapKind::gradient};
 }
 
@@ -61,7 +64,8 @@ std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
 
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     std::vector<ImageFile> files = cascade_files(options, frame);
-    // A file of its own, however others are packed: it has another size than cascades.
+    // The dynamic-wave grid always has its own file, because its size differs from that of
+    // cascades.
     if (options.events)
         files.push_back({.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .cascade = 0, .level = 0},
                                             frame, false),

@@ -1,4 +1,4 @@
-// The image files of a frame: what is in each, and its bytes.
+// Image files of a frame: their names, contents and encoding.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace pelagic::tools {
 
-/// A map of a cascade, with so many levels of its chain; or the dynamic-wave grid.
+/// A map of a cascade with a range of mip levels; or the dynamic-wave grid.
 struct ImagePart {
     MapKind map;
-    int cascade = 0;  ///< 0 is the coarsest
+    int cascade = 0;  ///< 0: the coarsest
     int first_level = 0;
     int levels = 1;
 };
@@ -23,15 +23,18 @@ struct ImageFile {
     std::vector<ImagePart> parts;
 };
 
-/// All of a frame, in the order in which records list them.
+/// Returns the image files of a frame, in the order of records.
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame);
 
-/// Throws std::runtime_error with OpenImageIO's or OpenEXR's reason, and FileError if the library that writes images is not
-/// there. \param number  of the frame
+/// Encodes an image file.
+/// \param number  number of the frame
+/// \throws std::runtime_error  with OpenImageIO's or OpenEXR's reason
+/// \throws FileError  if the library that writes images is missing
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
                                              const ExportOptions& options);
 
-/// Pixels of a map as a file of the options' format. Formats without levels take the first. Throws likewise.
+/// Encodes pixels of a map in the format of the options. Formats without mip levels store the first
+/// level. Throws as encode_image_file() does.
 std::vector<unsigned char> encode_pixels(MapKind map, const std::vector<TextureImage>& levels,
                                          const MapOptions& options);
 

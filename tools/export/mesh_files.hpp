@@ -1,4 +1,4 @@
-// The mesh files of a frame.
+// Mesh files of a frame.
 #pragma once
 
 #include <string>
@@ -14,10 +14,11 @@ struct MeshFile {
     MeshFormat format;
 };
 
-/// The frame's square of sea in the axes and the unit that were asked for, with texture coordinates for images of these rows.
+/// Returns the square of the sea in the axes and the unit of the options, with texture coordinates
+/// that match the row order of the images.
 Mesh exported_mesh(const Frame& frame, const ExportOptions& options);
 
-/// All of a frame, in the order in which records list them, behind its images.
+/// Returns the mesh files of a frame, in the order of records, where they follow the images.
 std::vector<MeshFile> mesh_files(const ExportOptions& options, int frame);
 
 Bytes encode_mesh_file(MeshFormat format, const Mesh& mesh);

@@ -20,7 +20,7 @@ constexpr std::array<std::pair<MeshFormat, const char*>, 5> all_formats = {
      {MeshFormat::gltf_animation, "gltf-animation"},
      {MeshFormat::mdd, "mdd"}}};
 
-/// Of one file for all frames, which is made in memory, glTF there twice.
+/// Size limits of a file with all frames, which is built in memory; glTF needs twice its size.
 constexpr std::size_t max_animation_bytes = std::size_t{512} << 20, max_point_cache_bytes = std::size_t{1} << 30;
 
 std::vector<MeshFormat> formats_in(const std::string& text) {

@@ -1,4 +1,5 @@
-// --mesh: which meshes an export has, and of which square of sea.
+// --mesh, --mesh-size and --mesh-steps: formats of meshes, and the square of the sea that they
+// show.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -16,14 +17,14 @@ enum class MeshFormat {
     obj,
     ply,
     gltf,
-    gltf_animation,  ///< all frames in one file
-    mdd,             ///< likewise
+    gltf_animation,  ///< all frames in one file, as morph targets
+    mdd,             ///< all frames in one file, as a point cache
 };
 
 std::string_view name_of(MeshFormat format);
 
 struct MeshOptions {
-    std::vector<MeshFormat> formats;  ///< each once; empty: no meshes
+    std::vector<MeshFormat> formats;  ///< distinct; empty: no meshes
     SeaPatch patch;
 
     bool any() const { return !formats.empty(); }
@@ -34,7 +35,8 @@ struct MeshOptions {
 class MeshFlags {
    public:
     void add_to(CLI::App& app);
-    MeshOptions resolve(const ResolvedSea& sea, const FrameTimes& times) const;  ///< throws InputError
+    /// throws InputError
+    MeshOptions resolve(const ResolvedSea& sea, const FrameTimes& times) const;
 
    private:
     std::optional<std::string> formats_, size_, steps_;

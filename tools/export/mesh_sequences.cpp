@@ -25,7 +25,7 @@ class GlbOutput : public SequenceOutput {
     std::vector<File> finish() override {
         const FrameTimes& times = options_.times;
         const double fps = times.fps.value_or(static_cast<double>(times.count()) / times.loop_period_s);
-        std::vector<File> files;  // an initializer list would copy it
+        std::vector<File> files;  // an initializer list would copy the bytes
         files.push_back({mesh_animation_name, file_->finish(fps, !times.fps)});
         file_.reset();
         return files;

@@ -1,4 +1,4 @@
-// Meshes of all frames in one file: an animation of morph targets, a point cache.
+// Files with the meshes of all frames: an animation of morph targets, and a point cache.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace pelagic::tools {
 
-/// Those that --mesh asks for: mesh.glb, mesh.mdd.
+/// Returns the outputs that --mesh selects: mesh.glb, mesh.mdd.
 std::vector<std::unique_ptr<SequenceOutput>> mesh_sequences(const ExportOptions& options);
 
 }  // namespace pelagic::tools

@@ -3,7 +3,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// A name with or without a shard in its middle.
+/// A name that contains a shard between two fixed texts.
 struct NameAroundShard {
     std::string_view before, after;
 

@@ -1,4 +1,4 @@
-// The names of what an export writes about itself: its record, its journal and its locks, and those of its shards.
+// Names of an export's record, journal and locks, and of those of its shards.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,22 @@ namespace pelagic::tools {
 
 inline constexpr const char* lock_name = ".sea.lock";
 
-/// What an export holds, for people and tools; nothing is read back from it but the sea.
+/// Description of the export for users and other programs, and for `info --measure`. --resume and
+/// merge read the record instead.
 inline constexpr const char* sea_json_name = "sea.json";
 
-/// "sea_files.json", or of a shard "sea.3-of-8.json".
+/// Returns "sea_files.json", or for a shard "sea.3-of-8.json".
 std::string record_name(const std::optional<Shard>& shard);
-/// ".pelagic-export.jsonl", or of a shard ".pelagic-export.3-of-8.jsonl".
+/// Returns ".pelagic-export.jsonl", or for a shard ".pelagic-export.3-of-8.jsonl".
 std::string journal_name(const std::optional<Shard>& shard);
-/// ".sea.3-of-8.lock".
+/// Returns ".sea.3-of-8.lock".
 std::string lock_name_of(const Shard& shard);
 
-/// The shard whose record has the name; none for other names.
+/// Returns the shard whose record has the name; none for other names.
 std::optional<Shard> shard_of_record(std::string_view name);
-/// True for the record, journal and lock of a shard.
+/// Returns true for the record, journal and lock of a shard.
 bool is_of_shard(std::string_view name);
-/// True for all of these names.
+/// Returns true for the names of all records, journals and locks.
 bool is_record_name(std::string_view name);
 
 }  // namespace pelagic::tools

@@ -1,4 +1,5 @@
-// What is made of all frames together, a film or an atlas: fed one after the other, after the images are done.
+// Interface of outputs made of all frames together, such as flipbooks and animations. The frames
+// are added in order, after the images are written.
 #pragma once
 
 #include <memory>
@@ -18,12 +19,13 @@ class SequenceOutput {
     };
 
     virtual ~SequenceOutput() = default;
-    /// Frames of the export in order. \param index  its place in the export
+    /// Adds the next frame of the export.
+    /// \param index  index of the frame in the export
     virtual void add(std::size_t index, const Frame& frame) = 0;
     virtual std::vector<File> finish() = 0;
 };
 
-/// Those that the options ask for.
+/// Returns the outputs that the options select.
 std::vector<std::unique_ptr<SequenceOutput>> sequence_outputs(const ExportOptions& options);
 
 }  // namespace pelagic::tools

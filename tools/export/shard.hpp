@@ -1,7 +1,9 @@
-// One of the equal parts into which the frames of an export are split, so that several machines can make them.
+// Shards: equal pieces into which the frames of an export are split for several machines.
 //
-// Parts are runs of frames, since the foam of a run is warmed up once. Shard I of N has the frames from place (I - 1) n / N to
-// I n / N, rounded down, of n: no two parts differ by more than a frame, and with more shards than frames some are empty.
+// A shard is a run of consecutive frames, so that foam is warmed up once for each shard. Shard I of
+// N has the frames with indices from (I - 1) n / N up to but excluding I n / N, rounded down, of n
+// frames. The sizes of shards differ by at most one frame. With more shards than frames, some are
+// empty.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +19,8 @@ struct Shard {
     int index = 1;  ///< 1 to count
     int count = 1;
 
-    /// The places of its frames among so many: from begin() on, before end().
+    /// Range of indices [begin, end) of the shard's frames.
+    /// \param frames  number of frames of the export
     std::size_t begin(std::size_t frames) const { return place(index - 1, frames); }
     std::size_t end(std::size_t frames) const { return place(index, frames); }
 
@@ -29,13 +32,14 @@ struct Shard {
     }
 };
 
-/// "3/8", as --shard has it.
+/// Returns "3/8", the format of --shard.
 std::string text_of(const Shard& shard);
 std::optional<Shard> parse_shard(std::string_view text);
 
-/// "3-of-8", as names have it.
+/// Returns "3-of-8", the format in file names.
 std::string name_of(const Shard& shard);
-/// Nothing but what name_of() gives: without leading zeros or signs.
+/// Parses the format of name_of(). Returns none for anything else, including leading zeros or
+/// signs.
 std::optional<Shard> shard_named(std::string_view text);
 
 }  // namespace pelagic::tools

@@ -9,7 +9,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// 1 as a sample has it, in this machine's byte order.
+/// Returns the bytes of the value 1 in the sample type, in the machine's byte order.
 std::vector<std::byte> one(Sample sample) {
     std::vector<std::byte> bytes(bytes_of(sample), std::byte{0xFF});
     if (sample == Sample::half) bytes = {std::byte{0x00}, std::byte{0x3C}};
