@@ -18,11 +18,13 @@ constexpr float length = Boat::length_m, beam = Boat::beam_m, keel_m = -Boat::dr
 constexpr glm::vec3 antifouling(0.19f, 0.025f, 0.02f), white(0.72f, 0.71f, 0.67f), strake(0.02f, 0.09f, 0.16f),
     planks(0.33f, 0.20f, 0.10f), glass(0.02f, 0.035f, 0.045f), roof(0.46f, 0.10f, 0.03f), wood(0.24f, 0.13f, 0.06f);
 
-/// Half the beam, keel and sheer at a place along the hull, from the transom, 0, to the stem, 1.
+/// A cross-section of the hull, m.
 struct Section {
-    float half, keel, sheer;
+    float half;         ///< half the beam
+    float keel, sheer;  ///< heights above the waterline
 };
 
+/// \param s  position along the hull, 0 at the transom, 1 at the stem
 Section section_at(float s) {
     const float fullness =
         (1 - std::pow(std::max(0.f, (s - 0.3f) / 0.7f), 2.4f)) * (0.84f + 0.16f * std::min(1.f, s / 0.3f));
@@ -30,7 +32,10 @@ Section section_at(float s) {
             0.62f + 0.16f * (1 - s) * (1 - s) + 0.62f * std::pow(s, 2.6f)};
 }
 
-/// v runs from one gunwale, -1, under the keel to the other, 1.
+/// Returns a point of the hull.
+/// \param s  position along the hull, 0 at the transom, 1 at the stem
+/// \param v  position across the hull: -1 at the port gunwale, 0 at the keel, 1 at the starboard
+/// gunwale
 glm::vec3 hull_at(float s, float v) {
     const auto [half, keel, sheer] = section_at(s);
     const float t = std::abs(v);
@@ -63,7 +68,9 @@ class Triangles {
         quad(at, {normal, normal, normal, normal}, paint);
     }
 
-    /// A smooth sheet of these lines; `side` turns its normals.
+    /// Adds a parametric surface with smooth normals.
+    /// \param us, vs  parameters of the grid lines
+    /// \param side  1 or -1: sign of the normals
     template <class Place, class Paint>
     void sheet(const Place& place, const std::vector<float>& us, const std::vector<float>& vs, float side,
                const Paint& paint) {
@@ -87,7 +94,7 @@ class Triangles {
             }
     }
 
-    /// Upright walls, leaning in by `lean` at the top, and a lid.
+    /// Adds a box of four walls and a lid. The walls lean inwards by `lean` at the top.
     void box(glm::vec3 low, glm::vec3 high, float lean, glm::vec3 paint, glm::vec3 lid) {
         const auto ring = [&](float y, float in) {
             return Corners{glm::vec3(low.x + in, y, low.z + in), glm::vec3(high.x - in, y, low.z + in),

@@ -12,7 +12,7 @@
 namespace pelagic::gl {
 namespace {
 
-/// The block of shaders/mesh_light.glsl.
+/// Uniform block of shaders/mesh_light.glsl.
 struct MeshLight {
     glm::mat4 clip_from_mesh;
     glm::vec4 sun, sun_irradiance, sky_irradiance;

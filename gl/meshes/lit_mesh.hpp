@@ -1,4 +1,5 @@
-// A mesh in the light of a sky, drawn before the sea and handed in to be mirrored, as an application would do it with its own.
+// A mesh lit by a sky. It is drawn before the sea, and its image is passed to the sea renderer for
+// reflections. An application draws its own scene in the same order.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +17,26 @@
 namespace pelagic::gl {
 
 struct MeshVertex {
-    glm::vec3 position, outwards;
-    glm::vec3 paint{};  ///< albedo, if the shader takes it
+    glm::vec3 position, outwards;  ///< outwards: unit normal
+    glm::vec3 paint{};             ///< albedo, if the shader uses it
 };
 
 class LitMesh {
    public:
-    /// \param indices  of triangles
-    /// \param fragment_file  of gl/shaders/, after mesh.vert.glsl. Throws GlError.
+    /// \param indices  three for each triangle
+    /// \param fragment_file  fragment shader in gl/shaders/, used with mesh.vert.glsl
+    /// \throws GlError if the driver rejects the shader
     LitMesh(const Functions& gl, std::span<const MeshVertex> vertices, std::span<const std::uint16_t> indices,
             std::string_view fragment_file);
 
     void set_light(const Sky& sky);
-    /// As linear radiance, into the bound framebuffer, which has depth.
-    /// \param world_from_mesh  turns and moves, nothing else
-    /// \param weighing_exposure  as the sea is drawn with DrawInput::weighs_samples: the exposure; 0 without
+    /// Draws linear radiance into the bound framebuffer, which needs a depth buffer.
+    /// \param world_from_mesh  rotation and translation only
+    /// \param weighing_exposure  the exposure if the sea is drawn with DrawInput::weighs_samples,
+    /// else 0
     void draw(const Eye& eye, const glm::dmat4& world_from_mesh, float weighing_exposure);
-    /// What the eye sees of it without the sea, in textures that the next call overwrites. Throws GlError where the driver
-    /// can't draw half floats.
+    /// Draws the mesh without the sea into textures, which the next call overwrites.
+    /// \throws GlError if the driver cannot render to half floats
     ApplicationScene image(const Eye& eye, const glm::dmat4& world_from_mesh);
 
    private:
@@ -42,12 +45,12 @@ class LitMesh {
     const Functions& gl_;
     Program program_;
     Buffer vertices_, indices_, light_;
-    GLsizei count_;  ///< of indices
+    GLsizei count_;  ///< number of indices
     VertexArray array_;
     glm::vec3 sun_direction_{0, 1, 0}, sun_irradiance_{1}, sky_irradiance_{1};
     Texture radiance_, depth_;
     Framebuffer framebuffer_;
-    int width_ = 0, height_ = 0;  ///< of the textures
+    int width_ = 0, height_ = 0;  ///< size of the textures
 };
 
 }  // namespace pelagic::gl

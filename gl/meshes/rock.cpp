@@ -13,7 +13,7 @@ namespace {
 constexpr int around = 192, down = 96;
 constexpr float pi = 3.14159265f;
 
-/// [-1, 1], the same for a corner of the grid each time.
+/// Returns a deterministic pseudo-random value in [-1, 1] for a corner of the grid.
 float value_at(glm::ivec3 corner) {
     std::uint32_t h = static_cast<std::uint32_t>(corner.x) * 0x8da6b343u ^
                       static_cast<std::uint32_t>(corner.y) * 0xd8163841u ^
@@ -30,13 +30,15 @@ float noise(glm::vec3 at) {
     float sum = 0;
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);
-        const glm::vec3 part = glm::mix(1.f - w, w, glm::vec3(step));
-        sum += part.x * part.y * part.z * value_at(glm::ivec3(corner) + step);
+        const glm::vec3 weight = glm::mix(1.f - w, w, glm::vec3(step));
+        sum += weight.x * weight.y * weight.z * value_at(glm::ivec3(corner) + step);
     }
     return sum;
 }
 
-/// A cone with a round top, broken by ridges at five scales.
+/// Returns a point of the rock: an ellipsoid displaced by ridged noise in five octaves.
+/// \param u  azimuth, rad
+/// \param v  angle from the top, rad
 glm::vec3 on_rock(float u, float v) {
     const glm::vec3 direction(std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u));
     float radius = 1, height = 0.3f;
@@ -44,7 +46,7 @@ glm::vec3 on_rock(float u, float v) {
     for (int octave = 0; octave < 5; ++octave, height *= 0.5f, at = 2.03f * at) {
         radius += height * (0.6f - 1.6f * std::abs(noise(at)));
     }
-    // Its foot lies deep.
+    // The base is below the water.
     return radius * direction * glm::vec3(6, direction.y > 0 ? 6 : 4, 5);
 }
 
@@ -53,7 +55,7 @@ std::vector<MeshVertex> rock_vertices() {
     for (int j = 0; j <= down; ++j)
         for (int i = 0; i <= around; ++i) {
             const float u = 2 * pi * static_cast<float>(i) / around;
-            // The poles have no direction around.
+            // The azimuth is undefined at the poles.
             const float v = std::clamp(pi * static_cast<float>(j) / down, 1e-3f, pi - 1e-3f);
             const float step = 0.5f * pi / down;
             const glm::vec3 along = on_rock(u + step, v) - on_rock(u - step, v),

@@ -1,4 +1,5 @@
-// A rock in the sea: an example of what an application draws before the sea, and hands in to be mirrored.
+// A rock in the sea: an example of an application's scene that is drawn before the sea and
+// reflected by it.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -10,7 +11,9 @@ namespace pelagic::gl {
 
 class Rock {
    public:
-    /// \param foot_m  where it stands, at rest's height; it is about 12 m wide and 6 m high. Throws GlError.
+    /// The rock is about 12 m wide and 6 m high.
+    /// \param foot_m  position of its base, at the height of the undisturbed water
+    /// \throws GlError if the driver rejects a shader
     Rock(const Functions& gl, glm::dvec3 foot_m);
 
     void set_light(const Sky& sky) { mesh_.set_light(sky); }
