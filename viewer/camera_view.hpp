@@ -1,4 +1,4 @@
-// The window's camera: radiance that the sea is drawn into, its light meter, and what is shown of it.
+// The window's camera: a radiance target, a light meter, automatic exposure and the display pass.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,32 @@ namespace pelagic::viewer {
 
 class CameraView {
    public:
-    /// \param gl  outlives it. Throws gl::GlError.
+    /// \param gl  must outlive this object
+    /// \throws gl::GlError if the driver rejects a shader or cannot render to half floats
     explicit CameraView(const gl::Functions& gl) : gl_(gl), display_(gl), meter_(gl) {}
 
-    /// Draws go into the lower left part of it, `scale` times as wide and high as the window, cleared.
-    /// \param samples  a pixel
+    /// Binds and clears the radiance target. The image occupies its lower left corner.
+    /// \param scale  width and height of the image relative to the window's
+    /// \param samples  samples per pixel
     void begin(int window_width, int window_height, float scale, int samples);
-    /// What was drawn is the image from now on, and is metered without waiting. \param luminance_of_unit  of its sky
+    /// Completes the image and starts metering it without waiting.
+    /// \param luminance_of_unit  Sky::luminance_of_unit() of the image's sky, cd/m^2
     void end(float luminance_of_unit);
 
-    /// Goes on with what the meter has seen meanwhile. \param unmetered_ev  while it has seen nothing yet
+    /// Updates the exposure value from the light meter.
+    /// \param unmetered_ev  exposure value until the first measurement is available
+    /// \param passed_s  time since the last call, s
     void follow(const gl::CameraSettings& settings, float unmetered_ev, double passed_s);
+    /// Returns the current exposure value.
     float ev() const { return ev_; }
-    /// Into the window's framebuffer. A smaller image is enlarged after the tone curve: pixels that eyes compare are interpolated,
-    /// not light, and the window's pixels cost no shader.
+    /// Draws the image into the window's framebuffer. A smaller image is enlarged after the tone
+    /// curve. The interpolation is then perceptually more uniform, and no shader runs for the
+    /// window's pixels.
     void show(const gl::CameraSettings& settings, int window_width, int window_height);
 
-    /// Of the part, in pixels.
+    /// Width of the image, pixels.
     int width() const { return width_; }
+    /// Height of the image, pixels.
     int height() const { return height_; }
 
    private:
@@ -35,7 +43,7 @@ class CameraView {
     gl::Display display_;
     gl::LightMeter meter_;
     std::optional<gl::RenderTarget> target_;
-    std::optional<gl::RenderTarget> small_;  ///< what is shown of a part, before it is enlarged
+    std::optional<gl::RenderTarget> small_;  ///< smaller display image, before it is enlarged
     int samples_ = 0, width_ = 0, height_ = 0;
     gl::TexturePart image_;
     float luminance_of_unit_ = 1, metered_luminance_of_unit_ = 1;

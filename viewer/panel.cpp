@@ -26,7 +26,7 @@ bool slide(const Slider& slider, float& value) {
                               slider.format);
 }
 
-/// In degrees.
+/// Shows a slider in degrees. Returns true if the user has changed the angle.
 bool slide_angle(const Slider& slider, auto& radians) {
     float degrees = static_cast<float>(radians) * to_deg;
     if (!slide(slider, degrees)) return false;
@@ -41,7 +41,7 @@ void choose_preset(SeaState& sea) {
         const SeaState before = sea;
         sea = preset.sea;
         if ((before.waves == WaveModel::pond) != (sea.waves == WaveModel::pond)) continue;
-        sea.resolution = before.resolution;  // the textures stay
+        sea.resolution = before.resolution;  // the renderer keeps its textures
         sea.cascades = before.cascades;
         sea.patch_size_m = before.patch_size_m;
         if (!check(sea).empty()) sea = preset.sea;
@@ -49,13 +49,14 @@ void choose_preset(SeaState& sea) {
     ImGui::EndCombo();
 }
 
-/// What the wind does not say of the waves.
+/// Shows the wave parameters that do not follow from the wind.
 void choose_waves(SeaState& sea) {
     if (sea.waves == WaveModel::analytic) slide(sliders::strength, sea.wave_strength);
     if (sea.waves == WaveModel::pond) slide(sliders::drag, sea.wave_drag);
 }
 
-/// How many cascades the sea is a sum of, unless the side of the only one was given or the model knows no other.
+/// Shows the number of cascades. The user can change it unless is_cascade_for_good() is true: the
+/// patch size was given, or the model supports no other number.
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
     if (!is_cascade_for_good(sea) &&
@@ -76,7 +77,8 @@ void choose_quality(std::string& quality) {
     ImGui::EndCombo();
 }
 
-/// A chosen light moves the sun and the rest at once; each can be changed afterwards.
+/// Shows the light presets. A preset sets the whole sky and the exposure bias at once; the user can
+/// then change each value.
 void choose_light(ViewSettings& settings) {
     if (!ImGui::BeginCombo("light", settings.light.empty() ? "choose ..." : settings.light.c_str())) return;
     for (const gl::LightPreset& preset : gl::light_presets()) {

@@ -1,4 +1,4 @@
-// The panel of the window: what can be changed while one looks, and how long it takes.
+// The settings panel of the window, with frame statistics and stage times.
 #pragma once
 
 #include <optional>
@@ -16,44 +16,46 @@
 
 namespace pelagic::viewer {
 
-/// What the user has chosen.
+/// Settings that the user can change.
 struct ViewSettings {
     SeaState sea;
-    double change_over_s = 4;  ///< how long the sea takes to turn into what is chosen; 0: at once
-    std::string light;         ///< name of the preset that the sky was chosen by, or empty
+    double change_over_s = 4;  ///< duration of a transition to another sea state; 0: immediate
+    std::string light;         ///< name of the chosen light preset, or empty
     gl::SkyOptions sky;
     gl::WaterOptics water;
-    std::optional<gl::Shading>
-        shading;  ///< none: by the frame time, as the scale; high where that is fixed or nothing moves
+    /// If empty, frame times determine the shading together with the scale. The shading is then
+    /// high if the scale is fixed or the view is static.
+    std::optional<gl::Shading> shading;
     gl::CameraSettings camera;
     gl::Surface surface = gl::Surface::open;
-    std::optional<gl::FlowMap> flow;  ///< of a river; none: a winding channel
+    std::optional<gl::FlowMap> flow;  ///< flow of a river; if empty, a winding channel
     std::string quality = "high";
     double size_m = 2048;
     bool scale_is_automatic = true;
-    float fixed_scale = 1;  ///< of the drawn image's width and height over the window's; [0.25, 1]
+    float fixed_scale = 1;  ///< size of the drawn image relative to the window's; [0.25, 1]
     bool wireframe = false;
     bool frozen = false;
-    bool follows_boat = true;  ///< the camera goes along with the boat
+    bool follows_boat = true;  ///< the camera moves with the boat
 };
 
-/// What the panel shows of the last frame.
+/// Statistics of the last frame, for the panel.
 struct ViewStatistics {
     double frame_ms = 0;
     double select_us = 0, upload_ms = 0, draw_ms = 0;
     int draw_calls = 0;
-    int drawn_width = 0, drawn_height = 0;  ///< pixels, before they are enlarged to the window
+    int drawn_width = 0, drawn_height = 0;  ///< size of the drawn image before enlargement, pixels
     gl::Shading shading = gl::Shading::high;
-    float ev = 0;  ///< the exposure
+    float ev = 0;  ///< exposure value
     std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
     std::vector<double> cascade_sides_m;
-    std::optional<double> boat_mps;  ///< its speed, if there is one
+    std::optional<double> boat_mps;  ///< speed of the boat, if there is a boat
     bool sea_is_baking = false, sea_is_changing = false, sky_is_baking = false;
 };
 
-/// Draws the widgets of one Dear ImGui frame and lets them change the settings and the camera's mode.
+/// Draws the widgets of one Dear ImGui frame, and applies the user's changes to the settings and to
+/// the camera's mode.
 void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewStatistics& statistics,
                 const std::vector<StageTimes::Row>& stage_times);
 

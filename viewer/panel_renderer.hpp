@@ -1,4 +1,5 @@
-// Draws Dear ImGui's triangles in OpenGL ES 3.0. Debian's library holds the backend for desktop GL only.
+// Draws Dear ImGui's triangles with OpenGL ES 3.0. Debian's library contains the backend for
+// desktop GL only.
 #pragma once
 
 #include "pelagic/gl/objects.hpp"
@@ -10,10 +11,12 @@ namespace pelagic::viewer {
 
 class PanelRenderer {
    public:
-    /// Uploads the font of the current ImGui context. Throws gl::GlError.
+    /// Uploads the font of the current ImGui context.
+    /// \throws gl::GlError if the driver lacks a function or rejects a shader
     PanelRenderer(const gl::Functions& gl, gl::GetProcAddress get);
 
-    /// Over what the bound framebuffer holds. Leaves blending, depth test, culling and scissor switched off.
+    /// Draws over the content of the bound framebuffer. Leaves blending, depth test, culling and
+    /// scissor test disabled.
     void draw(const ImDrawData& data);
 
    private:

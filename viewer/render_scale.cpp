@@ -5,16 +5,18 @@
 namespace pelagic::viewer {
 namespace {
 
-constexpr double too_long = 1.15, with_room = 0.85;
-/// A step's first frame pays for its mesh, and for shaders that a driver compiles when it first draws.
+constexpr double too_long = 1.15, fast_enough = 0.85;
+/// Number of ignored frames after a step: the first frame includes the mesh change, and shaders
+/// that the driver compiles late.
 constexpr int settling_frames = 1;
-/// Two frames of this length in a row are no hitch, and nobody wants to see more of them.
+/// Two consecutive frames longer than this multiple of the goal are no hitch and cause an immediate
+/// step down.
 constexpr double far_too_long = 3;
-/// How many frames count, and how many it takes to see that there is room.
-constexpr int looked_at = 4, convinced_after = 12;
-/// No single frame counts for more than this, over the mean: hitches are not slowness.
-constexpr double one_frame_says = 1.5;
-constexpr int first_closed_frames = 120, max_closed_frames = 100'000;
+/// Number of frames in the mean, and number of frames before a step up.
+constexpr int averaged_frames = 4, frames_before_step_up = 12;
+/// Limit of a single frame's time relative to the mean, so that a hitch has little effect.
+constexpr double max_frame_over_mean = 1.5;
+constexpr int first_blocked_frames = 120, max_blocked_frames = 100'000;
 
 }  // namespace
 
@@ -43,19 +45,19 @@ void RenderScale::follow(double frame_ms) {
     ++frame_;
     if (++frames_here_ <= settling_frames) return;
     const int counted = frames_here_ - settling_frames;
-    const double counted_ms = counted > 1 ? std::min(frame_ms, one_frame_says * mean_ms_) : frame_ms;
-    mean_ms_ += (counted_ms - mean_ms_) / std::min(counted, looked_at);
+    const double counted_ms = counted > 1 ? std::min(frame_ms, max_frame_over_mean * mean_ms_) : frame_ms;
+    mean_ms_ += (counted_ms - mean_ms_) / std::min(counted, averaged_frames);
     far_too_long_ = frame_ms > far_too_long * goal_ms_ ? far_too_long_ + 1 : 0;
-    if (counted < looked_at && far_too_long_ < 2) return;
+    if (counted < averaged_frames && far_too_long_ < 2) return;
     if (mean_ms_ > too_long * goal_ms_ && rung_ + 1 < ladder_.size()) {
-        closed_for_[rung_] = std::clamp(2 * closed_for_[rung_], first_closed_frames, max_closed_frames);
-        closed_until_[rung_] = frame_ + closed_for_[rung_];
-        // As many steps at once as pixels alone call for.
+        blocked_for_[rung_] = std::clamp(2 * blocked_for_[rung_], first_blocked_frames, max_blocked_frames);
+        blocked_until_[rung_] = frame_ + blocked_for_[rung_];
+        // Takes as many steps at once as the pixel times require.
         std::size_t rung = rung_ + 1;
         while (rung + 1 < ladder_.size() && mean_ms_ * work_over(rung, rung_) > goal_ms_) ++rung;
         step_to(rung);
-    } else if (rung_ > 0 && counted >= convinced_after && frame_ >= closed_until_[rung_ - 1]) {
-        if (mean_ms_ * work_over(rung_ - 1, rung_) < with_room * goal_ms_) step_to(rung_ - 1);
+    } else if (rung_ > 0 && counted >= frames_before_step_up && frame_ >= blocked_until_[rung_ - 1]) {
+        if (mean_ms_ * work_over(rung_ - 1, rung_) < fast_enough * goal_ms_) step_to(rung_ - 1);
     }
 }
 

@@ -1,4 +1,5 @@
-// What the sliders of a panel move, once for the window and for the page (web/page): the same names, ranges and groups in both.
+// Names, ranges and groups of the sliders, shared by the window's panel and the web page
+// (web/page).
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@ namespace pelagic::viewer {
 
 struct Slider {
     const char* label;
-    std::string_view option;  ///< a field of SeaState or gl::SkyOptions, or one of gl::CameraSettings
-    double min, max;          ///< of angles, whose option ends in _rad, in degrees
-    const char* format;       ///< as printf's: "%.1f m/s"
+    std::string_view option;  ///< name of a field of SeaState, gl::SkyOptions or gl::CameraSettings
+    double min, max;          ///< range; in degrees if the option ends in _rad
+    const char* format;       ///< printf format: "%.1f m/s"
 };
 
 namespace sliders {

@@ -6,7 +6,8 @@
 namespace pelagic::viewer {
 namespace {
 
-/// Stages of further cascades have their number behind: "gradients+mipmaps c2".
+/// Removes the cascade number, which ends the stage names of further cascades: "gradients+mipmaps
+/// c2".
 std::string_view without_cascade(std::string_view name) {
     const std::size_t number = name.find(" c");
     return number != name.npos && name.find_first_not_of("0123456789", number + 2) == name.npos

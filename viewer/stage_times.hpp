@@ -1,4 +1,4 @@
-// How long each stage of the last frames took, for the panel's plots.
+// Records the time of each stage of the last frames, for the panel's plots.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 
 namespace pelagic::viewer {
 
-/// Adds up what workers report between two frames; the window's thread reads.
+/// Accumulates the times that worker threads report between two frames. work() and end_frame() may
+/// run concurrently; only the window's thread calls end_frame(), rows() and follow().
 class StageTimes final : public TraceSink {
    public:
     static constexpr std::size_t frames_kept = 120;
 
-    /// One stage of all cascades: milliseconds of work, all threads together, the oldest frame first.
+    /// One stage, summed over all cascades and threads: milliseconds of work, oldest frame first.
     struct Row {
         std::string name;
         std::array<float, frames_kept> ms{};
@@ -25,10 +26,10 @@ class StageTimes final : public TraceSink {
     void work(const TraceSpan& span) noexcept override;
     void in_flight(const TraceSpan&) noexcept override {}
 
-    /// What has come since the last call is one frame.
+    /// Stores the times since the last call as one frame.
     void end_frame();
     const std::vector<Row>& rows() const { return rows_; }
-    /// Reserves a row for each stage, so that work() never allocates.
+    /// Creates a row for each stage of the graph, so that work() does not allocate.
     void follow(const JobGraph& graph);
 
    private:

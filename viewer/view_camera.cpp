@@ -7,7 +7,7 @@
 namespace pelagic::viewer {
 namespace {
 
-constexpr double steepest_rad = 1.5;  // short of straight up and down, where there is no horizon to keep level
+constexpr double steepest_rad = 1.5;  // less than pi / 2, where the horizon is undefined
 constexpr double nearest_m = 1, furthest_m = 3000;
 constexpr double highest_m = 5000;
 

@@ -1,4 +1,4 @@
-// The camera of the window: round a point, or free.
+// The camera of the window: orbits a target, or flies freely.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -14,18 +14,20 @@ class ViewCamera {
 
     enum class Mode { orbit, fly };
     Mode mode() const { return mode_; }
-    /// The image stays what it is.
+    /// Sets the mode without moving the camera.
     void set_mode(Mode mode) { mode_ = mode; }
 
-    /// A drag of the mouse, radians to the right and down: round the target, or of the head.
+    /// Rotates the camera, around the target when orbiting, else around its own position.
+    /// \param radians  angles to the right and down, rad
     void turn(glm::dvec2 radians);
-    /// Nearer (below 1) or further (above): the distance to the target when orbiting, a step ahead when flying.
+    /// Scales the distance to the target when orbiting; moves ahead or back when flying.
+    /// \param factor  less than 1: nearer; greater than 1: further away
     void zoom(double factor);
-    /// Right, up, ahead, in metres.
+    /// Moves the camera. \param metres  distances to the right, up and ahead, m
     void move(glm::dvec3 metres);
-    /// Turns to a place, at 1 to 3000 m, which it goes round from now on.
+    /// Turns the camera to a new orbit target. The orbit's radius is limited to [1, 3000] m.
     void look_at(glm::dvec3 place_m);
-    /// As far along x and z as what it follows has gone.
+    /// Moves the camera along x and z by the displacement of a followed object, m.
     void go_along(glm::dvec2 metres) { eye_ += glm::dvec3(metres.x, 0, metres.y); }
 
     Camera camera() const;

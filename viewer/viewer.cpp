@@ -32,33 +32,36 @@ namespace {
 
 constexpr int sky_face_size = 256;
 constexpr double radians_a_pixel = 0.004;
-constexpr double slowest_mps = 8;  // flying; faster with height
-/// Without a GPU one, where the image is drawn smaller: four cost twice as much there.
+constexpr double slowest_mps = 8;  // minimum flying speed; the speed grows with height
+/// Samples per pixel. A software driver uses a single sample for a reduced image, because four
+/// samples double the time there.
 constexpr int samples_a_pixel = 4;
-/// What a frame may take before the image is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
-/// that something is left to see.
+/// Target frame times, ms: 30 frames/s on a GPU, 12 frames/s on a software driver, which otherwise
+/// would need too small an image.
 constexpr double goal_ms = 33, software_goal_ms = 80;
-/// Where a driver without a GPU begins.
+/// Initial scale on a software driver.
 constexpr float software_first_scale = 0.42f;
-/// A view that rests for so long is drawn in full size once, and stays.
-constexpr double rest_s = 0.4;
-/// An image of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
+/// A static view is drawn at full size once after this time, and the image is kept.
+constexpr double still_s = 0.4;
+/// At each of these scales the number of vertices along a patch's side is halved, because a smaller
+/// image needs fewer vertices.
 constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
 constexpr int fewest_vertices = 8;
 
-/// A spectrum is baked in less, beside frames.
+/// Upper limit of the time to bake a spectrum while frames are drawn.
 constexpr double baking_s = 0.1;
 constexpr double min_change_s = 0.1;
 
-/// The window in which the water answers: a tick is a seventh of a millisecond, and a boat's wake has room in it.
+/// Dynamic-wave grid: large enough for a boat's wake. Computing a tick takes about 0.14 ms.
 constexpr DynamicWavesOptions dynamic_waves{.resolution = 256, .side_m = 128, .border_m = 16};
 constexpr double tick_s = 1.0 / dynamic_waves.ticks_per_s;
-/// A click that makes a splash rather than turning the camera.
+/// Limits of movement and duration for a click, which makes a splash instead of rotating the
+/// camera.
 constexpr float max_pixels_of_a_click = 4;
 constexpr double max_s_of_a_click = 0.4;
 constexpr double splash_reach_m = 400;
 constexpr Disturbance splash{.mode = Disturbance::Mode::impulse, .radius_m = 1.2, .height_m = 1};
-/// Where a boat is put: so far ahead of the camera.
+/// Distance ahead of the camera at which a boat is placed.
 constexpr double boat_ahead_m = 22;
 
 bool same_sea(const SeaState& a, const SeaState& b) {
@@ -71,7 +74,7 @@ bool is_software(const gl::Functions& functions) {
     return gl::is_software_renderer(reinterpret_cast<const char*>(functions.GetString(GL_RENDERER)));
 }
 
-/// What a drawn image depends on, in one comparable piece; `changes` counts what else can change.
+/// The inputs of a drawn image, for comparison. `changes` counts changes of all other inputs.
 struct Drawn {
     glm::dvec3 position_m{}, target_m{};
     double vertical_view_rad = 0, time_s = 0;
@@ -88,12 +91,12 @@ const QuadtreePreset& preset_named(const std::string& name) {
     return *preset;
 }
 
-/// Dear ImGui and its input, for as long as the window is there.
+/// Owns the Dear ImGui context and its input handling. \pre the window outlives this object
 class PanelInput {
    public:
     explicit PanelInput(GLFWwindow* window) {
         ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;  // leaves no file where the user happens to be
+        ImGui::GetIO().IniFilename = nullptr;  // writes no file to the working directory
         ImGui::StyleColorsDark();
         ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.82f;
         ImGui_ImplGlfw_InitForOther(window, true);
@@ -124,11 +127,11 @@ class Viewer {
           caustics_(make_default_executor(options.threads)),
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
-        fill_ocean(options_.changes);
+        create_ocean(options_.changes);
         statistics_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
                                                            : settings_.shading.value_or(gl::Shading::high);
         choose_quality();
-        take_sky();
+        apply_sky();
     }
 
     ViewResult run() {
@@ -137,7 +140,7 @@ class Viewer {
         while (!window_.should_close()) {
             window_.poll();
             const double now_s = since_start.milliseconds() / 1000;
-            const double passed_s = std::min(now_s - last_s, 0.25);  // no leaps after a pause
+            const double passed_s = std::min(now_s - last_s, 0.25);  // avoids a jump after a pause
             statistics_.frame_ms = (now_s - last_s) * 1000;
             last_s = now_s;
             if (!settings_.frozen) time_s_ += passed_s;
@@ -172,7 +175,7 @@ class Viewer {
                 if (key == GLFW_KEY_ESCAPE) window_.close();
                 if (key == GLFW_KEY_H) shows_panel_ = !shows_panel_;
                 if (key == GLFW_KEY_P) takes_image_ = true;
-                if (key == GLFW_KEY_B) wants_boat_ = !wants_boat_;
+                if (key == GLFW_KEY_B) boat_is_requested_ = !boat_is_requested_;
             }
             const auto held = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
             const double metres = passed_s * std::max(slowest_mps, std::abs(camera_.camera().position_m.y));
@@ -185,15 +188,15 @@ class Viewer {
             io.MouseDragMaxDistanceSqr[0] <= max_pixels_of_a_click * max_pixels_of_a_click &&
             static_cast<double>(io.MouseDownDurationPrev[0]) <= max_s_of_a_click)
             clicked_ = glm::dvec2(io.MousePos.x, io.MousePos.y);
-        // Not io.MouseDelta, which in the frame of a press holds the movement before it, too.
+        // In the frame of a press, io.MouseDelta would include the movement before the press.
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) camera_.turn(radians_a_pixel * window_.dragged_px());
         if (io.MouseWheel != 0) camera_.zoom(std::pow(0.9, static_cast<double>(io.MouseWheel)));
     }
 
-    /// Starts what the settings ask for, and takes over what is ready; nothing waits.
+    /// Starts the work for changed settings, and applies completed results. Does not wait.
     void follow_settings() {
         if (statistics_.sky_is_baking && baker_.is_done()) {
-            take_sky();
+            apply_sky();
             statistics_.sky_is_baking = false;
         }
         if (!statistics_.sky_is_baking && settings_.sky != shown_sky_) {
@@ -203,17 +206,17 @@ class Viewer {
         }
         if (!statistics_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
             if (!check(settings_.sea).empty()) {
-                settings_.sea = shown_sea_;  // a slider went where this sea can't
-            } else if (is_about_to_settle()) {
-                // The next change begins where this one ends.
-            } else if (turns_slowly()) {
+                settings_.sea = shown_sea_;  // a slider made the sea state invalid
+            } else if (is_in_transition()) {
+                // The next transition starts at the end of the current one.
+            } else if (starts_transition()) {
                 shown_sea_ = settings_.sea;
-            } else if (ocean_takes(settings_.sea)) {
+            } else if (ocean_supports(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
                 statistics_.sea_is_baking = true;
             } else {
-                fill_ocean();
+                create_ocean();
                 choose_quality();
             }
         }
@@ -224,33 +227,36 @@ class Viewer {
         }
     }
 
-    /// In the middle of a change that was asked for here.
-    bool is_about_to_settle() const {
+    /// Returns true during a transition that the user started in the viewer.
+    bool is_in_transition() const {
         const std::vector<SeaChange>& changes = ocean_->forecast().changes;
-        const double left_s = changes.empty() ? 0 : changes.back().end_s() - time_s_;
-        return !settings_.frozen && left_s > 0 && left_s <= settings_.change_over_s + baking_s;
+        const double remaining_s = changes.empty() ? 0 : changes.back().end_s() - time_s_;
+        return !settings_.frozen && remaining_s > 0 && remaining_s <= settings_.change_over_s + baking_s;
     }
 
-    /// The sea turns into the one that is chosen, if that fits the cascades.
-    bool turns_slowly() {
+    /// Schedules a transition to the chosen sea state. Returns false if it is not possible.
+    bool starts_transition() {
         if (settings_.frozen || settings_.change_over_s < min_change_s) return false;
         try {
             ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
-        } catch (const std::invalid_argument&) {  // longer waves, another kind of cascades, or weather to come
+        } catch (const std::invalid_argument&) {
+            // The sea has longer waves or other cascades, or a later transition is already
+            // scheduled.
             return false;
         }
         return true;
     }
 
-    /// An ocean has its cascades, and what fills them, for life; one with a shore has its sea, too.
-    bool ocean_takes(const SeaState& sea) const {
+    /// Returns true if the ocean can change to that sea state. An ocean's number of cascades,
+    /// resolution and kind of waves are fixed; with a shore, its sea state is fixed too.
+    bool ocean_supports(const SeaState& sea) const {
         return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->cascade_count()) &&
                resolution_of(sea) == ocean_->resolution() &&
                (sea.waves == WaveModel::pond) == (ocean_->sea().waves == WaveModel::pond);
     }
 
-    void fill_ocean(const std::vector<SeaChange>& changes = {}) {
-        take_caustics();  // they read the ocean that goes
+    void create_ocean(const std::vector<SeaChange>& changes = {}) {
+        complete_caustics();  // the caustics jobs read the old ocean
         shown_sea_ = settings_.sea;
         const bool has_shore = options_.shore && check(*options_.shore, shown_sea_).empty();
         ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
@@ -262,12 +268,12 @@ class Viewer {
                                     .dynamic_waves = dynamic_waves,
                                     .shore = has_shore ? options_.shore : std::nullopt});
         boat_source_.reset();
-        ocean_->dynamic_waves().set_center(window_middle_.x, window_middle_.y);
+        ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
 
-    void take_sky() {
+    void apply_sky() {
         const gl::Sky& sky = baker_.complete();
         renderer_->set_sky(sky);
         if (boat_model_) boat_model_->set_light(sky);
@@ -276,7 +282,8 @@ class Viewer {
         ++changes_;
     }
 
-    /// Textures and meshes belong to the quality and to the cascades; the sky is uploaded again.
+    /// Recreates textures and meshes, which depend on the quality and on the cascades, and uploads
+    /// the sky again.
     void choose_quality() {
         quality_ = settings_.quality;
         surface_ = settings_.surface;
@@ -286,7 +293,8 @@ class Viewer {
         choose_shading(statistics_.shading);
     }
 
-    /// Those that were drawn once stay: to change between them costs an upload of the sky, and no shader is compiled again.
+    /// Selects the renderer of a shading. Renderers are kept, so that a change costs only an upload
+    /// of the sky and no compilation of shaders.
     void choose_shading(gl::Shading shading) {
         statistics_.shading = shading;
         auto& renderer = renderers_[static_cast<std::size_t>(shading)];
@@ -310,7 +318,7 @@ class Viewer {
             renderer_->set_caustics(caustics_.complete());
             caustics_are_baking_ = false;
         }
-        if (!statistics_.sky_is_baking && frames_ > 0) take_sky();
+        if (!statistics_.sky_is_baking && frames_ > 0) apply_sky();
     }
 
     void choose_mesh(int vertices) {
@@ -321,14 +329,15 @@ class Viewer {
         ++changes_;
     }
 
-    /// A coarser one where the image is small.
+    /// Chooses a coarser mesh for a smaller image.
     void fit_mesh_to(float scale) {
         const auto halvings = std::ranges::count_if(halved_from, [&](float from) { return scale <= from; });
         const int vertices = std::max(preset_named(quality_).vertices >> halvings, fewest_vertices);
         if (vertices != selection_->options().vertices) choose_mesh(vertices);
     }
 
-    /// The frame that was scheduled one image ago, then the next one: computed while this one is drawn.
+    /// Completes the frame that was scheduled during the last image, and schedules the next one,
+    /// which is computed while this one is drawn.
     const Frame& next_frame(double passed_s) {
         const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
@@ -338,19 +347,19 @@ class Viewer {
             ++changes_;
         }
         statistics_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
-        // They read the frame before this one, whose views end with the next schedule().
-        take_caustics();
+        // The caustics jobs read the previous frame, whose views the next schedule() invalidates.
+        complete_caustics();
         if (!settings_.frozen) disturb_water(frame, passed_s);
         ocean_->schedule(time_s_);
         return frame;
     }
 
-    /// Splashes and the boat, for the ticks to come.
+    /// Enqueues splashes and the boat's pressure for the next ticks.
     void disturb_water(const Frame& frame, double passed_s) {
         const SurfaceQuery query(frame);
         if (clicked_) make_splash(query);
         clicked_.reset();
-        if (wants_boat_ != boat_.has_value()) wants_boat_ ? put_boat() : take_boat();
+        if (boat_is_requested_ != boat_.has_value()) boat_is_requested_ ? place_boat() : remove_boat();
         if (!boat_) return;
         const glm::dvec2 before = boat_->place_m();
         boat_->step(
@@ -367,9 +376,9 @@ class Viewer {
         const glm::dvec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
         const auto place = picked_place(query, camera_.camera(), *clicked_, window, splash_reach_m);
         if (!place) return;
-        // The window goes where it is needed, unless a boat needs it.
-        if (!boat_ && glm::length(*place - window_middle_) > dynamic_waves.side_m / 4) {
-            window_middle_ = *place;
+        // Centres the dynamic-wave grid on the splash, unless it follows a boat.
+        if (!boat_ && glm::length(*place - grid_centre_) > dynamic_waves.side_m / 4) {
+            grid_centre_ = *place;
             ocean_->dynamic_waves().set_center(place->x, place->y);
         }
         Disturbance here = splash;
@@ -378,7 +387,7 @@ class Viewer {
         ocean_->dynamic_waves().add_impulse(here);
     }
 
-    void put_boat() {
+    void place_boat() {
         const Camera camera = camera_.camera();
         const glm::dvec2 ahead(camera.target_m.x - camera.position_m.x, camera.target_m.z - camera.position_m.z);
         const double heading = std::atan2(ahead.y, ahead.x);
@@ -391,15 +400,16 @@ class Viewer {
         if (!statistics_.sky_is_baking) boat_model_->set_light(baker_.complete());
     }
 
-    void take_boat() {
-        window_middle_ = boat_->place_m();
+    void remove_boat() {
+        grid_centre_ = boat_->place_m();
         boat_.reset();
         statistics_.boat_mps.reset();
         if (boat_source_) ocean_->dynamic_waves().remove_source(*boat_source_);
         boat_source_.reset();
     }
 
-    /// Small water is drawn in place of the cascades, whose heights it has not.
+    /// Returns the height of the drawn water. Small water (gl::Surface) replaces the cascades and
+    /// excludes their heights.
     double drawn_height(const SurfaceQuery& query, double x, double z) const {
         if (surface_ != gl::Surface::open) return sample(query.frame().dynamic_waves, x, z).height_m;
         float height_m = 0;
@@ -407,20 +417,21 @@ class Viewer {
         return static_cast<double>(height_m);
     }
 
-    void take_caustics() {
+    void complete_caustics() {
         if (!caustics_are_baking_) return;
         renderer_->set_caustics(caustics_.complete());
         caustics_are_baking_ = false;
         has_caustics_ = true;
     }
 
-    /// Small water lies level, or nearly.
+    /// Returns the water plane at the camera; for small water, which is nearly level, y = 0.
     gl::CameraWaterPlane camera_water_plane(const Frame& frame) const {
         if (surface_ != gl::Surface::open) return {};
         return gl::camera_water_plane(SurfaceQuery(frame), camera_.camera().position_m);
     }
 
-    /// Every second frame: while the next two are made.
+    /// Schedules caustics in every second frame. The jobs run while the next two frames are
+    /// computed.
     void start_caustics(const Frame& frame) {
         const double above_water_m = camera_.camera().position_m.y - camera_water_plane(frame).height_m;
         if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame.sea.depth_m, above_water_m)) return;
@@ -439,7 +450,7 @@ class Viewer {
         image_.follow(settings_.camera, unmetered_ev_, passed_s);
         statistics_.ev = image_.ev();
 
-        // A sea that moves never rests: full size is for a frozen one before a camera that stands, and for images.
+        // Full size is used for saved images, and for a frozen sea with a static camera.
         const Camera camera = camera_.camera();
         const Drawn now{.position_m = camera.position_m,
                         .target_m = camera.target_m,
@@ -449,25 +460,25 @@ class Viewer {
                         .window_height = window_.height(),
                         .wireframe = settings_.wireframe,
                         .changes = changes_};
-        rests_for_s_ = now == drawn_ ? rests_for_s_ + passed_s : 0;
-        const bool rests = settings_.scale_is_automatic && rests_for_s_ >= rest_s;
+        still_for_s_ = now == drawn_ ? still_for_s_ + passed_s : 0;
+        const bool is_still = settings_.scale_is_automatic && still_for_s_ >= still_s;
         const RenderStep full_size{1, settings_.shading.value_or(gl::Shading::high)};
         RenderStep step = full_size;
         if (!settings_.scale_is_automatic)
             step.scale = settings_.fixed_scale;
-        else if (!rests && !takes_image_)
+        else if (!is_still && !takes_image_)
             step = scale_by_time_.step();
-        sea_was_drawn_ = now != drawn_ || (rests && drawn_step_ != step) || takes_image_ ||
+        sea_was_drawn_ = now != drawn_ || (is_still && drawn_step_ != step) || takes_image_ ||
                          step.scale > drawn_step_.scale || step.shading > drawn_step_.shading;
         if (sea_was_drawn_) {
-            // A renderer's first sky is one that is ready.
+            // A new renderer needs a completed sky.
             if (step.shading != statistics_.shading && !statistics_.sky_is_baking) choose_shading(step.shading);
             draw_sea(frame, camera, step.scale);
             drawn_ = now;
-            drawn_.changes = changes_;  // a mesh may just have been chosen
+            drawn_.changes = changes_;  // draw_sea() may have changed the mesh
             drawn_step_ = {step.scale, statistics_.shading};
-            // The size that a resting view or an image asks for says nothing of the next frame's.
-            sea_was_drawn_ = !rests && !takes_image_;
+            // The time of a full-size image does not affect the scale of the next frames.
+            sea_was_drawn_ = !is_still && !takes_image_;
         }
         show_sea();
         if (takes_image_) take_image();
@@ -513,7 +524,8 @@ class Viewer {
         if (!settings_.wireframe) image_.end(luminance_of_unit_);
     }
 
-    /// Before the sea, which mirrors it where a GPU draws.
+    /// Draws the boat before the sea. On a GPU, or for a saved image, returns its image for
+    /// reflections.
     std::optional<gl::ApplicationScene> draw_boat(const gl::Eye& eye, float exposure) {
         if (!boat_ || settings_.wireframe) return {};
         const glm::dmat4 pose = boat_->world_from_boat();
@@ -522,7 +534,7 @@ class Viewer {
         return boat_model_->image(eye, pose);
     }
 
-    /// Lines are no light: they go to the screen as they are.
+    /// Prepares the wireframe target. Lines are display colours, without exposure and tone curve.
     void begin_wireframe(int width, int height) {
         if (!wireframe_ || wireframe_->width() != width || wireframe_->height() != height) {
             wireframe_.reset();
@@ -534,7 +546,7 @@ class Viewer {
         window_.functions().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
 
-    /// What was drawn last, into the window.
+    /// Draws the last image into the window.
     void show_sea() {
         const int width = window_.width(), height = window_.height();
         if (settings_.wireframe)
@@ -543,7 +555,7 @@ class Viewer {
             image_.show(settings_.camera, width, height);
     }
 
-    /// Without the panel: it is drawn afterwards.
+    /// Saves the image without the panel, which is drawn later.
     void take_image() {
         takes_image_ = false;
         const int width = window_.width(), height = window_.height();
@@ -566,7 +578,7 @@ class Viewer {
     CameraView image_;
     bool is_software_;
     RenderScale scale_by_time_;
-    std::optional<gl::Shading> followed_shading_;  ///< of the settings, as scale_by_time_ knows it
+    std::optional<gl::Shading> followed_shading_;  ///< settings_.shading of scale_by_time_
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;
     SeaState shown_sea_;
@@ -579,23 +591,23 @@ class Viewer {
     gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
     std::array<std::unique_ptr<gl::SeaRenderer>, gl::shading_names.size()>
-        renderers_;                        ///< by shading, once it is drawn
-    gl::SeaRenderer* renderer_ = nullptr;  ///< of statistics_.shading
+        renderers_;                        ///< by shading; created when first used
+    gl::SeaRenderer* renderer_ = nullptr;  ///< renderer of statistics_.shading
     std::optional<gl::RenderTarget> wireframe_;
-    float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< of the shown sky
+    float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< values of the shown sky
     Drawn drawn_;
     RenderStep drawn_step_{0, gl::Shading::headset};
-    double rests_for_s_ = 0;
-    bool sea_was_drawn_ = false;  ///< in the size that frame times decide
+    double still_for_s_ = 0;
+    bool sea_was_drawn_ = false;  ///< the last frame drew the sea at the scale of scale_by_time_
     unsigned long long changes_ = 0;
     ViewStatistics statistics_;
     bool shows_panel_ = true, takes_image_ = false;
-    std::optional<glm::dvec2> clicked_;  ///< a pixel of the window, from its upper left corner
-    glm::dvec2 window_middle_{};         ///< of the dynamic waves, while there is no boat
+    std::optional<glm::dvec2> clicked_;  ///< pixel of the window, from its upper left corner
+    glm::dvec2 grid_centre_{};           ///< centre of the dynamic-wave grid while there is no boat
     Helm helm_;
-    bool wants_boat_ = false;
+    bool boat_is_requested_ = false;
     std::optional<SteeredBoat> boat_;
-    std::optional<std::uint32_t> boat_source_;  ///< of the ocean
+    std::optional<std::uint32_t> boat_source_;  ///< the boat's pressure source in the ocean
     std::optional<gl::Boat> boat_model_;
     double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;

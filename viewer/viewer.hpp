@@ -1,4 +1,4 @@
-// `pelagic view`: the sea in a window, with a panel to change it.
+// The viewer of `pelagic view`: the sea in a window, with a settings panel.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +19,29 @@ struct ViewOptions {
     ViewSettings settings;
     Camera camera;
     gl::SeaFloor floor = {};
-    /// Waves feel the floor; of the seas that the user chooses those do that can have a shore.
+    /// If set, the sea floor affects the waves, unless the sea state does not support a shore.
     std::optional<ShoreOptions> shore = {};
-    std::vector<SeaChange> changes = {};  ///< of the settings' sea, until the user changes it
+    /// Transitions of settings.sea, until the user changes the sea state.
+    std::vector<SeaChange> changes = {};
     int width = 1280, height = 720;
-    int threads = 0;  ///< as make_default_executor() takes them
+    int threads = 0;  ///< argument of make_default_executor()
 
-    /// Called with each image that the user takes (key P): RGBA8, the upper row first.
+    /// Called with each image that the user saves (key P): RGBA8, top row first.
     std::function<void(std::span<const std::uint8_t> pixels, int width, int height)> save_image = {};
 };
 
-/// Shows the sea until the window is closed. Returns what the user left it at.
-/// Throws gl::GlError if there is no display or no driver; std::invalid_argument for options out of range.
+/// State of the viewer when the window was closed.
 struct ViewResult {
     ViewSettings settings;
     Camera camera;
-    double time_s = 0;          ///< of the sea that was drawn last
-    int width = 0, height = 0;  ///< of the window, pixels
+    double time_s = 0;          ///< time of the frame that was drawn last
+    int width = 0, height = 0;  ///< size of the window, pixels
     std::uint64_t frames = 0;
-    std::string renderer;  ///< the driver's name for itself
+    std::string renderer;  ///< GL_RENDERER of the driver
 };
+/// Shows the sea until the user closes the window.
+/// \throws gl::GlError if there is no display or no driver
+/// \throws std::invalid_argument if an option is out of range
 ViewResult show_sea(const ViewOptions& options);
 
 }  // namespace pelagic::viewer

@@ -30,7 +30,7 @@ Window::Window(int width, int height, const std::string& title) {
         throw error;
     }
     glfwSetWindowUserPointer(window_, this);
-    // Dear ImGui sets its own later and calls these.
+    // Dear ImGui later sets its own callbacks, which call these.
     glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
         if (action == GLFW_PRESS) window_of(handle).pressed_keys_.push_back(key);
     });

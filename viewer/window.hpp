@@ -14,7 +14,8 @@ namespace pelagic::viewer {
 
 class Window {
    public:
-    /// Throws gl::GlError: what is missing, in GLFW's words and ours.
+    /// Opens the window and makes its context current.
+    /// \throws gl::GlError with the missing component and GLFW's message
     Window(int width, int height, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -22,22 +23,25 @@ class Window {
 
     bool should_close() const;
     void close();
-    /// Takes input.
+    /// Processes input events.
     void poll();
-    /// Shows what was drawn.
+    /// Swaps the window's buffers.
     void swap();
-    /// Keys that went down during the last poll(), as GLFW numbers them; a short press between two slow frames too.
+    /// Returns the GLFW key codes of all key presses of the last poll(), including short presses
+    /// between two slow frames.
     const std::vector<int>& pressed_keys() const { return pressed_keys_; }
-    /// Pixels that the pointer moved to the right and down with the left button held, during the last poll().
+    /// Returns the pointer's movement to the right and down with the left button held, during the
+    /// last poll(), pixels.
     glm::dvec2 dragged_px() const { return drag_.moved_px(); }
 
-    /// In pixels; 0 while it is minimised.
+    /// Width of the framebuffer, pixels; 0 while the window is minimised.
     int width() const;
+    /// Height of the framebuffer, pixels; 0 while the window is minimised.
     int height() const;
 
     GLFWwindow* handle() const { return window_; }
     const gl::Functions& functions() const { return functions_; }
-    /// For functions that the front end does not call itself.
+    /// Returns the loader, for functions that gl::Functions does not contain.
     static gl::GetProcAddress get_proc_address();
 
    private:
