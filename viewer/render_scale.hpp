@@ -25,7 +25,7 @@ struct RenderStep {
 /// The hysteresis prevents oscillation. A step down needs a frame time above 1.15 times the goal. A
 /// step up needs a predicted frame time below 0.85 times the goal; the prediction assumes that the
 /// whole frame time is spent on pixels, which is the worst case. If a step costs more than its
-/// pixels, for example because of a finer mesh, it is tried and left again. It is then blocked for
+/// pixels, for example because of a finer mesh, it is tried and abandoned. It is then blocked for
 /// a time that doubles with each such attempt.
 ///
 /// The ladder first reduces the sides to one half. After that, simpler shading gives a better image
