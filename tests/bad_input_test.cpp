@@ -323,7 +323,7 @@ TEST(BadInput, HelpAndVersionAreNone) {
     const std::string help = run_pelagic({"export", "--help"}).out;
     EXPECT_EQ(run_pelagic({"help", "export"}).out, help);
     EXPECT_EQ(run_pelagic({"help"}).out, run_pelagic({"--help"}).out);
-    for (const char* part : {"--wind-speed", "m/s", "(0, 60]", "default 12", "power of two", "storm"})
+    for (const char* part : {"--wind-speed", "m/s", "(0, 60]", "(default: 12)", "power of two", "storm"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 

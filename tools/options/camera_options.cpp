@@ -11,8 +11,8 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double furthest_m = 1e7;
-constexpr glm::dvec3 usual_position_m{0, 8, 0}, usual_target_m{60, 0, 60};
-constexpr double usual_fov_deg = 60;
+constexpr glm::dvec3 default_position_m{0, 8, 0}, default_target_m{60, 0, 60};
+constexpr double default_fov_deg = 60;
 
 glm::dvec3 point(const std::string& option, const std::string& text) {
     const auto reject = [&] { return bad_value(option, text, "X,Y,Z in metres, each in [-1e7, 1e7]"); };
@@ -32,22 +32,23 @@ glm::dvec3 point(const std::string& option, const std::string& text) {
 void CameraFlags::add_to(CLI::App& app) {
     const auto text = [](glm::dvec3 p) { return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z); };
     app.add_option("--camera", camera_,
-                   "where it is seen from, X,Y,Z in metres, y up [" + text(usual_position_m) + "]")
+                   "camera position, X,Y,Z in metres, y up (default: " + text(default_position_m) + ")")
         ->type_name("X,Y,Z");
-    app.add_option("--target", target_, "what is looked at, X,Y,Z in metres [" + text(usual_target_m) + "]")
+    app.add_option("--target", target_,
+                   "point that the camera looks at, X,Y,Z in metres (default: " + text(default_target_m) + ")")
         ->type_name("X,Y,Z");
-    app.add_option("--fov", fov_, "vertical field of view, degrees, [1, 160] [" + number_text(usual_fov_deg) + "]")
+    app.add_option("--fov", fov_,
+                   "vertical field of view in degrees, [1, 160] (default: " + number_text(default_fov_deg) + ")")
         ->type_name("DEG");
 }
 
 Camera CameraFlags::resolve() const {
-    Camera camera{usual_position_m, usual_target_m, glm::radians(usual_fov_deg)};
+    Camera camera{default_position_m, default_target_m, glm::radians(default_fov_deg)};
     if (camera_) camera.position_m = point("--camera", *camera_);
     if (target_)
         camera.target_m = point("--target", *target_);
     else if (camera_)
-        camera.target_m =
-            camera.position_m + glm::dvec3(60, -8, 60);  // ahead and a little down, wherever the camera is
+        camera.target_m = camera.position_m + glm::dvec3(60, -8, 60);  // ahead and slightly down
     if (glm::length(camera.target_m - camera.position_m) < 1e-6)
         throw bad_value("--target", target_.value_or("the default"), "another place than --camera");
     if (fov_) camera.vertical_view_rad = glm::radians(number_in("--fov", *fov_, 1, 160, "[1, 160]"));

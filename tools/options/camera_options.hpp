@@ -1,4 +1,4 @@
-// --camera, --target and --fov: where an image or a selection is seen from.
+// The options --camera, --target and --fov.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,12 +9,13 @@
 
 namespace pelagic::tools {
 
-/// Declares and checks the three options.
+/// Declares and checks the camera options.
 class CameraFlags {
    public:
     void add_to(CLI::App& app);
-    Camera resolve() const;                                 ///< throws InputError
-    bool has_place() const { return camera_.has_value(); }  ///< --camera was given
+    /// \throws InputError  if a value is invalid
+    Camera resolve() const;
+    bool has_place() const { return camera_.has_value(); }  ///< true if --camera was given
 
    private:
     std::optional<std::string> camera_, target_, fov_;

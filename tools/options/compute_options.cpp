@@ -10,6 +10,8 @@
 namespace pelagic::tools {
 namespace {
 
+constexpr const char* group = "Computing (results are bit-identical for all values)";
+
 std::vector<std::string> names_of_isas_here() {
     std::vector<std::string> names;
     for (const Isa isa : isas_here()) names.emplace_back(name_of(isa));
@@ -19,13 +21,13 @@ std::vector<std::string> names_of_isas_here() {
 }  // namespace
 
 void ComputeFlags::add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "most threads to use; 0 to 1024, default 0: all cores")
+    app.add_option("--threads", threads_, "maximum number of threads; 0 to 1024, 0: one per core (default: 0)")
         ->type_name("NUMBER")
-        ->group("Computing (the same bits whatever you choose)");
+        ->group(group);
     const std::vector<std::string> isas = names_of_isas_here();
-    app.add_option("--isa", isa_, "instruction set: " + list_of(isas) + " here; default the strongest")
+    app.add_option("--isa", isa_, "instruction set: " + list_of(isas) + " on this CPU (default: the strongest)")
         ->type_name("NAME")
-        ->group("Computing (the same bits whatever you choose)");
+        ->group(group);
 }
 
 ComputeOptions ComputeFlags::resolve() const {
@@ -45,8 +47,8 @@ ComputeOptions ComputeFlags::resolve() const {
 }
 
 bool ComputeFlags::names_isa() const {
-    const char* const wish = std::getenv("PELAGIC_ISA");
-    return isa_ || (wish && *wish);
+    const char* const variable = std::getenv("PELAGIC_ISA");
+    return isa_ || (variable && *variable);
 }
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-// How a command computes, never what.
+// The options --threads and --isa, which do not affect results.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,7 +9,7 @@
 
 namespace pelagic::tools {
 
-/// --threads and --isa.
+/// Values of --threads and --isa.
 struct ComputeOptions {
     int threads = 0;
     std::optional<Isa> isa;
@@ -19,8 +19,10 @@ struct ComputeOptions {
 class ComputeFlags {
    public:
     void add_to(CLI::App& app);
-    ComputeOptions resolve() const;  ///< throws InputError
-    bool names_isa() const;          ///< here or by PELAGIC_ISA
+    /// \throws InputError  if a value is invalid
+    ComputeOptions resolve() const;
+    /// Returns true if --isa or the environment variable PELAGIC_ISA is set.
+    bool names_isa() const;
 
    private:
     std::optional<std::string> threads_, isa_;

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <sstream>
 
-// toml++ 3.3 takes for granted that a table's header goes on with a key, and "[ *" does not: it asserts, and where
-// assertions are off clang compiles the impossible. Such a text is malformed like any other.
+// toml++ 3.3 asserts that a key follows the opening bracket of a table header, which "[ *"
+// violates. Without assertions the behaviour is undefined. TOML_ASSERT is redefined, so that such a
+// text is reported as malformed.
 namespace pelagic::tools {
 struct NotToml {};
-constexpr void take_for_granted(bool is_so) {
-    if (!is_so) throw NotToml();
+constexpr void require_toml(bool condition) {
+    if (!condition) throw NotToml();
 }
 }  // namespace pelagic::tools
 #undef NDEBUG
-#define TOML_ASSERT(expr) ::pelagic::tools::take_for_granted(static_cast<bool>(expr))
+#define TOML_ASSERT(expr) ::pelagic::tools::require_toml(static_cast<bool>(expr))
 #include <toml++/toml.h>
 
 #include "pelagic/tools/files/input_file.hpp"
@@ -35,14 +36,16 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
     throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
 }
 
-/// The line up to its comment. A line with a quote is kept whole: there a # may stand in a text, and the text may have begun on
-/// an earlier line.
+/// Returns the line without its comment. A line with a quote is returned whole, because a # may be
+/// part of a string, and the string may have begun on an earlier line.
 std::string_view without_comment(std::string_view line) {
     return line.find_first_of("\"'") == std::string_view::npos ? line.substr(0, line.find('#')) : line;
 }
 
-/// toml++ recurses for each part of a dotted key, on the stack, and so it does where it frees the tables. It limits nested values
-/// itself, to 256 levels, each of which may add a dotted key: with these limits it uses less than 2 MiB of stack.
+/// Limits the length of lines and the dots in a line. toml++ recurses on the stack for each
+/// component of a dotted key, and when it frees tables. It limits nested values to 256 levels, each
+/// of which may add a dotted key. With the limits of this function it uses less than 2 MiB of
+/// stack.
 void require_few_levels(std::string_view text, const std::filesystem::path& file) {
     constexpr std::size_t max_bytes = std::size_t{1} << 20;
     constexpr std::size_t max_line = 4096;

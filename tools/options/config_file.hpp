@@ -1,5 +1,5 @@
-// A sea in a TOML file: one `key = value` a line, keys named as the flags with underscores for dashes. Or the sea of a
-// sea.json, which `pelagic export` wrote.
+// Reading of sea options from a TOML file or from the sea.json of `pelagic export`. A TOML file has
+// one `key = value` per line. Keys are the names of flags with underscores instead of dashes.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,33 @@
 
 namespace pelagic::tools {
 
-/// A key and its value as the command line would spell it, and where it stands.
+/// A key, its value as on the command line, and its position in the file.
 struct ConfigEntry {
     std::string key;
     std::string value;
     std::string place;  ///< "sea.toml:3"
-    bool quoted;        ///< a text in quotes, not a number
+    bool quoted;        ///< true for a quoted string, false for a number
 };
 
-/// The top-level keys of a text that came from `file`. Throws InputError, one line with file and line number, for
-/// malformed TOML, TOML of more than 1 MiB, 4096 bytes a line or 16 dots a line, duplicate keys, tables and arrays, and for a key that is not in `known` (it lists those).
+/// Returns the top-level keys of a TOML text.
+/// \param file   the file's name, for messages
+/// \param known  the accepted keys, which the message about an unknown key lists
+/// \throws InputError  on one line with file and line number, for malformed TOML, more than 1 MiB,
+/// more than
+///                     4096 bytes or 16 dots on a line, duplicate keys, tables, arrays and unknown keys
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 
-/// The sea of a sea.json or of `pelagic info --json`, as the same keys: "wind_speed_mps" becomes wind_speed. Numbers keep
-/// every digit, so the sea is the same bit for bit. Throws InputError as parse_config() does.
+/// Returns the sea of a sea.json or of the output of `pelagic info --json` with the keys of
+/// parse_config(): "wind_speed_mps" becomes wind_speed. Numbers keep all digits, so the sea is
+/// bit-identical.
+/// \throws InputError  as parse_config() does
 std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::filesystem::path& file,
                                           std::span<const std::string> known);
 
-/// A sea, and what it turns into one after the other: tables [[change]] of a TOML file, each with the keys `from` and `over`, in
-/// seconds, `swell_from` in metres where it has one, and those of what it changes.
+/// A sea and its sea-state transitions in order. Each transition is a table [[change]] of a TOML
+/// file with the keys `from` and `over` in seconds, optionally `swell_from` in metres, and the keys
+/// of the values that change.
 struct WeatherConfig {
     struct Change {
         std::string place;  ///< "weather.toml:3"
@@ -40,22 +47,26 @@ struct WeatherConfig {
     std::vector<Change> changes;
 };
 
-/// The keys of a change beside those of a sea.
+/// Returns the keys of a change that are not keys of a sea.
 std::vector<std::string> change_keys();
 
-/// Throws InputError as parse_config() does. \param known  keys of a sea
+/// Reads a sea and its transitions from a TOML text.
+/// \param known  the keys of a sea
+/// \throws InputError  as parse_config() does
 WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& file,
                             std::span<const std::string> known);
-/// The same of the sea.json of an export with weather.
+/// Reads a sea and its transitions from the sea.json of an export with --weather.
+/// \throws InputError  as parse_config() does
 WeatherConfig parse_weather_record(std::string_view text, const std::filesystem::path& file,
                                    std::span<const std::string> known);
-/// One of the two of a file, as read_config().
+/// Reads a file with parse_weather_record() if its text begins with {, else with parse_weather().
+/// \throws InputError  also if the file cannot be read or is larger than max_config_bytes
 WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known);
 
 inline constexpr std::size_t max_config_bytes = std::size_t{64} << 20;
 
-/// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read or is larger than
-/// max_config_bytes.
+/// Reads a file with parse_sea_record() if its text begins with {, else with parse_config().
+/// \throws InputError  also if the file cannot be read or is larger than max_config_bytes
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools

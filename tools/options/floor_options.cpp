@@ -19,24 +19,25 @@ namespace {
 
 constexpr const char* an_image = "a PNG or EXR image, each side from 2 to 4096 pixels";
 constexpr std::size_t max_bytes = std::size_t{256} << 20;
-constexpr double usual_size_m = 1000, usual_low_m = -20, usual_high_m = 10;
+constexpr double default_size_m = 1000, default_low_m = -20, default_high_m = 10;
 
 std::pair<double, double> two_numbers(const char* option, const std::string& text, double max, const char* accepted) {
-    const std::vector<std::string> parts = split_at_commas(text);
-    const auto first = parse_number(parts[0]), second = parse_number(parts.size() == 2 ? parts[1] : "");
+    const std::vector<std::string> numbers = split_at_commas(text);
+    const auto first = parse_number(numbers[0]), second = parse_number(numbers.size() == 2 ? numbers[1] : "");
     if (!first || !second || std::abs(*first) > max || std::abs(*second) > max)
         throw bad_value(option, text, accepted);
     return {*first, *second};
 }
 
-/// All channels are decoded for the sake of the first.
+/// Limits memory: all channels are decoded, but only the first is used.
 void require_few_channels(std::size_t channels) {
     constexpr std::size_t max = 4;
     if (channels > max)
         throw std::runtime_error("it has " + number_text(channels) + " channels, needs at most " + number_text(max));
 }
 
-/// The first channel: of a PNG from 0 for black to 1 for white, of an EXR what it holds.
+/// Returns the first channel of an image: 0 (black) to 1 (white) of a PNG, the stored values of an
+/// EXR.
 ShoreOptions read_heights(const std::string& file, const std::string& extension) {
     const std::string bytes = InputFile("--floor", file, an_image).read_all(max_bytes);
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -74,18 +75,20 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
 void FloorFlags::add_to(CLI::App& app) {
     app.add_option(
            "--floor", file_,
-           "heights of the sea's floor, an image: of a PNG the grey from --floor-heights' low (black) to high "
-           "(white), of an EXR metres above rest; default even, at --depth")
+           "image of the sea floor's heights; a PNG maps black to white to the range of --floor-heights, an EXR "
+           "holds metres above the undisplaced surface (default: a flat floor at --depth)")
         ->type_name("FILE.png|exr");
-    app.add_option("--floor-size", size_, "how wide the image is in the world, metres, [1, 1e6] [1000]")
+    app.add_option("--floor-size", size_, "width of the floor image in the world in metres, [1, 1e6] (default: 1000)")
         ->type_name("M");
-    app.add_option("--floor-middle", middle_, "where its middle is, X,Z in metres [0,0]")->type_name("X,Z");
-    app.add_option("--floor-heights", heights_, "of black and white, metres above rest [-20,10]")
+    app.add_option("--floor-middle", middle_, "centre of the floor image, X,Z in metres (default: 0,0)")
+        ->type_name("X,Z");
+    app.add_option("--floor-heights", heights_,
+                   "heights of black and white in metres above the undisplaced surface (default: -20,10)")
         ->type_name("LOW,HIGH");
     app.add_flag(
         "--shore", shore_,
-        "waves feel --floor's heights: they slow down, turn and break there, and land shelters what lies behind "
-        "it; takes a second or so before the first frame");
+        "apply shoaling, refraction, breaking and sheltering by the heights of --floor to the waves; adds about "
+        "one second before the first frame");
 }
 
 std::string FloorFlags::typed() const {
@@ -109,7 +112,8 @@ FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
     if (shore_ && !sea.changes.empty())
         throw InputError("--shore is given, needs a sea that never changes, without --weather");
     FloorOptions floor{.field = read_field(), .waves_feel_it = shore_};
-    // Of the field it has nothing to say any more; what is left are a sea's fields, named as their flags are.
+    // The field has been checked, so that check() can only report a field of the sea, named as its
+    // flag.
     if (shore_) {
         if (const std::string reason = check(*floor.field, sea.sea); !reason.empty()) throw InputError("--" + reason);
         if (const std::string warning = warning_about(*floor.field, sea.sea); !warning.empty())
@@ -123,13 +127,13 @@ ShoreOptions FloorFlags::read_field() const {
     if (!extension.empty()) extension.erase(0, 1);
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (extension != "png" && extension != "exr") throw bad_value("--floor", *file_, an_image);
-    const double size_m = size_ ? number_in("--floor-size", *size_, 1, 1e6, "metres in [1, 1e6]") : usual_size_m;
+    const double size_m = size_ ? number_in("--floor-size", *size_, 1, 1e6, "metres in [1, 1e6]") : default_size_m;
     const auto [x, z] = middle_ ? two_numbers("--floor-middle", *middle_, 1e7, "X,Z in metres, each in [-1e7, 1e7]")
                                 : std::pair{0.0, 0.0};
     const char* const two_heights = "LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000";
     if (heights_ && extension == "exr") throw bad_value("--floor-heights", *heights_, "a PNG: an EXR holds metres");
     const auto [low, high] = heights_ ? two_numbers("--floor-heights", *heights_, 11000, two_heights)
-                                      : std::pair{usual_low_m, usual_high_m};
+                                      : std::pair{default_low_m, default_high_m};
     if (!(low < high) || high > 9000) throw bad_value("--floor-heights", *heights_, two_heights);
 
     ShoreOptions field = read_heights(*file_, extension);

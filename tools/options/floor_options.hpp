@@ -1,4 +1,5 @@
-// --floor, what places it, and --shore: what lies below the sea, from an image, and whether waves feel it.
+// The options --floor, --floor-size, --floor-middle, --floor-heights and --shore: sea-floor heights
+// from an image, and their effect on waves.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,8 +12,8 @@
 namespace pelagic::tools {
 
 struct FloorOptions {
-    std::optional<ShoreOptions> field;  ///< none: even
-    bool waves_feel_it = false;         ///< only where there is a field
+    std::optional<ShoreOptions> field;  ///< unset: a flat floor
+    bool waves_feel_it = false;         ///< true for --shore; requires a field
 
     std::optional<ShoreOptions> shore() const { return waves_feel_it ? field : std::nullopt; }
 };
@@ -20,12 +21,16 @@ struct FloorOptions {
 class FloorFlags {
    public:
     void add_to(CLI::App& app);
-    /// Reads the image: a row is a line along x, the upper one has the least z. Throws InputError, one line that names option, value
-    /// and what is accepted, also where such a sea can have no shore.
+    /// Checks the options and reads the image. Rows of the image are along x; the upper row has the
+    /// lowest z.
+    /// \throws InputError  on one line with option, value and accepted values, also if this sea
+    /// cannot have a
+    ///                     shore
     FloorOptions resolve(const ResolvedSea& sea) const;
     bool has_floor() const { return file_.has_value(); }
     bool has_shore() const { return shore_; }
-    /// As it was typed, " --floor FILE ..."; empty without a floor.
+    /// Returns the options as given on the command line, " --floor FILE ..."; empty without a
+    /// floor.
     std::string typed() const;
 
    private:

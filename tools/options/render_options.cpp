@@ -12,7 +12,7 @@ namespace {
 
 constexpr int max_frames = 100'000;
 
-/// Empty if the option was not given. \param extension  ".png" or ".exr"
+/// Returns an empty path if the option is not set. \param extension  ".png" or ".exr"
 std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
                                    const std::string& extension) {
     if (!text) return {};
@@ -31,9 +31,9 @@ std::filesystem::path checked_file(const std::string& option, const std::optiona
 glm::dvec2 rock_place(const std::string& option, const std::string& text) {
     constexpr double furthest_m = 1e4;
     const auto reject = [&] { return bad_value(option, text, "X,Z in metres, each in [-10000, 10000]"); };
-    const std::vector<std::string> parts = split_at_commas(text);
-    if (parts.size() != 2) throw reject();
-    const auto x = parse_number(parts[0]), z = parse_number(parts[1]);
+    const std::vector<std::string> numbers = split_at_commas(text);
+    if (numbers.size() != 2) throw reject();
+    const auto x = parse_number(numbers[0]), z = parse_number(numbers[1]);
     if (!x || !z || std::abs(*x) > furthest_m || std::abs(*z) > furthest_m) throw reject();
     return {*x, *z};
 }
@@ -51,19 +51,19 @@ void RenderFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
-    add("out", "FILE.png", "the image; with --frames FILE_0000.png and so on");
+    add("out", "FILE.png", "write the image; with --frames, FILE_0000.png and so on");
     add("hdr", "FILE.exr",
-        "the image's radiance, linear, 32-bit floats; the sun above the air gives an irradiance of 1");
-    add("sky", "FILE.exr", "the sky around, 2048x1024, as an environment map without the sun's disc");
-    add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
-    add("frames", "NUMBER", "how many images; 1 to 100000, default 1");
-    add("fps", "NUMBER", "images a second; (0, 1000], default 24");
+        "write the image's linear radiance as 32-bit floats; the sun's irradiance above the atmosphere is 1");
+    add("sky", "FILE.exr", "write the sky as an environment map of 2048x1024 pixels, without the sun's disc");
+    add("time", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0)");
+    add("frames", "NUMBER", "number of images; 1 to 100000 (default: 1)");
+    add("fps", "NUMBER", "images per second; (0, 1000] (default: 24)");
     add("rock", "X,Z",
-        "a rock, about 12 m wide and 6 m high, stands in the sea there and is mirrored; metres, each in [-10000, "
-        "10000]");
-    app.add_flag("--wireframe", wireframe_, "the mesh, a colour for each level of detail");
-    app.add_flag("--stereo", stereo_, "both eyes beside one another");
-    app.add_flag("--json", json_, "draw calls, triangles, bytes and times, for programs");
+        "place a rock, about 12 m wide and 6 m high, and its reflection at this position; metres, each in "
+        "[-10000, 10000]");
+    app.add_flag("--wireframe", wireframe_, "draw the mesh as wireframe, with one colour per level of detail");
+    app.add_flag("--stereo", stereo_, "draw the images of both eyes side by side");
+    app.add_flag("--json", json_, "print draw calls, triangles, bytes and times as JSON");
     events_.add_to(app);
     scene_.add_to(app);
 }

@@ -29,8 +29,8 @@ void read_size(SceneOptions& options, const std::string& text) {
 }
 
 void read_direction(const std::string& option, const std::string& text, float& azimuth_rad, float& elevation_rad) {
-    const std::vector<std::string> parts = split_at_commas(text);
-    const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
+    const std::vector<std::string> angles = split_at_commas(text);
+    const auto azimuth = parse_number(angles[0]), elevation = parse_number(angles.size() == 2 ? angles[1] : "");
     if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
         throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
     azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
@@ -59,8 +59,9 @@ void choose_quality(SceneOptions& options, const std::string& name) {
         throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
     }
     options.quality = name;
-    // From high up one sees far: waves end at 5/16 of the square's side.
-    // Small water is looked at from near, and its waves are short: a small square has vertices for them.
+    // A high camera sees far and needs a large square, because waves fade out at 5/16 of its side.
+    // Small water bodies are seen from near and have short waves, which need the finer vertices of
+    // a small square.
     const double size_m = options.surface != gl::Surface::open ? 512
                           : options.camera.position_m.y > 100  ? 8192
                                                                : 4096;
@@ -88,7 +89,7 @@ const gl::LightPreset& light_named(const std::string& option, const std::string&
     throw bad_value(option, name, list_of(names) + nearest_hint(name, names));
 }
 
-/// As typed; without a place, above the highest crests.
+/// Returns the camera of the options. Without --camera it is above the highest crests.
 Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     Camera camera = flags.resolve();
     if (!flags.has_place())
@@ -96,8 +97,8 @@ Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     return camera;
 }
 
-/// The stronger the wind, the more clouds and spray: a fair day at 3 m/s, a ragged sky in a gale.
-gl::SkyOptions usual_sky(const SeaState& sea) {
+/// Returns a sky whose cloud cover increases and whose visibility decreases with the wind speed.
+gl::SkyOptions default_sky(const SeaState& sea) {
     const double wind = sea.wind_speed_mps;
     return {.sun_azimuth_rad = static_cast<float>(80 * radians_per_degree),
             .sun_elevation_rad = static_cast<float>(32 * radians_per_degree),
@@ -111,34 +112,39 @@ void SceneFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
-    add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
+    add("size", "WxH", "image size in pixels, each side from 16 to 8192 (default: 1280x720)");
     camera_.add_to(app);
-    std::string lights = "sky and exposure by name; --sun, --moon, --clouds, --visibility and --exposure-bias win:";
+    std::string lights =
+        "preset of sky and exposure; --sun, --moon, --clouds, --visibility and --exposure-bias override it:";
     for (const gl::LightPreset& light : gl::light_presets())
         lights += (&light == &gl::light_presets().front() ? " " : "; ") + std::string(light.name) + " (" +
                   std::string(light.meaning) + ")";
     add("light", "NAME", lights);
-    add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
+    add("sun", "AZIMUTH,ELEVATION",
+        "direction of the sun in degrees: azimuth from +x towards +z, elevation above the horizon in [-90, 90] "
+        "(default: 80,32)");
     add("moon", "AZIMUTH,ELEVATION",
-        "as --sun; it shines by night, its phase follows; default opposite the sun, full");
-    add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
-    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
-    add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+        "direction of the moon, as --sun; it lights the night, and its phase follows from both directions "
+        "(default: opposite the sun, full)");
+    add("clouds", "FRACTION", "cloud cover of the sky; [0, 1] (default: depends on the wind)");
+    add("water", "TYPE",
+        "Jerlov water type: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts (default: II)");
+    add("chlorophyll", "MG_PER_M3", "chlorophyll concentration in mg/m^3, instead of --water; [0.01, 30]");
     add("shading", "TIER",
-        "what a pixel of water may cost: headset, medium or high; default high, in a window by the frame time");
-    add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
-    add("surface", "NAME",
-        "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");
+        "shading quality of the water: headset, medium or high (default: high; in a window, adapted to the frame "
+        "time)");
+    add("visibility", "METRES",
+        "distance at which haze reduces contrast to 2 %; [500, 300000] (default: depends on the wind)");
+    add("surface", "NAME", "water surface: open, lake, coast, river or pond (default: open)");
     add("flow", "FILE.png",
-        "velocities of a river in red (x) and green (z), 128 is none; square, 160 m wide, 255 is 1.5 m/s; "
-        "default a winding channel");
-    add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+        "square flow map of a river, 160 m wide: red is the velocity along x, green along z; 128 is 0, 255 is "
+        "1.5 m/s (default: a winding channel)");
+    add("quality", "NAME", "level of detail: low, medium, high or ultra (default: high)");
     add("exposure", "EV",
-        "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
-        "metered on "
-        "what is in view");
-    add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
-    add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
+        "exposure value at ISO 100, [-10, 20], or auto, which meters the view; 15 is sunlight, 12 an overcast day, "
+        "-3 moonlight (default: auto)");
+    add("exposure-bias", "STOPS", "exposure compensation; positive is brighter; [-5, 5] (default: 0)");
+    add("bloom", "FRACTION", "fraction of a pixel's light that the lens scatters around it; [0, 1] (default: 0.04)");
     floor_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
@@ -159,7 +165,7 @@ void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
         settings.bias_stops = static_cast<float>(number_in(option, text, -max, max, "stops in [-5, 5]"));
     });
     given("bloom", [&](const auto& option, const auto& text) {
-        settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+        settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a fraction in [0, 1]"));
     });
 }
 
@@ -168,7 +174,7 @@ SceneOptions SceneFlags::resolve() const {
     options.sea = sea_.resolve();
     options.compute = compute_.resolve();
     options.camera = chosen_camera(camera_, options.sea.sea);
-    options.sky = usual_sky(options.sea.sea);
+    options.sky = default_sky(options.sea.sea);
     const FloorOptions floor = floor_.resolve(options.sea);
     if (floor.field) options.floor = gl::floor_of(*floor.field);
     options.shore = floor.shore();
@@ -191,7 +197,7 @@ SceneOptions SceneFlags::resolve() const {
         options.sky.places_moon = true;
     });
     given("clouds", [&](const auto& option, const auto& text) {
-        options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+        options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a fraction in [0, 1]"));
     });
     given("shading", [&](const auto& option, const auto& text) {
         const std::optional<gl::Shading> shading = gl::shading_named(text);

@@ -1,4 +1,4 @@
-// What `pelagic render` and `pelagic view` share: the sea, who looks at it, the sky, the level of detail.
+// Options that `pelagic render` and `pelagic view` share: sea, camera, sky and level of detail.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -26,13 +26,13 @@ struct SceneOptions {
     ComputeOptions compute;
     int width = 1280, height = 720;
     Camera camera;
-    std::string light;  ///< by which the sky was chosen; empty: by the wind
+    std::string light;  ///< name of the light preset; empty: the sky depends on the wind
     gl::SkyOptions sky;
     gl::WaterOptics water;
-    std::optional<gl::Shading> shading;  ///< none: high, or as a window's frame time allows
+    std::optional<gl::Shading> shading;  ///< unset: high, or adapted to a window's frame time
     gl::CameraSettings settings;
     gl::SeaFloor floor;
-    std::optional<ShoreOptions> shore;  ///< the floor's heights, where waves feel them
+    std::optional<ShoreOptions> shore;  ///< the floor's heights with --shore
     gl::Surface surface = gl::Surface::open;
     std::optional<gl::FlowMap> flow;
     std::string quality;
@@ -42,9 +42,10 @@ struct SceneOptions {
 class SceneFlags {
    public:
     void add_to(CLI::App& app);
-    /// Throws InputError, one line that names option, value and range.
+    /// Checks the options.
+    /// \throws InputError  on one line with option, value and range
     SceneOptions resolve() const;
-    /// The floor's options as they were typed, for a command line that draws the same.
+    /// Returns the floor's options as given on the command line, to print an equivalent command.
     std::string typed_floor() const { return floor_.typed(); }
 
    private:
@@ -54,7 +55,7 @@ class SceneFlags {
     ComputeFlags compute_;
     CameraFlags camera_;
     FloorFlags floor_;
-    std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
+    std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
 };
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-// The options of a sea that are angles, apart from the command line: whoever reads or writes files needs them too.
+// Sea options that are angles. Code that reads or writes files uses them without the command line.
 #include <algorithm>
 #include <array>
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
-/// A numeric flag and the field of SeaState behind it.
+/// A numeric flag and its field of SeaState.
 struct SeaFlag {
     std::string_view flag;
     std::string_view field;
@@ -24,35 +24,35 @@ struct SeaFlag {
 };
 
 constexpr std::array sea_flags = {
-    SeaFlag{"cascades", "cascades", "cascades, each with a band of the waves, their sides chosen from the sea"},
+    SeaFlag{"cascades", "cascades", "number of cascades, each a band of wavelengths; their sides depend on the sea"},
     SeaFlag{"resolution", "resolution", "texels along a side of a cascade"},
-    SeaFlag{"patch-size", "patch_size_m", "one cascade, of this side in metres, after which the sea repeats"},
-    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
+    SeaFlag{"patch-size", "patch_size_m", "use one cascade with this side in metres; the sea repeats after it"},
+    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind speed 10 m above the sea"},
     SeaFlag{"wind-direction", "wind_direction_rad",
-            "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
-    SeaFlag{"fetch", "fetch_m",
-            "how far the wind has blown over water, in metres (jonswap); more than 17,000 U^2 / g adds nothing"},
-    SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
-    SeaFlag{"choppiness", "choppiness", "horizontal motion that sharpens crests"},
-    SeaFlag{"roughness", "roughness",
-            "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
+            "direction towards which the wind blows, from +x (east) towards +z (south; north is -z)"},
+    SeaFlag{"fetch", "fetch_m", "fetch in metres (jonswap); more than 17,000 U^2 / g has no further effect"},
+    SeaFlag{"depth", "depth_m", "water depth in metres; waves higher than 0.6 of it break"},
+    SeaFlag{"choppiness", "choppiness", "scale of the horizontal displacement, which sharpens crests"},
+    SeaFlag{
+        "roughness", "roughness",
+        "roughness of unresolved waves; wind: slope variance of a sea at this wind that the grid does not resolve"},
     SeaFlag{"short-wave-cutoff", "short_wave_cutoff",
-            "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
+            "damping of short waves; 1 removes waves shorter than a quarter of the peak wavelength"},
     SeaFlag{"wind-alignment", "wind_alignment",
-            "of the waves with the wind (spreading paper): with 0 a third of the energy runs against it, with 1 a "
-            "hundredth"},
-    SeaFlag{"swell-height", "swell_height_m", "significant height of waves from elsewhere, in metres; 0: none"},
-    SeaFlag{"swell-period", "swell_period_s", "peak period of the swell, in seconds"},
-    SeaFlag{"swell-direction", "swell_direction_rad", "where the swell runs towards, as --wind-direction"},
+            "alignment of the waves with the wind (spreading paper); a third of the energy runs against the wind at "
+            "0, a hundredth at 1"},
+    SeaFlag{"swell-height", "swell_height_m", "significant wave height of the swell in metres; 0: no swell"},
+    SeaFlag{"swell-period", "swell_period_s", "peak period of the swell in seconds"},
+    SeaFlag{"swell-direction", "swell_direction_rad", "direction towards which the swell runs, as --wind-direction"},
     SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
-    SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
-    SeaFlag{"seed", "seed", "which sea of this kind"},
-    SeaFlag{"wave-count", "wave_count", "waves of an analytic sea, octaves of a pond (waves analytic, pond)"},
-    SeaFlag{"longest-wave", "longest_wave_m", "their longest, in metres"},
-    SeaFlag{"shortest-wave", "shortest_wave_m", "their shortest, in metres"},
-    SeaFlag{"wave-strength", "wave_strength", "of an analytic sea: 0 calm, 1 moderate, 2 intense"},
-    SeaFlag{"wave-height", "wave_height_m", "their significant height, in metres"},
-    SeaFlag{"wave-drag", "wave_drag", "how far a pond's long waves move its short ones"},
+    SeaFlag{"loop-period", "loop_period_s", "time in seconds after which the sea repeats exactly"},
+    SeaFlag{"seed", "seed", "seed of the random phases and amplitudes"},
+    SeaFlag{"wave-count", "wave_count", "number of analytic waves, or octaves of pond waves"},
+    SeaFlag{"longest-wave", "longest_wave_m", "longest wavelength of analytic or pond waves in metres"},
+    SeaFlag{"shortest-wave", "shortest_wave_m", "shortest wavelength of analytic or pond waves in metres"},
+    SeaFlag{"wave-strength", "wave_strength", "strength of analytic waves: 0 calm, 1 moderate, 2 intense"},
+    SeaFlag{"wave-height", "wave_height_m", "significant wave height of analytic or pond waves in metres"},
+    SeaFlag{"wave-drag", "wave_drag", "displacement of a pond's short waves by its long waves"},
 };
 
 const SeaStateField& field_of(const SeaFlag& flag) {
@@ -73,10 +73,10 @@ std::string accepted_by(const SeaFlag& flag) {
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
-/// A text in a config file, "20kn" or "from-NW", may stand for a number.
+/// Returns true if a config file may contain a string for this flag, such as "20kn" or "from-NW".
 bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
 
-/// In the flag's unit, which for an angle is degrees.
+/// Parses a value in the flag's unit; the unit of angles is degrees.
 std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
     if (is_speed(flag)) return parse_speed_mps(text);
     if (is_roughness(flag) && text == "wind") return -1;
@@ -89,13 +89,13 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 
 std::string default_of(const SeaFlag& flag) {
     if (is_roughness(flag)) return "wind";
-    if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
-    if (flag.field == "resolution") return "128, of one cascade with --patch-size 256";
+    if (flag.field == "cascades") return number_text(default_cascades) + "; 1 with --patch-size";
+    if (flag.field == "resolution") return "128; 256 with --patch-size";
     if (flag.field == "patch_size_m") return "several cascades";
-    if (flag.field == "wave_count") return "16, of a pond 24";
-    if (flag.field == "longest_wave_m") return "120, of a pond 1.2";
-    if (flag.field == "shortest_wave_m") return "a sixtieth of the longest, of a pond a 45th";
-    if (flag.field == "wave_height_m") return "what the strength makes, of a pond 0.017 of its longest wave";
+    if (flag.field == "wave_count") return "16; pond: 24";
+    if (flag.field == "longest_wave_m") return "120; pond: 1.2";
+    if (flag.field == "shortest_wave_m") return "1/60 of the longest; pond: 1/45";
+    if (flag.field == "wave_height_m") return "depends on --wave-strength; pond: 0.017 of the longest wave";
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -126,12 +126,12 @@ std::vector<std::string> names_of_spreadings() {
 
 bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
 
-/// A line for each preset but those of Beaufort's forces, which share one: thirteen of them would bury the others.
+/// Returns one line per preset. The thirteen presets of Beaufort forces share one line.
 std::string help_of_presets() {
-    std::string help = "a sea by name:";
+    std::string help = "sea preset:";
     for (const SeaPreset& preset : sea_presets())
         if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
-    return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
+    return help + "\nbeaufort-0 to beaufort-12: open sea of this Beaufort force, Hs 0 to 14 m";
 }
 
 [[noreturn]] void reject_name(const std::string& option, const std::string& value,
@@ -139,7 +139,8 @@ std::string help_of_presets() {
     throw bad_value(option, value, list_of(names) + nearest_hint(value, names));
 }
 
-/// As they would be typed, if those are the same radians: 30, not 29.999999999999996.
+/// Returns degrees rounded to 1e-6 if they convert to exactly these radians: 30, not
+/// 29.999999999999996.
 double degrees_of(double radians) {
     const double degrees = radians / radians_per_degree, typed = std::round(1e6 * degrees) / 1e6;
     return typed * radians_per_degree == radians ? typed : degrees;
@@ -148,8 +149,8 @@ double degrees_of(double radians) {
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& option) {
     if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
-        for (const SeaAngle& angle :
-             sea_angles())  // a degree that a preset leaves as it is by default keeps its digits
+        // An angle that the preset does not change keeps the digits of its default.
+        for (const SeaAngle& angle : sea_angles())
             if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
                 resolved.*angle.degrees = degrees_of(preset->sea.*angle.radians);
         resolved.sea = preset->sea;
@@ -181,7 +182,7 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
     if (angle) resolved.*angle->degrees = *number;
 }
 
-/// One option other than the preset, by its flag's name.
+/// Applies one option other than the preset. \param name  name of the flag
 void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option) {
     if (name == "waves") {
         const auto waves = wave_model_named(text);
@@ -205,7 +206,7 @@ void apply(ResolvedSea& resolved, std::string_view name, const std::string& text
         if (flag.flag == name) apply_number(resolved, flag, text, option);
 }
 
-/// Names of the flags that a config file may hold, the preset first.
+/// Returns the names of the flags that a config file may contain, the preset first.
 std::vector<std::string> configurable_flags() {
     std::vector<std::string> flags = {"preset", "waves", "spectrum", "spreading"};
     for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
@@ -218,7 +219,7 @@ std::vector<std::string> config_keys() {
     return keys;
 }
 
-/// All keys but the preset, in the order of flags.
+/// Applies all keys but the preset, in the order of flags.
 void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config) {
     for (const std::string& flag : configurable_flags())
         for (const ConfigEntry& entry : config) {
@@ -232,14 +233,15 @@ void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config)
         }
 }
 
-/// What is chosen is written down, so that a file says it to whoever chooses otherwise.
-void write_down_choices(SeaState& sea) {
+/// Stores the default cascades and resolution explicitly, so that files do not depend on the
+/// defaults of a version.
+void store_defaults(SeaState& sea) {
     const int cascades = cascades_of(sea), resolution = resolution_of(sea);
     sea.cascades = cascades;
     sea.resolution = resolution;
 }
 
-/// What a forecast fixes and a preset does not say is as the first sea has it.
+/// Copies options that a forecast cannot change from the first sea, unless a preset sets them.
 void keep_cascades(SeaState& sea, const SeaState& first) {
     const SeaState defaults;
     const auto keep = [&](auto member) {
@@ -254,7 +256,7 @@ void keep_cascades(SeaState& sea, const SeaState& first) {
 }
 
 constexpr double max_time_s = 1e9;
-/// Cascades are laid out for all of its seas: some milliseconds each before the first frame.
+/// Cascades are planned for all seas of a forecast, some milliseconds each before the first frame.
 constexpr std::size_t max_changes = 1000;
 constexpr double max_swell_from_m = 2e7;
 
@@ -266,20 +268,24 @@ void SeaOptions::add_to(CLI::App& app) {
         app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
     };
     add("preset", "NAME", help_of_presets());
+    const auto with_default = [](const std::string& text, std::string_view value) {
+        return text + " (default: " + std::string(value) + ")";
+    };
     add("config", "FILE",
-        "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
-        "win");
+        "read sea options from a TOML file, whose keys are the names of these flags with underscores, or from a "
+        "sea.json of export; flags override the file");
     add("waves", "NAME",
-        list_of(names_of_waves()) +
-            ": a wind's, up to 64 waves that morph between a calm and a storm, or a pond's; default " +
-            std::string(name_of(SeaState{}.waves)));
-    add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
+        with_default("wave model: " + list_of(names_of_waves()) +
+                         "; a wind-wave spectrum, up to 64 analytic waves between calm and storm, or pond waves",
+                     name_of(SeaState{}.waves)));
+    add("spectrum", "NAME",
+        with_default("wave spectrum: " + list_of(names_of_spectra()), name_of(SeaState{}.spectrum)));
     add("spreading", "NAME",
-        "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +
-            std::string(name_of(SeaState{}.spreading)));
+        with_default("directional spreading of the waves: " + list_of(names_of_spreadings()),
+                     name_of(SeaState{}.spreading)));
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
-            std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
+            with_default(std::string(flag.help) + "; " + accepted_by(flag), default_of(flag)));
 }
 
 bool SeaOptions::is_given() const {
@@ -289,9 +295,9 @@ bool SeaOptions::is_given() const {
 void SeaOptions::add_weather_to(CLI::App& app) {
     app.add_option(
            "--weather", typed_["weather"],
-           "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
-           "and over in seconds, swell_from in metres where a swell comes from afar, and what it changes, such "
-           "as preset; or a sea.json of an export with weather")
+           "read a sea and its transitions from a TOML file as for --config, with a table [[change]] for each "
+           "transition: keys from and over in seconds, swell_from in metres for a swell from a distance, and "
+           "the options that change, such as preset; or from a sea.json of an export with --weather")
         ->type_name("FILE")
         ->group("Sea");
 }
@@ -315,7 +321,8 @@ ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::
     return sea;
 }
 
-/// A change goes on from the sea before it, or from a preset, on the cascades of the first.
+/// Adds transitions. Each starts from the sea before it or from a preset, and keeps the first sea's
+/// cascades.
 void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
     if (weather.changes.size() > max_changes)
         throw bad_value(file.string(), "a forecast of " + number_text(weather.changes.size()) + " changes",
@@ -352,7 +359,7 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         change.from_s = *from_s;
         change.over_s = *over_s;
         apply_config(change.sea, of_sea);
-        write_down_choices(change.sea.sea);
+        store_defaults(change.sea.sea);
         first.changes.push_back(std::move(change));
     }
     if (first.changes.empty()) return;
@@ -376,9 +383,9 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) con
     apply_config(resolved, config);
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
-    // Each option has been looked at alone.
+    // Checks combinations; each option has been checked individually.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
-    write_down_choices(resolved.sea);
+    store_defaults(resolved.sea);
     return resolved;
 }
 

@@ -1,4 +1,5 @@
-// [sea] of the command line: presets, a config file and flags, in this order of precedence, become a SeaState.
+// The sea options of the command line. Presets, a config file and flags, in increasing precedence,
+// define a SeaState.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -16,24 +17,27 @@
 
 namespace pelagic::tools {
 
-/// A sea as resolved; angles are kept in degrees as typed, so that files show the same number.
 struct ResolvedChange;
+/// A sea with all options applied. Angles are also stored in degrees as given, so that files show
+/// equal numbers.
 struct ResolvedSea {
     SeaState sea;
     double wind_direction_deg = 0;
     double swell_direction_deg = 0;
     double swell_spread_deg = 15;
-    std::string preset;                   ///< empty if none was named
-    bool has_loop_period = false;         ///< a flag or a file gave one
-    std::vector<ResolvedChange> changes;  ///< of --weather
+    std::string preset;                   ///< name of the preset; empty without one
+    bool has_loop_period = false;         ///< true if a flag or a file sets the loop period
+    std::vector<ResolvedChange> changes;  ///< sea-state transitions of --weather
 };
 
-/// What it turns into, from when, and how long that takes.
+/// One sea-state transition.
 struct ResolvedChange {
-    ResolvedSea sea;
+    ResolvedSea sea;  ///< the sea after the transition
+    /// Start in seconds, duration in seconds, distance of the swell's origin in metres (0: none).
     double from_s = 0, over_s = 0, swell_from_m = 0;
 };
 
+/// Returns the forecast of the sea and its transitions.
 inline Forecast forecast_of(const ResolvedSea& sea) {
     Forecast forecast{.first = sea.sea};
     for (const ResolvedChange& change : sea.changes)
@@ -44,7 +48,7 @@ inline Forecast forecast_of(const ResolvedSea& sea) {
     return forecast;
 }
 
-/// An option that is radians in a SeaState, and degrees on the command line and in files.
+/// An angle, in radians in a SeaState and in degrees on the command line and in files.
 struct SeaAngle {
     std::string_view field;    ///< "wind_direction_rad"
     std::string_view in_file;  ///< "wind_direction_deg"
@@ -52,24 +56,28 @@ struct SeaAngle {
     double ResolvedSea::*degrees;
 };
 std::span<const SeaAngle> sea_angles();
-/// Null for what is no angle. \param field  of sea_state_fields()
+/// Returns null if the field is not an angle. \param field  a name of sea_state_fields()
 const SeaAngle* sea_angle(std::string_view field);
 
 class SeaOptions {
    public:
-    /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric field, with units, ranges and defaults.
+    /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric
+    /// field, with units, ranges and defaults.
     void add_to(CLI::App& app);
 
-    /// And --weather, for a command whose frames have times.
+    /// Declares --weather, for commands with times of frames.
     void add_weather_to(CLI::App& app);
 
-    /// Defaults < preset < config file < flags. Throws InputError, one line that names option, value and range.
+    /// Applies the options in increasing precedence: defaults, preset, config file, flags.
+    /// \throws InputError  on one line with option, value and range
     ResolvedSea resolve() const;
 
-    /// True if any of them was typed.
+    /// Returns true if any of the options is on the command line.
     bool is_given() const;
 
-    /// The sea of a sea.json's text, and its weather, which came from `file`. Throws InputError likewise.
+    /// Returns the sea and the transitions of a sea.json.
+    /// \param file  the file's name, for messages
+    /// \throws InputError  as resolve() does
     static ResolvedSea of_record(std::string_view text, const std::filesystem::path& file);
 
    private:
@@ -77,7 +85,7 @@ class SeaOptions {
     static void add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file);
     std::optional<std::string> typed(const std::string& flag) const;
 
-    std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
+    std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
 };
 
 }  // namespace pelagic::tools

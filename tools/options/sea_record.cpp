@@ -1,4 +1,4 @@
-// A sea.json read back as a config file, see config_file.hpp.
+// Reading of a sea.json as a config file, see config_file.hpp.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +24,7 @@ Json parse(std::string_view text, const std::filesystem::path& file) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw InputError(file.string() + ":" + number_text(1 + std::count(text.begin(), end, '\n')) +
                          ": malformed JSON, needs a sea.json of pelagic export");
-    } catch (const Json::exception&) {  // such as a number beyond every double
+    } catch (const Json::exception&) {  // for instance a number that exceeds the range of double
         throw InputError(file.string() + ": malformed JSON, needs a sea.json of pelagic export");
     }
 }

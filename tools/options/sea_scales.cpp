@@ -10,13 +10,13 @@ namespace {
 constexpr std::array<std::string_view, 13> force_names = {
     "calm",      "light air", "light breeze", "gentle breeze", "moderate breeze", "fresh breeze", "strong breeze",
     "near gale", "gale",      "strong gale",  "storm",         "violent storm",   "hurricane"};
-/// Least tenths of m/s of the forces from 1 on.
+/// Minimum wind speeds of the forces from 1 on, in tenths of m/s.
 constexpr std::array<int, 12> force_tenths = {3, 16, 34, 55, 80, 108, 139, 172, 208, 245, 285, 327};
 
 constexpr std::array<std::string_view, 10> sea_names = {"calm (glassy)", "calm (rippled)", "smooth",     "slight",
                                                         "moderate",      "rough",          "very rough", "high",
                                                         "very high",     "phenomenal"};
-/// Greatest heights of the states below the last one.
+/// Maximum heights of all states but the last.
 constexpr std::array<double, 9> sea_heights_m = {0.005, 0.1, 0.5, 1.25, 2.5, 4, 6, 9, 14};
 
 }  // namespace
