@@ -9,20 +9,23 @@
 namespace pelagic {
 namespace {
 
-// Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
+// Smaller amplitudes, in metres, become 0. They are invisible, but denormal floats slow every
+// transform.
 constexpr double min_amplitude_m = 1e-20;
 
-// In steps of the grid. Within half a diagonal of its middle lies all of a cell.
+// Half the diagonal of a cell, in grid steps.
 constexpr double half_diagonal = 0.7071067811865476;
 
-// A spectrum falls as k^-4, which the middle of a cell m steps away tells within 0.7 / m^2 of the cell's mean.
+// A spectrum falls as k^-4. At the centre of a cell m steps from k = 0, it is within 0.7 / m^2 of
+// the cell's mean.
 constexpr double steps_of_wide_cells = 16;
 constexpr int points_of_wide_cell = 4;
 
-// As many as tell a cut cell's share within a hundredth; a band's end cuts dozens of them, whose errors cancel.
+// Points per axis that give the covered fraction of a cut cell within 0.01. A band edge cuts dozens
+// of cells, whose errors cancel.
 constexpr int points_of_cut_cell = 8;
 
-// The model has no energy at k = 0, and no direction.
+// The model has no energy and no direction at k = 0. In grid steps.
 constexpr double min_steps = 1e-3;
 
 bool stands_before(const GridWave& a, const GridWave& b) {
@@ -46,7 +49,7 @@ CascadeWaves::MirroredVariances CascadeWaves::variances(int m, int n) const {
     return cascade_.is_banded() ? cell_variances(m, n) : point_variances(m, n);
 }
 
-/// What the cells of two wave vectors would hold if the spectrum were everywhere in them as at these places.
+/// Returns the variances of the cells if the spectrum were constant in each cell.
 CascadeWaves::MirroredVariances CascadeWaves::point_variances(double m, double n) const {
     const double spacing = cascade_.spacing();
     const double along = m * spacing, across = n * spacing;
@@ -56,8 +59,8 @@ CascadeWaves::MirroredVariances CascadeWaves::point_variances(double m, double n
             spectrum_->amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
 }
 
-/// The means over that part of the cells which is in the band, from points in rows of as many as it takes: where an end of the
-/// band cuts the cell, and where the spectrum changes much from one side of it to the other.
+/// Returns the variances of the cells within the band, from the mean over sample points. Several
+/// points are used if a band edge cuts the cell, or if the spectrum varies strongly within it.
 CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const {
     const double steps = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
     const double min = cascade_.min_k / cascade_.spacing(), max = cascade_.max_k / cascade_.spacing();
@@ -101,7 +104,7 @@ double CascadeWaves::drawn_square(double variance, int m, int n) const {
     return 0.5 * variance * gaussian_pair_square(seed_, cascade_.number, m, n);
 }
 
-/// The sum of those at a place.
+/// Returns the sum of the listed waves at a grid index.
 Wave CascadeWaves::listed(int m, int n) const {
     const GridWave wanted{.at = {m, n}, .amplitude_m = 0, .phase_turns = 0};
     Wave wave;
@@ -113,7 +116,7 @@ Wave CascadeWaves::listed(int m, int n) const {
 }
 
 Wave CascadeWaves::drawn(double variance, int m, int n) const {
-    // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
+    // Real and imaginary part of the draw have variance 1, so each gets half of E|h0|^2.
     const double scale = std::sqrt(0.5 * variance);
     if (scale < min_amplitude_m) return {};
     const GaussianPair draw = gaussian_pair(seed_, cascade_.number, m, n);

@@ -1,5 +1,5 @@
-// The waves of one cascade: how much each holds in the mean, and which this seed drew. An analytic sea's stand in a list: no
-// seed draws them, so that all hold just their mean.
+// The waves of one cascade: their expected energies and their random amplitudes for a seed. The
+// waves of an analytic sea are listed, not random, so their amplitudes equal the expected values.
 #pragma once
 
 #include <complex>
@@ -20,7 +20,7 @@ struct Wave {
     double variance = 0;             ///< E|h0|^2, m^2
 };
 
-/// Of k and of -k.
+/// The waves of k and -k.
 struct OppositeWaves {
     Wave along, against;
 
@@ -28,42 +28,47 @@ struct OppositeWaves {
     double drawn_square() const { return std::norm(along.amplitude) + std::norm(against.amplitude); }
 };
 
-/// Const and thread-safe.
+/// The waves of one cascade. Member functions are const and thread-safe.
 class CascadeWaves {
    public:
     /// \pre check(sea) is empty; `cascade` is one of plan_cascades(sea)
     CascadeWaves(const SeaState& sea, const CascadePlan& cascade);
 
     const CascadePlan& cascade() const { return cascade_; }
-    /// \pre the sea has one
+    /// \pre sea.waves is spectrum
     const WaveSpectrum& spectrum() const { return *spectrum_; }
-    /// What its waves run in.
+    /// Returns depth and surface tension for the dispersion relation.
     const Water& water() const { return spectrum_ ? spectrum_->water() : deep_water; }
 
-    /// DC (VR Ocean, equation 14) and the Nyquist row and column hold no waves: the partner -k of a wave of those is itself on
-    /// the grid, so it can't be told which way it runs.
+    /// Returns whether (m, n) is a wave. DC (VR Ocean, equation 14) and the Nyquist row and column
+    /// hold no waves: -k is the same grid point as k there, so the direction of propagation is
+    /// ambiguous.
     bool holds(int m, int n) const {
         const int nyquist = cascade_.resolution / 2;
         return (m != 0 || n != 0) && m != -nyquist && n != -nyquist;
     }
 
-    /// Of the waves (m, n) and (-m, n), which share a wave number and with it most of the work.
+    /// The waves (m, n) and (-m, n) with their opposites. They share a wave number and therefore
+    /// most of the computation.
     struct MirroredPair {
         OppositeWaves plus, minus;
     };
-    /// \pre holds(m, n) and holds(-m, n)
+    /// Returns the waves of (m, n) and (-m, n). \pre holds(m, n) and holds(-m, n)
     MirroredPair pair(int m, int n) const;
 
-    /// E|h0|^2 of (m, n) and (-m, -n), and of (-m, n) and (m, -n), m^2; what pair() holds in the mean, for less. \pre as above
+    /// E|h0|^2 of (m, n) and (-m, -n), and of (-m, n) and (m, -n), m^2.
     struct MirroredVariances {
         OppositeDensities plus, minus;
     };
+    /// Returns the variances of pair(), at lower cost. \pre holds(m, n) and holds(-m, n)
     MirroredVariances variances(int m, int n) const;
 
-    /// |h0|^2 of the wave (m, n) that this seed drew, m^2, where E|h0|^2 is `variance`; for less than the wave itself.
+    /// Returns |h0|^2 of the wave (m, n) for this seed, m^2, at lower cost than the wave itself.
+    /// \param variance  E|h0|^2 of the wave, m^2
     double drawn_square(double variance, int m, int n) const;
 
-    /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13); 0 where the cascade holds no wave.
+    /// Returns h0 of the wave (m, n), metres (VR Ocean, equation 13); 0 if the cascade holds no
+    /// such wave.
     std::complex<double> amplitude(int m, int n) const;
 
    private:
@@ -74,8 +79,8 @@ class CascadeWaves {
 
     std::uint32_t seed_;
     CascadePlan cascade_;
-    std::optional<WaveSpectrum> spectrum_;  ///< none: the list has all waves
-    std::vector<GridWave> list_;            ///< by place
+    std::optional<WaveSpectrum> spectrum_;  ///< if empty, list_ holds all waves
+    std::vector<GridWave> list_;            ///< sorted by grid index
 };
 
 }  // namespace pelagic

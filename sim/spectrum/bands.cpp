@@ -20,8 +20,8 @@ constexpr double papers_side_m = 250;
 constexpr double peak_waves = 16;
 constexpr double min_side_m = 1, max_side_m = 1e5;
 
-/// A wave has at least so many texels, and a cascade's longest so many steps of the grid between it and k = 0, so that its
-/// directions are many.
+/// A wave has at least so many texels, and a cascade's longest so many steps of the grid between it
+/// and k = 0, so that its directions are many.
 constexpr double texels_a_wave = 3;
 constexpr double steps_a_band = 6;
 
@@ -31,11 +31,12 @@ constexpr double min_ratio = 1.5;
 /// Shorter waves nobody sees.
 constexpr double shortest_wave_m = 0.02;
 
-/// Cascades hold this part of Cox and Munk's mean square slope at most. In light winds the spectra, whose tails know no ripples, have
-/// more.
+/// Cascades hold this part of Cox and Munk's mean square slope at most. In light winds the spectra,
+/// whose tails know no ripples, have more.
 constexpr double max_of_slopes = 0.9;
 
-/// Grids are rotated against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
+/// Grids are rotated against each other by this part of a quarter turn, which meets no earlier one:
+/// the golden ratio's.
 constexpr double rotation_a_cascade = 0.25 * 0.6180339887498949;
 
 /// Two digits are enough for a side. `up`: not less than the value.
@@ -47,7 +48,8 @@ double short_number(double value, bool up) {
     return unit < 1 ? digits / std::floor(1 / unit + 0.5) : digits * unit;
 }
 
-/// Where the slopes of the model reach what cascades may hold, rad/m; the shortest wave's if they never do.
+/// Where the slopes of the model reach what cascades may hold, rad/m; the shortest wave's if they
+/// never do.
 double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     const double max = max_of_slopes * measured_slopes(sea.wind_speed_mps).total();
     constexpr double ratio = 1.02;

@@ -14,7 +14,8 @@ double angular_frequency(double k, const Water& water) {
     return std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * det::tanh(k * water.depth_m));
 }
 
-// d/dk of omega^2 = (g k + T k^3) tanh(k d): 2 omega omega' = g (t + k d (1 - t^2)) + T k^2 (3 t + k d (1 - t^2)).
+// d/dk of omega^2 = (g k + T k^3) tanh(k d): 2 omega omega' = g (t + k d (1 - t^2)) + T k^2 (3 t +
+// k d (1 - t^2)).
 double group_velocity(double k, const Water& water) {
     const double kd = k * water.depth_m;
     const double tanh_kd = det::tanh(kd);
@@ -43,7 +44,8 @@ double depth_factor(double k, double depth_m) {
     return t * t * t / (t + kd * (1 - t * t));
 }
 
-// Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %; each step of Newton's squares the error.
+// Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %. Each Newton step
+// squares the error.
 double wave_number(double omega, double depth_m) {
     const double deep_kd = omega * omega / gravity_mps2 * depth_m;
     double kd = deep_kd / std::sqrt(det::tanh(deep_kd));
@@ -59,7 +61,8 @@ std::uint32_t loop_harmonic(double omega, double loop_period_s) {
     return periods < 1 ? 1 : static_cast<std::uint32_t>(periods);
 }
 
-// fmod is exact by IEEE 754, unlike the rest of libm; a result that rounds up to a whole turn wraps to 0.
+// fmod is exact by IEEE 754, unlike other functions of libm. A result that rounds up to a whole
+// turn wraps to 0.
 LoopFraction loop_fraction(double time_s, double loop_period_s) {
     double within = std::fmod(time_s, loop_period_s);
     if (within < 0) within += loop_period_s;

@@ -1,4 +1,4 @@
-// How fast waves run, and how time is quantised so that the sea loops exactly.
+// The dispersion relation, and the quantisation of frequencies that makes the sea loop exactly.
 //
 //   omega^2 = (g k + (T/rho) k^3) tanh(k depth)     Lamb 1932, article 267; VR Ocean, equation 15: deep and without T
 //   q(k)    = max(1, round(omega T / 2 pi))         equation 16, with round instead of floor (errata)
@@ -12,51 +12,59 @@ namespace pelagic {
 /// Standard gravity, m/s^2 (ISO 80000-3).
 inline constexpr double gravity_mps2 = 9.80665;
 
-/// Surface tension over density, T/rho, m^3/s^2: 0.074 N/m (Lamb 1932, article 267) and sea water's 1025 kg/m^3. Waves of
-/// 1.7 cm run slowest; those over 7 cm it makes less than 3 % faster.
+/// Surface tension over density, T/rho, m^3/s^2: 0.074 N/m (Lamb 1932, article 267) over 1025
+/// kg/m^3 for sea water. Waves of 1.7 cm have the lowest phase speed. Waves longer than 7 cm become
+/// less than 3 % faster.
 inline constexpr double sea_surface_tension_m3ps2 = 0.074 / 1025;
 
-/// What waves run in; a depth alone will do.
+/// Depth and surface tension of the water. Converts from a depth alone.
 struct Water {
     constexpr Water(double depth, double tension = 0) : depth_m(depth), tension_m3ps2(tension) {}
 
     double depth_m;
-    double tension_m3ps2;  ///< T/rho; 0 leaves surface tension out, and every bit is as without the term
+    /// T/rho; 0 disables surface tension, bit-identical to omitting the term.
+    double tension_m3ps2;
 };
 
-/// omega in rad/s of the wave number `k` in rad/m.
+/// Returns omega in rad/s. \param k  wave number in rad/m
 double angular_frequency(double k, const Water& water);
 
-/// d omega / d k in m/s. \pre k > 0
+/// Returns d omega / d k in m/s. \pre k > 0
 double group_velocity(double k, const Water& water);
 
-/// How fast waves of a mean square height of 1 m^2 carry what floats on them the way they run, m/s: omega k cosh 2kd / sinh^2 kd,
-/// 2 omega k in deep water (Stokes 1847). It grows as the mean square. \pre k > 0
+/// Returns the Stokes drift at the surface of waves with a mean square height of 1 m^2, in m/s
+/// along their direction: omega k cosh 2kd / sinh^2 kd, which is 2 omega k in deep water (Stokes
+/// 1847). The drift is proportional to the mean square height. \pre k > 0
 double stokes_drift(double k, const Water& water);
 
-/// How many times farther horizontally than up a wave of small amplitude moves the water at the surface, coth(k d), at most 20 (Airy 1845; Lamb
-/// 1932, article 229). Exactly 1 where no double tells the depth from infinity, k depth over 20. \pre k > 0
+/// Returns the ratio of horizontal to vertical displacement at the surface for a wave of small
+/// amplitude: coth(k d), at most 20 (Airy 1845; Lamb 1932, article 229). Exactly 1 for k depth over
+/// 20, where a double cannot distinguish the depth from infinity. \pre k > 0
 double orbit_ratio(double k, double depth_m);
 
-/// Kitaigorodskii's factor phi (Kitaigorodskii et al. 1975; Bouws et al. 1985): what depth leaves of a deep sea's
-/// frequency spectrum, the ratio of k^-3 dk/domega at the depth and in deep water. Between 0 and 1, and exactly 1 where no
-/// double tells the depth from infinity, k depth over 20. Gravity alone: ripples don't feel the ground. \pre k > 0
+/// Returns Kitaigorodskii's factor phi (Kitaigorodskii et al. 1975; Bouws et al. 1985): the
+/// attenuation of a deep-water frequency spectrum at a depth. It is the ratio of k^-3 dk/domega at
+/// the depth to the value in deep water. Range [0, 1]; exactly 1 for k depth over 20, where a
+/// double cannot distinguish the depth from infinity. Includes gravity only, because the depth does
+/// not affect capillary waves. \pre k > 0
 double depth_factor(double k, double depth_m);
 
-/// k in rad/m of `omega` in rad/s, gravity alone: the inverse of angular_frequency(k, depth_m) within 1e-12.
-/// \pre omega > 0
+/// Returns k in rad/m, with gravity only: the inverse of angular_frequency(k, depth_m) within
+/// 1e-12.
+/// \param omega  rad/s \pre omega > 0
 double wave_number(double omega, double depth_m);
 
-/// The wave's whole number of periods in one loop, at least 1, so that no wave stands frozen.
+/// Returns the wave's number of periods in one loop, at least 1, so that no wave is static.
 std::uint32_t loop_harmonic(double omega, double loop_period_s);
 
-/// A moment of the loop in units of 2^-32 of its period. The phase of a wave is harmonic * turns mod 2^32: integer
-/// arithmetic, exact at any age of the program.
+/// A moment of the loop in units of 2^-32 of its period. The phase of a wave is harmonic * turns
+/// mod 2^32. Integer arithmetic keeps it exact for any run time.
 struct LoopFraction {
     std::uint32_t turns = 0;
 };
 
-/// The nearest fraction to t / T; whole periods, before and after 0, drop out. \pre time_s is finite
+/// Returns the fraction nearest to t / T, modulo 1, for positive and negative times. \pre time_s is
+/// finite
 LoopFraction loop_fraction(double time_s, double loop_period_s);
 
 }  // namespace pelagic

@@ -56,9 +56,11 @@ FoldMoments FoldMoments::operator*(double weight) const {
 
 double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }
 
-// J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),
+// J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants,
+// with l = (2, 0, 0),
 //   k1 = 1 + tr AS,  k2 = l'Sl + 2 tr (AS)^2,  k3 = 6 l'SASl + 8 tr (AS)^3,  k4 = 48 l'SASASl + 48 tr (AS)^4
-// (Mathai and Provost 1992, theorem 3.2b.2). A wave of variance s has the fourth cumulant -3/2 s^2, so 2u has -24 sum s^2 beyond that.
+// (Mathai and Provost 1992, theorem 3.2b.2). A wave of variance s has the fourth cumulant -3/2 s^2.
+// Therefore 2u contributes an additional -24 sum s^2 to k4.
 FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {
     const double f = choppiness * choppiness;
     const Matrix s{{{f * m.uu, f * m.uv, f * m.uw}, {f * m.uv, f * m.vv, f * m.vw}, {f * m.uw, f * m.vw, f * m.ww}}};
@@ -66,7 +68,8 @@ FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {
     for (std::size_t row = 1; row < 3; ++row)
         for (double& value : as[row]) value = -value;
     const Matrix as2 = product(as, as), as3 = product(as2, as);
-    // The first row of A is that of the unit matrix, so l'S(AS)^n l is 4 times the first element of (AS)^(n + 1).
+    // The first row of A is that of the unit matrix, so l'S(AS)^n l is 4 times the first element of
+    // (AS)^(n + 1).
     const double k2 = std::max(4 * as[0][0] + 2 * trace(as2), 0.0);
     mean = 1 + trace(as);
     deviation = std::sqrt(k2);
@@ -76,7 +79,8 @@ FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {
 }
 
 double FoldDistribution::below_mean(double deviations) const {
-    // With an excess below 0 the series turns back where its slope 1 + (z^2 - 1) excess / 8 is 0: few waves reach no further.
+    // With a negative excess the series is monotonic only up to the point where its slope 1 + (z^2
+    // - 1) excess / 8 is 0. A sum of few waves has no larger values.
     const double z = -(excess < 0 ? std::min(deviations, std::sqrt(1 - 8 / excess)) : deviations);
     return mean + deviation * (z + (z * z - 1) * skewness / 6 + (z * z * z - 3 * z) * excess / 24 -
                                (2 * z * z * z - 5 * z) * skewness * skewness / 36);

@@ -1,38 +1,48 @@
-// How much a surface folds, in the mean over time and place: which Jacobians there are, and how fast they change.
+// Statistics of folding: the distribution of the Jacobian over time and space, and its rate of
+// change.
 //
-// With the derivatives of the horizontal displacement, over texels as the cascade is drawn, let
+// The derivatives of the horizontal displacement are those of the cascade's texels. Let
 //
 //   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,  so that  J = (1 + u)^2 - v^2 - w^2
 //
-// but for (Dx,z - Dz,x)^2 / 4, which is 0 without the differences. A sum of many waves is Gaussian.
+// except for the term (Dx,z - Dz,x)^2 / 4, which is 0 for exact derivatives. A sum of many waves is
+// Gaussian.
 #pragma once
 
 namespace pelagic {
 
-/// Sums over the waves of a sea, at choppiness 1. All but the last are linear in the waves' energies.
+/// Sums over the waves of a sea, at choppiness 1. All members except uu_uu are linear in the waves'
+/// energies.
 struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances
-    double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, as what drifts over the sea meets it
-    double uu_uu = 0;    ///< sum of the squares of what each wave adds to uu: a sum of few waves is no Gaussian
+    double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, in the frame of drifting foam
+    double uu_uu = 0;    ///< sum of squares of each wave's uu: a sum of few waves is not Gaussian
 
-    /// A wave of that mean square of its displacement along its direction, m^2, which changes by `square_rate`, m^2/s^2, in the mean
-    /// square; in deep water those of its height. `wave_x` and `_z` are its
-    /// wave vector, rad/m; the differences what the texels' derivative makes of it, 1/m: sin(k_x d) / d for central differences over
-    /// texels of side d.
+    /// Adds a wave.
+    /// \param mean_square  mean square of its displacement along its direction, m^2; that of its
+    /// height in deep water
+    /// \param square_rate  mean square of the time derivative of this displacement, m^2/s^2
+    /// \param wave_x, wave_z  wave vector, rad/m
+    /// \param difference_x, difference_z  factors of the texels' derivative, 1/m: sin(k_x d) / d
+    /// for central differences over
+    ///     texels of side d
     void add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
                   double difference_z);
     FoldMoments& operator+=(const FoldMoments& other);
-    FoldMoments operator*(double weight) const;  ///< of waves with so much of their energy
+    /// Moments if all energies are multiplied by `weight`.
+    FoldMoments operator*(double weight) const;
 
-    /// How fast J changes where it is small: 2u is most of it. \pre uu is above 0
+    /// Returns the frequency of J where J is small, rad/s; 2u is its largest term. \pre uu is above
+    /// 0
     double frequency_radps() const;
 };
 
-/// The Jacobians of a sea with those moments, by their first four cumulants.
+/// The distribution of the Jacobian of a sea, by its first four cumulants.
 struct FoldDistribution {
     FoldDistribution(const FoldMoments& moments, double choppiness);
 
-    /// J lies below that as often as a Gaussian lies more than so many deviations below its mean (Cornish and Fisher 1938).
+    /// Returns the quantile of J with the probability that a Gaussian is more than `deviations`
+    /// standard deviations below its mean (Cornish and Fisher 1938).
     double below_mean(double deviations) const;
 
     double mean, deviation;

@@ -1,4 +1,5 @@
-// How steep the sea is: what was measured over a wind, what the waves of a cascade have of it, and what is left for the light.
+// Mean square slopes of the sea: measured values by wind speed, the slopes of a cascade's waves,
+// and the unresolved slopes, which become roughness.
 #pragma once
 
 #include "pelagic/sim/cascade.hpp"
@@ -7,32 +8,40 @@
 
 namespace pelagic {
 
-/// Sums over the waves of a sea: mean squares and product of the slopes along two axes that a texture of it shows.
+/// Sums over the waves of a sea: mean squares and mean product of the slopes along two axes, as a
+/// texture shows them.
 struct SlopeMoments {
     double xx = 0, zz = 0, xz = 0;
 
-    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the texture's derivative makes of the wave number, 1/m:
-    /// sin(k_x d) / d for central differences over texels of side d.
+    /// Adds a wave.
+    /// \param mean_square  mean square of its height, m^2
+    /// \param difference_x, difference_z  factors of the texture's derivative, 1/m: sin(k_x d) / d
+    /// for central differences
+    ///     over texels of side d
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
-    SlopeMoments operator*(double weight) const;  ///< of waves with so much of their energy
+    /// Moments if all energies are multiplied by `weight`.
+    SlopeMoments operator*(double weight) const;
 
-    /// Those of a cascade, along its own axes, along the world's.
+    /// Converts moments along a cascade's axes to moments along the world's axes.
     SlopeMoments in_world(const CascadeGrid& grid) const;
-    /// Along a wind and across it. \pre the axes are the world's
+    /// Returns the slope variances along the wind and across it. \pre the axes are the world's
     SlopeVariance around(double wind_direction_rad) const;
 };
 
-/// What is left of measured_slopes(), never less than 0. Waves that have too much in one direction take it from the other, so
-/// that both sums together are the measured one, unless the waves alone have more.
+/// Returns measured_slopes() minus the resolved slopes, at least 0. A resolved excess in one
+/// direction is subtracted from the other. Resolved and unresolved slopes together then equal the
+/// measured total, unless the resolved slopes exceed it.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
 
-/// What a sea's cascades leave to the light: unresolved_slopes() in its wind, but of a pond what its texels hide of its own octaves,
-/// which are all that it has.
+/// Returns the slope variance that a sea's cascades do not resolve: unresolved_slopes() for the
+/// sea's wind. For a pond it is the variance of its octaves that its texels cannot show, because a
+/// pond has no other waves.
 SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved);
 
-/// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
-/// slope, alpha^2, is what the cascades leave; at most 1.
+/// Returns the roughness for the smoothness channel: the sea's own roughness if it is set.
+/// Otherwise it is alpha of a GGX surface with the mean square slope alpha^2 of the unresolved
+/// slopes, at most 1.
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
 
 }  // namespace pelagic

@@ -1,7 +1,9 @@
-// Seas by name: the files of presets/, which cmake/sea_presets.cmake has made a table of. Heights of the named ones follow the
-// World Meteorological Organization's sea states (Manual on Codes, WMO-No. 306, code table 3700). Those of beaufort-1 to
-// beaufort-12 are the probable wave heights of the open sea in its table of Beaufort's forces, at a speed of the force's range
-// and the fetch that gives them; waves of 0.1 m, the table's least, need more than a light air, so beaufort-1 has 0.06 m.
+// Seas by name: the files of presets/, which cmake/sea_presets.cmake has made a table of. Heights
+// of the named ones follow the World Meteorological Organization's sea states (Manual on Codes,
+// WMO-No. 306, code table 3700). Those of beaufort-1 to beaufort-12 are the probable wave heights
+// of the open sea in its table of Beaufort's forces, at a speed of the force's range and the fetch
+// that gives them; waves of 0.1 m, the table's least, need more than a light air, so beaufort-1 has
+// 0.06 m.
 #include <array>
 
 #include "pelagic/sim/sea_state.hpp"

@@ -21,8 +21,8 @@ constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine
 constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
                                                                              "donelan-banner"};
 
-// With 3 texels to its shortest wave and 6 steps of its grid to its longest, a cascade of N texels is N / 18 times shorter than
-// the one above it at most. Fewer texels make no stack.
+// With 3 texels to its shortest wave and 6 steps of its grid to its longest, a cascade of N texels
+// is N / 18 times shorter than the one above it at most. Fewer texels make no stack.
 constexpr int min_resolution_of_stacks = 32;
 
 constexpr double two_pi = 6.283185307179586;

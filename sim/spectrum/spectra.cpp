@@ -18,15 +18,17 @@ constexpr double jonswap_width_below_peak = 0.07;
 constexpr double jonswap_width_above_peak = 0.09;
 constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 
-// Wave numbers over which energy is summed: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
+// Wave numbers of the numerical integration, rad/m: from ten times the longest wind wave to a tenth
+// of a millimetre, 2 % apart.
 constexpr double min_k = 1e-5;
 constexpr double largest_k = 6e4;
 constexpr double k_ratio = 1.02;
 
 double fourth_power(double x) { return (x * x) * (x * x); }
 
-/// Where S(omega) peaks in deep water, rad/s: d/domega of omega^-5 exp(-b (g/(V omega))^4) is 0 at b omega^-4 = 5/4 (V/g)^4.
-/// For phillips, whose shape over wave vectors is that of b = 1, it is the peak of all directions together.
+/// Returns the peak of S(omega) in deep water, rad/s: d/domega of omega^-5 exp(-b (g/(V omega))^4)
+/// is 0 at b omega^-4 = 5/4 (V/g)^4. The shape of phillips over wave vectors is that of b = 1; its
+/// peak is that of the spectrum integrated over all directions.
 double deep_peak(const SeaState& sea) {
     const double speed = sea.wind_speed_mps;
     switch (sea.spectrum) {
@@ -38,10 +40,11 @@ double deep_peak(const SeaState& sea) {
     }
 }
 
-/// l = l_min (l_max / l_min)^beta with l_max = 1/(2 k_p): VR Ocean, equation 11, where l_max is a quarter of the patch (errata).
-/// A wave of a quarter of the peak's length then keeps exp(-4) of its energy, one of the peak's 0.78.
+/// Returns l = l_min (l_max / l_min)^beta with l_max = 1/(2 k_p). In VR Ocean, equation 11, l_max
+/// is a quarter of the patch (errata). At beta = 1, a wave of a quarter of the peak wavelength
+/// keeps a fraction exp(-4) of its energy, and a wave of the peak wavelength keeps 0.78.
 double cutoff_length(const SeaState& sea, double peak) {
-    // In hardly any wind the peak is no number any more; std::max() then takes the first.
+    // In extremely light wind the peak is NaN; std::max() then returns its first argument.
     const double longest = std::max(smallest_wave_m, 0.5 / wave_number(peak, sea.depth_m));
     return smallest_wave_m * det::pow(longest / smallest_wave_m, sea.short_wave_cutoff);
 }
@@ -70,7 +73,8 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
     swell_x_ = swell.cosine;
     swell_z_ = swell.sine;
 
-    // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and 5.
+    // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and
+    // 5.
     const double spatial = euler_e / cascade.grid.side_m;
     paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(cascade.resolution));
 
@@ -96,7 +100,8 @@ WaveSpectrum::Shell WaveSpectrum::shell(double k) const {
         if (measured_spreading_) shell.lobe = measured_spreading_->at(angular_frequency(k, water_));
         return shell;
     }
-    // Equations 3 to 13, with D once; the weight holds sigma, the square of equation 9's amplitude factor.
+    // Equations 3 to 13, with one factor D. The weight includes sigma, the square of equation 9's
+    // amplitude factor.
     const double kl = k * largest_wave_m_;
     return {k, paper_scale_ * det::exp(-1 / (kl * kl)) / fourth_power(k), small_wave_cutoff(k), 0, {}};
 }
@@ -121,8 +126,9 @@ double WaveSpectrum::radial_density(double k) const {
 
 double WaveSpectrum::wind_density(double k) const {
     if (sea_.spectrum == SpectrumModel::phillips) {
-        // Equation 3's shape with Phillips' constant: alpha/2 k^-3 is the saturation range of alpha g^2 omega^-5 at any depth,
-        // and the shape is that of omega^2 / g, which in deep water is k: Kitaigorodskii's factor in other words.
+        // The shape of equation 3 with Phillips' constant: alpha/2 k^-3 is the saturation range of
+        // alpha g^2 omega^-5 at any depth. The shape is evaluated at omega^2 / g, which is k in
+        // deep water; this is equivalent to Kitaigorodskii's factor.
         const double kl = k * largest_wave_m_ * det::tanh(k * water_.depth_m);
         return 0.5 * phillips_constant / (k * k * k) * det::exp(-1 / (kl * kl)) * small_wave_cutoff(k) * kept_;
     }
@@ -133,7 +139,7 @@ double WaveSpectrum::wind_density(double k) const {
 
 // Ochi and Hubble 1976 with lambda = 3, the low frequencies of their most probable sea:
 //   S(omega) = Hs^2/16 4 u^lambda e^-u / (Gamma(lambda) omega),  u = (lambda + 1/4) (omega_p / omega)^4.
-// Its height is the one where the sea is, so the depth takes nothing but what breaks.
+// swell_height_m is the height at the sea's depth, so only breaking attenuates the swell.
 double WaveSpectrum::swell_density(double k) const {
     const double omega = angular_frequency(k, water_);
     const double u = 3.25 * fourth_power(swell_peak_ / omega);
@@ -141,7 +147,7 @@ double WaveSpectrum::swell_density(double k) const {
     return density * group_velocity(k, water_) * kept_;
 }
 
-// Trapezoidal rule in log k, which the smooth spectrum makes accurate to far better than 1e-6.
+// Trapezoidal rule in log k. The spectrum is smooth, so the error is far below 1e-6.
 double WaveSpectrum::variance() const {
     double sum = 0;
     const double step = det::log(k_ratio);
@@ -149,7 +155,8 @@ double WaveSpectrum::variance() const {
     return sum;
 }
 
-/// The integral in closed form, for deep water and all small waves; jonswap's as if all of it were enhanced as its peak is.
+/// Returns an upper bound of variance() in closed form: in deep water, without short-wave cutoff.
+/// For jonswap the enhancement of the peak is applied to all frequencies.
 double WaveSpectrum::largest_variance() const {
     const double scale = largest_wave_m_ * largest_wave_m_;  // V^4 / g^2
     switch (sea_.spectrum) {

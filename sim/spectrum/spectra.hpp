@@ -1,11 +1,13 @@
-// The wave spectra: how much energy each wave vector holds.
+// The wave spectra: energy density over wave vectors.
 //
-// Physical models are a frequency spectrum S(omega) in m^2 s of deep water, times Kitaigorodskii's factor where the depth is
-// felt (TMA: Bouws et al. 1985), spread over directions and carried to wave vectors:
+// A physical model is a deep-water frequency spectrum S(omega) in m^2 s times Kitaigorodskii's
+// factor, which is less than 1 in finite depth (TMA: Bouws et al. 1985). It is multiplied by a
+// directional distribution and transformed to wave vectors:
 //   S(kx, kz) = S(omega) phi(omega, depth) (d omega / d k) / k D(theta), in m^4; the integral over all k is the variance
-// and E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. A swell adds its own energy. Higher waves than a depth
-// bears break: then all energy is lower by one factor. `phillips-paper` keeps the paper's own scaling, which depends on N and
-// L and has no physical height.
+// and E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. A swell adds its own energy. If
+// the waves exceed the height limit of the depth, breaking reduces all energies by one factor.
+// `phillips-paper` keeps the paper's own scaling, which depends on N and L and has no physical
+// height.
 #pragma once
 
 #include <optional>
@@ -17,57 +19,62 @@
 
 namespace pelagic {
 
-/// Largest significant wave height over depth: Hrms = 0.42 d, so Hs = 0.6 d, on a beach where every wave that comes in
-/// breaks (Thornton and Guza 1982).
+/// Largest significant wave height over depth: Hrms = 0.42 d, so Hs = 0.6 d, on a beach where every
+/// incoming wave breaks (Thornton and Guza 1982).
 inline constexpr double highest_over_depth = 0.6;
 
-/// g F / U10^2 of a fully developed sea. JONSWAP's laws know no limit (Hasselmann et al. 1973). At this fetch their peak frequency is that
-/// of Pierson and Moskowitz 1964, 0.877 g / U19.5 = 0.855 g / U10, and Hs is 0.285 U10^2 / g.
+/// Dimensionless fetch g F / U10^2 of a fully developed sea. JONSWAP's laws have no such limit
+/// (Hasselmann et al. 1973). At this fetch their peak frequency equals that of Pierson and
+/// Moskowitz 1964, 0.877 g / U19.5 = 0.855 g / U10, and Hs is 0.285 U10^2 / g.
 inline constexpr double full_development = 17000;
 
-/// The fetch that counts for `jonswap`, metres: fetch_m, at most full_development U^2 / g.
+/// Returns the fetch that `jonswap` uses, metres: fetch_m, at most full_development U^2 / g.
 double effective_fetch_m(const SeaState& sea);
 
-/// The spectrum of one sea on the grid of one of its cascades. Construction does the slow part; calls are const and thread-safe.
+/// The spectrum of one sea on the grid of one of its cascades. The constructor does the expensive
+/// computation. Member functions are const and thread-safe.
 class WaveSpectrum {
    public:
     /// \pre check(sea) is empty
     WaveSpectrum(const SeaState& sea, const CascadePlan& cascade);
 
-    /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the cascade's grid. \pre k is not 0
+    /// Returns E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m. \pre k is not 0
     double amplitude_variance(double kx, double kz) const;
 
-    /// What all waves of one wave number share, which is most of the work:
+    /// Values that all waves of one wave number share, and that take most of the computation:
     /// E|h0(k)|^2 = before * spreading * after + swell * spreading of the swell.
     struct Shell {
         double k;  ///< rad/m
         double before, after;
         double swell;
-        DirectionalLobe lobe;  ///< of the wind's waves, but for spreading `paper`
+        DirectionalLobe lobe;  ///< lobe of the wind sea; unused for spreading `paper`
     };
-    /// \pre k is not 0
+    /// Returns the shared values of wave number k in rad/m. \pre k is not 0
     Shell shell(double k) const;
-    /// amplitude_variance() of (kx, kz) and of (-kx, -kz), the same bits. \pre the shell is that of their length
+    /// Returns amplitude_variance() of (kx, kz) and of (-kx, -kz), bit-identical. \pre `shell` is
+    /// shell(|(kx, kz)|)
     OppositeDensities amplitude_variances(const Shell& shell, double kx, double kz) const;
 
-    /// Energy over wave number, all directions together: the integral over k is the variance, m^3.
-    /// \pre the model is a physical one
+    /// Returns the energy density over wave number, integrated over all directions, m^3. Its
+    /// integral over k is the variance.
+    /// \pre is_physical()
     double radial_density(double k) const;
-    /// That integral, m^2.
+    /// Returns the integral of radial_density() over all k, m^2. \pre is_physical()
     double variance() const;
 
-    /// The part of the energy that breaking leaves: less than 1 where the waves that wind and swell would make are higher than
-    /// highest_over_depth of the depth.
+    /// Returns the fraction of the energy that remains after breaking. It is less than 1 if wind
+    /// sea and swell without breaking would have a significant wave height over highest_over_depth
+    /// times the depth.
     double kept_after_breaking() const { return kept_; }
 
     const Water& water() const { return water_; }
 
-    /// False for phillips-paper.
+    /// Returns false for phillips-paper.
     bool is_physical() const { return sea_.spectrum != SpectrumModel::phillips_paper; }
 
    private:
-    double wind_density(double k) const;   // of radial_density(): the wind's part,
-    double swell_density(double k) const;  // and the swell's
+    double wind_density(double k) const;   // wind sea's contribution to radial_density()
+    double swell_density(double k) const;  // swell's contribution to radial_density()
     double frequency_density(double omega) const;
     double small_wave_cutoff(double k) const;
     double largest_variance() const;
@@ -80,7 +87,7 @@ class WaveSpectrum {
     double grid_spacing_;    // dk in rad/m
     double paper_scale_;     // A of equation 4
     double jonswap_alpha_;
-    double peak_;      // of the wind's waves in deep water, rad/s
+    double peak_;      // peak frequency of the wind sea in deep water, rad/s
     double cutoff_m_;  // l of equation 10
     std::optional<MeasuredSpreading> measured_spreading_;
     double swell_variance_;  // m^2

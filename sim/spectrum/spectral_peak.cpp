@@ -6,7 +6,8 @@
 namespace pelagic {
 namespace {
 
-// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
+// Wave numbers of the search, rad/m: from ten times the longest wind wave to a tenth of a
+// millimetre, 2 % apart.
 constexpr double shortest_k = 1e-5;
 constexpr double longest_k = 6e4;
 constexpr double k_ratio = 1.02;
@@ -15,13 +16,14 @@ constexpr double k_ratio = 1.02;
 
 double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
     if (spectrum.is_physical()) return spectrum.radial_density(k);
-    // Along the wind the paper's spectrum has the shape of the whole: its spreading does not depend on k.
+    // The paper's spreading does not depend on k, so the spectrum along the wind has the shape of
+    // the integral.
     constexpr double two_pi = 6.28318530717958647693;
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     return k * spectrum.amplitude_variance(k * wind.cosine, k * wind.sine);
 }
 
-// The best of a coarse grid, refined by halving steps around it.
+// Finds the maximum on a coarse grid and refines it with halved steps.
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
     const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
     double best = shortest_k, max = density(best);

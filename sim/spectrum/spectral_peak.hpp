@@ -1,11 +1,12 @@
-// Where a model's frequency spectrum is largest.
+// Peak of a model's frequency spectrum.
 #pragma once
 
 #include "pelagic/sim/spectrum/spectra.hpp"
 
 namespace pelagic {
 
-/// The model's energy over wave number, all directions together, whatever its scale, m^3.
+/// Returns the model's energy density over wave number, integrated over all directions, m^3. For
+/// phillips-paper the scale is arbitrary.
 double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k);
 
 struct SpectralPeak {
@@ -13,7 +14,7 @@ struct SpectralPeak {
     double omega;  ///< rad/s
 };
 
-/// The largest S(omega) = S(k) / (d omega / d k).
+/// Returns the maximum of S(omega) = S(k) / (d omega / d k).
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea);
 
 }  // namespace pelagic

@@ -12,7 +12,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double sqrt_pi = 1.77245385090551602730;
 constexpr double ln_10 = 2.30258509299404568402;
 
-// Integral of |cos|^s over half a circle by the trapezoidal rule; its error is largest for s = 1, 1e-7.
+// Integral of |cos|^s over half a circle by the trapezoidal rule. The error is largest for s = 1:
+// 1e-7.
 double half_circle_integral(double exponent) {
     constexpr int steps = 4096;
     double sum = 0;
@@ -21,8 +22,9 @@ double half_circle_integral(double exponent) {
     return sum * (pi / steps);
 }
 
-// Gamma(z + 1/2) / Gamma(z) = sqrt(z) (1 - 1/(8 z) + 1/(128 z^2) + 5/(1024 z^3) - 21/(32768 z^4) - ...) for a large z
-// (Tricomi and Erdelyi 1951), reached from s by Gamma(x + 1) = x Gamma(x). Within 1e-11.
+// Gamma(z + 1/2) / Gamma(z) = sqrt(z) (1 - 1/(8 z) + 1/(128 z^2) + 5/(1024 z^3) - 21/(32768 z^4) -
+// ...) for a large z (Tricomi and Erdelyi 1951). The recurrence Gamma(x + 1) = x Gamma(x) leads
+// from s to a large z. Within 1e-11.
 double gamma_of_s_plus_1_over_gamma_of_s_plus_half(double s) {
     double z = s + 0.5, above = 1, below = 1;
     for (; z < 20; ++z) {
@@ -35,8 +37,9 @@ double gamma_of_s_plus_1_over_gamma_of_s_plus_half(double s) {
     return std::sqrt(z) * series * above / below;
 }
 
-// The angle in [0, pi/2] of a cosine that is not negative, from its half, whose sine and cosine are well known at both ends:
-// a polynomial (Abramowitz and Stegun 1964, 4.4.45: within 7e-5) and one step that leaves the cube of its error.
+// Returns the angle in [0, pi/2] of a cosine in [0, 1]. The half angle is used, because its sine
+// and cosine are accurate at both ends. A polynomial (Abramowitz and Stegun 1964, 4.4.45: within
+// 7e-5) is followed by one step of cubic convergence.
 double acute_angle_of(double cosine) {
     const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 - cosine)));
     const double half_cosine = std::sqrt(0.5 * (1 + cosine));
@@ -53,14 +56,15 @@ double sech_squared_of(double x) {
     return sech * sech;
 }
 
-/// Donelan, Hamilton and Hui 1985; from 1.6 peak frequencies on Banner 1990. They meet there within 1e-4.
+/// Donelan, Hamilton and Hui 1985; from 1.6 peak frequencies on Banner 1990. Both agree there
+/// within 1e-4.
 double donelan_banner_beta(double over_peak) {
     if (over_peak >= 1.6) {
         const double epsilon = -0.4 + 0.8393 * det::pow(over_peak * over_peak, -0.567);
         return det::exp(ln_10 * epsilon);
     }
     if (over_peak >= 0.95) return 2.28 * det::pow(over_peak, -1.3);
-    return 2.61 * det::pow(std::max(over_peak, 0.56), 1.3);  // no waves were measured below
+    return 2.61 * det::pow(std::max(over_peak, 0.56), 1.3);  // measurements end at 0.56
 }
 
 }  // namespace
@@ -96,7 +100,7 @@ OppositeDensities DirectionalLobe::densities(double cosine) const {
     }
     const auto power = [&](double cosine_of_wave) {
         const double half_cosine_squared =
-            std::max(0.5 * (1 + cosine_of_wave), 1e-300);  // of 0 there is no logarithm
+            std::max(0.5 * (1 + cosine_of_wave), 1e-300);  // 0 has no logarithm
         return factor_ * det::pow(half_cosine_squared, narrowness_);
     };
     return {power(cosine), power(-cosine)};

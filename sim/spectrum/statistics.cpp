@@ -43,11 +43,14 @@ struct GridSums {
     Moments expected;                     ///< the mean over all seeds
     std::vector<CascadeSlopes> cascades;  ///< the same
     Moments drawn;                        ///< of this seed, as are the rest
-    std::vector<double> bands;            ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
-    std::vector<double> swell_bands;      ///< the swell's part of them, as many; none without a swell
+    /// Of frequency, band_ratio wide, from that of the longest wave on; m^2.
+    std::vector<double> bands;
+    /// The swell's part of them, as many; none without a swell.
+    std::vector<double> swell_bands;
     std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
     double expected_hz = 0,
-           expected_hz2 = 0;  ///< the mean over all seeds of the variances times the frequency, and its square
+           /// The mean over all seeds of the variances times the frequency, and its square.
+           expected_hz2 = 0;
     double expected_swell = 0, drawn_swell = 0;              ///< m^2
     double expected_convergence = 0, drawn_convergence = 0;  ///< variances of Dx,x + Dz,z
 
@@ -72,7 +75,8 @@ SeaState without_swell(SeaState sea) {
     return sea;
 }
 
-/// What the waves of a sea with a swell would be without it, breaking apart, which takes as much of both.
+/// What the waves of a sea with a swell would be without it, breaking apart, which takes as much of
+/// both.
 class WindPart {
    public:
     WindPart(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
@@ -97,8 +101,8 @@ double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 -
 
 enum class Draws { no, yes };
 
-/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
-/// all seeds is summed, for half the work.
+/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without
+/// draws only what is the mean over all seeds is summed, for half the work.
 void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, GridSums& sums) {
     const CascadeWaves waves(sea, cascade);
     const Water& water = waves.water();
@@ -111,8 +115,8 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
     struct Variances {
         double expected = 0, drawn = 0, drawn_swell = 0;
     };
-    // The wave (m, n) and the one against it; what they hold of this seed. Each h~(k) is h0(k) and a mirror of h0(-k), so every
-    // amplitude counts twice in the variance.
+    // The wave (m, n) and the one against it; what they hold of this seed. Each h~(k) is h0(k) and
+    // a mirror of h0(-k), so every amplitude counts twice in the variance.
     const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
                               double k, Variances& of_shell) {
         const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
@@ -301,8 +305,8 @@ LoopFrequencies loop_frequencies_from(const GridSums& sums) {
     return found;
 }
 
-/// The angle of (x, z) in (-pi, pi], the same bits everywhere: Newton's steps from the nearest quarter of a turn, each of
-/// which leaves the cube of the error over six.
+/// The angle of (x, z) in (-pi, pi], the same bits everywhere: Newton's steps from the nearest
+/// quarter of a turn, each of which leaves the cube of the error over six.
 double angle_of(double x, double z) {
     const double length = std::sqrt(x * x + z * z);
     if (!(length > 0)) return 0;
@@ -325,7 +329,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     const SpectralPeak& peak = asked.peak;
     const CascadePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;
-    // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
+    // What a patch does to the height, over all seeds: one seed's own may as well be above the
+    // model's.
     const auto height_beside_model = [&]() -> std::string {
         if (!waves.model_significant_wave_height_m || sea.waves != WaveModel::spectrum) return {};
         return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
@@ -357,8 +362,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
                            " %: waves of a loop run a whole number of periods");
-    // Of a list's waves few frequencies are all that there are. In a longer loop few are those of a narrow swell, or of a grid that
-    // holds few waves, which the notes above tell.
+    // Of a list's waves few frequencies are all that there are. In a longer loop few are those of a
+    // narrow swell, or of a grid that holds few waves, which the notes above tell.
     const double ten_peaks_s = 10 * waves.peak_period_s;
     if (sea.waves == WaveModel::spectrum && found.largest_share > 0 &&
         found.for_90_percent < fewest_loop_frequencies && sea.loop_period_s < ten_peaks_s)

@@ -1,39 +1,45 @@
-// When the waves of a swell from afar arrive: each runs with its group velocity, so the long ones come first.
+// Arrival times of a distant swell. Waves travel at their group velocity, so long waves arrive
+// first.
 //
-//   delay(omega) = d / cg(omega) - d / cg(omega_first)      Munk, Miller, Snodgrass and Barber 1963; Snodgrass et al. 1966
+//   delay(omega) = d / cg(omega) - d / cg(omega_first)
 //
-// In deep water cg = g / 2 omega, and frequencies come one after the other at the steady pace g / 2 d.
+// (Munk, Miller, Snodgrass and Barber 1963; Snodgrass et al. 1966). In deep water cg = g / 2 omega,
+// so the arriving frequency grows at the constant rate g / 2 d.
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 
-/// s = u^2 (3 - 2u) with u = since / over: how much of a wave has come. 0 before, 1 afterwards; its slope is 0 at both ends.
+/// Returns the fraction of a wave's energy that has arrived: s = u^2 (3 - 2u) with u = since /
+/// over. It is 0 before and 1 after the transition; its derivative is 0 at both ends.
 constexpr double eased_part(double since_s, double over_s) {
     const double u = since_s / over_s;
     return u <= 0 ? 0 : u < 1 ? u * u * (3 - 2 * u) : 1;
 }
 
-/// A swell that was raised at one moment, `distance_m` away. The clock starts with the longest waves that count.
+/// A swell that was generated at one moment, `distance_m` away. Delays are relative to the arrival
+/// of the waves of longest_period.
 class SwellArrival {
    public:
-    /// In periods of the swell's peak: longer waves, 1e-5 of its energy, come with these.
+    /// Longest period with its own delay, in periods of the swell's peak. Longer waves, a fraction
+    /// of 1e-5 of the energy, arrive with it.
     static constexpr double longest_period = 1.5;
-    /// Shorter ones, another 1e-5, come with these, so that there is an end.
+    /// Shortest period with its own delay. Shorter waves, another 1e-5 of the energy, arrive with
+    /// it, so the arrival is finite.
     static constexpr double shortest_period = 1.0 / 3;
 
     /// \pre check(sea) is empty, and the sea has a swell
     SwellArrival(const SeaState& sea, double distance_m);
 
-    /// Of waves of `omega` rad/s.
+    /// Returns the delay of waves of `omega` rad/s.
     double delay_s(double omega) const;
     double delay_of_peak_s() const { return delay_s(peak_); }
-    double span_s() const { return delay_s(last_); }  ///< until the shortest that count
+    double span_s() const { return delay_s(last_); }  ///< delay of the waves of shortest_period
     double last_omega() const { return last_; }
 
    private:
-    /// How long a metre takes, s/m.
+    /// Returns the inverse of the group velocity, s/m.
     double slowness(double omega) const;
 
     double distance_m_, depth_m_;

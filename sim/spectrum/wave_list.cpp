@@ -12,16 +12,16 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-// What a sea has that asks for nothing: the presets' waves, and the default pond's octaves.
+// Default waves: the waves of the presets, and the octaves of the default pond.
 constexpr AnalyticFamily family;
 constexpr double family_ratio = family.longest_m / family.shortest_m;
 constexpr PondSea pond;
 constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
 
-/// Of an analytic sea (analytic_wave_fields()).
+/// Shortest wave of an analytic sea, m (analytic_wave_fields()).
 constexpr double min_wave_m = 0.01;
 
-/// A pond's cascade has so many of its longest waves.
+/// Side of a pond's cascade, in units of its longest wavelength.
 constexpr double pond_waves = 6;
 
 double or_chosen(double value, double chosen) { return value > 0 ? value : chosen; }
@@ -33,7 +33,7 @@ int count_of(const SeaState& sea) {
     return is_pond(sea) ? pond.octaves : family.waves;
 }
 
-/// Turns in [-1/2, 1/2] of a direction.
+/// Converts a direction to turns in [-1/2, 1/2].
 double turns_of(double rad) {
     const double turns = rad / two_pi;
     return turns - std::floor(turns + 0.5);

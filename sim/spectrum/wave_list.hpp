@@ -1,4 +1,4 @@
-// The waves of a sea that has no spectrum, but a list of them, on the grids of its cascades.
+// The listed waves of analytic seas and ponds, on the grids of their cascades.
 #pragma once
 
 #include <complex>
@@ -14,7 +14,7 @@
 
 namespace pelagic {
 
-/// Deeper than any wave feels.
+/// Water whose depth affects no wave.
 inline constexpr Water deep_water(1e7);
 
 /// The wave vector (2 pi / L)(m, n) of a cascade.
@@ -22,11 +22,13 @@ struct GridIndex {
     int m = 0, n = 0;
 
     bool operator==(const GridIndex&) const = default;
-    double steps() const;  ///< its length, in 2 pi / L
+    double steps() const;  ///< length of the wave vector, in units of 2 pi / L
 };
 
-/// The one nearest to a wave vector, which is given by its turns a metre along the world's axes; and the other way round.
+/// Returns the grid index nearest to a wave vector. \param turns_per_m_x, turns_per_m_z  along the
+/// world's axes
 GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double turns_per_m_z);
+/// Returns the wave vector of a grid index, in turns per metre along the world's axes.
 CascadeGrid::Place turns_per_m_of(const CascadeGrid& grid, const GridIndex& at);
 
 /// A wave of an analytic sea on a cascade's grid.
@@ -38,35 +40,41 @@ struct GridWave {
     std::complex<double> half_amplitude() const;
 };
 
-/// The waves of one of plan_cascades(sea). Two may be at one place. \pre check(sea) is empty and sea.waves is analytic
+/// Returns the waves of one cascade. Several waves may have one grid index.
+/// \pre check(sea) is empty, sea.waves is analytic, and `cascade` is one of plan_cascades(sea)
 std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade);
 
 /// An octave of a pond on its cascade's grid.
 struct GridOctave {
     GridIndex at;
     std::uint32_t harmonic;  ///< periods in a loop
-    PondOctave octave;       ///< as moved there
-    double shown;            ///< what of it texels can show; the rest is hidden
+    PondOctave octave;       ///< with the wave vector and frequency of the grid
+    double shown;            ///< fraction of the amplitude that texels can show, [0, 1]
 
-    /// Mean squares of what is shown of its height, m^2, and of all its slope.
+    /// Returns the mean square of the shown height, m^2.
     double height_variance() const;
+    /// Returns the mean square of the whole slope.
     double slope_variance() const;
 };
 
+/// Returns the octaves of a pond on its cascade's grid.
 /// \pre check(sea) is empty, sea.waves is pond, and `cascade` is that of plan_cascades(sea)
 std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cascade);
 
-/// Mean square slope of what the cascade's texels hide of a pond's octaves, along the wind and across it.
+/// Returns the mean square slope of a pond's octaves that texels cannot show, along the wind and
+/// across it.
 SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> octaves);
 
-/// Longest and shortest wave that a sea asks for, m. \pre sea.waves is no spectrum
+/// Returns the longest wave of a sea, m. \pre sea.waves is not spectrum
 double longest_wave_of(const SeaState& sea);
+/// Returns the shortest wave of a sea, m. \pre sea.waves is not spectrum
 double shortest_wave_of(const SeaState& sea);
 
-/// The side of a pond's cascade where none is given, m.
+/// Returns the default side of a pond's cascade, m.
 double pond_side_m(const SeaState& sea);
 
-/// Empty if such a sea is usable, its fields being in their ranges, else one line. \pre sea.waves is no spectrum
+/// Returns an empty string if the sea is valid, else one line that describes the first error.
+/// \pre sea.waves is not spectrum, and all fields are in their ranges
 std::string check_wave_list(const SeaState& sea);
 
 }  // namespace pelagic

@@ -13,13 +13,14 @@ constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 std::uint64_t state_of(std::uint32_t seed, int cascade, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
     const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(cascade)} << 32 | seed;
-    // The seed is mixed before it meets the wave: otherwise seeds would be shifted copies of one another.
+    // The seed is hashed before it is combined with the wave; otherwise seeds would give shifted
+    // copies of one another.
     return split_mix(wave + golden_gamma) ^ split_mix(sea + 2 * golden_gamma);
 }
 
 double squared_radius(std::uint64_t state) {
     const std::uint64_t first = split_mix(state + golden_gamma);
-    const double u1 = static_cast<double>((first >> 11) + 1) * two_to_minus_53;  // never 0: its logarithm is taken
+    const double u1 = static_cast<double>((first >> 11) + 1) * two_to_minus_53;  // > 0, for the log
     return -2.0 * det::log(u1);
 }
 

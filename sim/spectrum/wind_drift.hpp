@@ -1,21 +1,23 @@
-// What the wind does to what floats.
+// Drift of floating matter by the wind.
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 
-/// Along the world's axes, m/s.
+/// A drift velocity along the world's axes, m/s.
 struct WindDrift {
     double x_mps, z_mps;
 };
 
-/// How fast the wind alone drags the skin of the sea along, 2 % of its speed. With Stokes' drift (dispersion.hpp), 1 to 2 % of the
-/// wind in seas that it has raised, that is the 3 to 4 % which drifters and slicks show (Wu 1975).
+/// Returns the surface drift that the wind causes, without Stokes drift: 2 % of the wind speed.
+/// Stokes drift (dispersion.hpp) is 1 to 2 % of the wind speed in a wind sea. The sum agrees with
+/// the 3 to 4 % measured with drifters and slicks (Wu 1975).
 WindDrift wind_drift(const SeaState& sea);
 
-/// With Stokes' drift, before that is known: 3.3 % of the wind's speed its way. Of the presets, and of the default sea in winds of 6 to
-/// 25 m/s, it is 2.8 to 3.5 %.
+/// Returns an estimate of wind drift plus Stokes drift, for use before the Stokes drift is
+/// computed: 3.3 % of the wind speed along the wind. The exact value is 2.8 to 3.5 % for the
+/// presets, and for the default sea in winds of 6 to 25 m/s.
 WindDrift usual_foam_drift(const SeaState& sea);
 
 }  // namespace pelagic
