@@ -106,8 +106,9 @@ TEST(Depth, BreaksWhatIsHigherThanSixTenthsOfItAndSaysSo) {
         return std::string();
     };
     double depth = 0, before = 0, left = 0;
-    ASSERT_EQ(std::sscanf(note(sea).c_str(), "in %lf m of water waves break: of Hs %lf m %lf m is left", &depth,
-                          &before, &left),
+    ASSERT_EQ(std::sscanf(note(sea).c_str(),
+                          "waves break in %lf m of water: Hs is limited to %lf m (0.6 of the depth) instead of %lf m",
+                          &depth, &left, &before),
               3)
         << note(sea);
     EXPECT_EQ(depth, 2);

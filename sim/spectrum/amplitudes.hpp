@@ -41,7 +41,7 @@ class CascadeWaves {
     const Water& water() const { return spectrum_ ? spectrum_->water() : deep_water; }
 
     /// Returns whether (m, n) is a wave. DC (VR Ocean, equation 14) and the Nyquist row and column
-    /// hold no waves: -k is the same grid point as k there, so the direction of propagation is
+    /// hold no waves: N/2 and -N/2 are one grid index, so the direction of propagation is
     /// ambiguous.
     bool holds(int m, int n) const {
         const int nyquist = cascade_.resolution / 2;

@@ -13,33 +13,34 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// The side of the paper's one cascade, whose scale depends on it.
+/// Side of the paper's single cascade, m. The scale of phillips-paper depends on it.
 constexpr double papers_side_m = 250;
 
-/// The coarsest cascade has so many of the peak's waves: it repeats beyond what the eye compares.
+/// Side of the coarsest cascade, in peak wavelengths: large enough that the repetition is not
+/// noticeable.
 constexpr double peak_waves = 16;
 constexpr double min_side_m = 1, max_side_m = 1e5;
 
-/// A wave has at least so many texels, and a cascade's longest so many steps of the grid between it
-/// and k = 0, so that its directions are many.
+/// Smallest number of texels per wavelength, and distance of a cascade's longest waves from k = 0
+/// in grid steps. The distance ensures enough directions.
 constexpr double texels_a_wave = 3;
 constexpr double steps_a_band = 6;
 
-/// No cascade is more than nearly as long as the one above it.
+/// Smallest ratio of the sides of consecutive cascades.
 constexpr double min_ratio = 1.5;
 
-/// Shorter waves nobody sees.
+/// Shorter waves are not visible, m.
 constexpr double shortest_wave_m = 0.02;
 
-/// Cascades hold this part of Cox and Munk's mean square slope at most. In light winds the spectra,
-/// whose tails know no ripples, have more.
+/// Largest fraction of Cox and Munk's mean square slope that cascades resolve. In light winds the
+/// spectra exceed it, because their tails do not model capillary waves.
 constexpr double max_of_slopes = 0.9;
 
-/// Grids are rotated against each other by this part of a quarter turn, which meets no earlier one:
-/// the golden ratio's.
+/// Rotation between consecutive grids in turns: the golden ratio times a quarter turn, so that no
+/// two grids are aligned.
 constexpr double rotation_a_cascade = 0.25 * 0.6180339887498949;
 
-/// Two digits are enough for a side. `up`: not less than the value.
+/// Rounds a side to two significant digits. \param up  round up
 double short_number(double value, bool up) {
     double unit = 1;
     while (value / unit < 10) unit /= 10;
@@ -48,8 +49,8 @@ double short_number(double value, bool up) {
     return unit < 1 ? digits / std::floor(1 / unit + 0.5) : digits * unit;
 }
 
-/// Where the slopes of the model reach what cascades may hold, rad/m; the shortest wave's if they
-/// never do.
+/// Returns the wave number at which the model's mean square slope reaches max_of_slopes, rad/m. If
+/// it never does, returns the wave number of the shortest wave.
 double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     const double max = max_of_slopes * measured_slopes(sea.wind_speed_mps).total();
     constexpr double ratio = 1.02;
@@ -64,7 +65,8 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
 
 bool is_stack(const SeaState& sea) { return !is_cascade_for_good(sea); }
 
-/// An analytic sea's shortest wave is held though sides are rounded up, each by a tenth at most.
+/// Margin that keeps an analytic sea's shortest wave resolved. Sides are rounded up, each by a
+/// tenth at most.
 constexpr double margin_of_shortest = 4.0 / 3;
 
 WaveSpectrum spectrum_of_stack(const SeaState& sea) {
@@ -79,7 +81,7 @@ std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
     return cascades;
 }
 
-/// Where the waves of a sea end, rad/m.
+/// Returns the largest wave number of a sea, rad/m.
 double end_of_waves(const SeaState& sea) {
     if (sea.waves == WaveModel::analytic) return margin_of_shortest * two_pi / shortest_wave_of(sea);
     return end_of_slopes(spectrum_of_stack(sea), sea);

@@ -1,7 +1,9 @@
 // The dispersion relation, and the quantisation of frequencies that makes the sea loop exactly.
 //
-//   omega^2 = (g k + (T/rho) k^3) tanh(k depth)     Lamb 1932, article 267; VR Ocean, equation 15: deep and without T
-//   q(k)    = max(1, round(omega T / 2 pi))         equation 16, with round instead of floor (errata)
+//   omega^2 = (g k + (T/rho) k^3) tanh(k depth)
+//             Lamb 1932, article 267; VR Ocean, equation 15, is the case of deep water and T = 0
+//   q(k)    = max(1, round(omega T / 2 pi))
+//             equation 16, with round instead of floor (errata)
 //   phase   = q f turns, f = t / T as a 32-bit fraction of the loop
 #pragma once
 

@@ -58,7 +58,8 @@ double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }
 
 // J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants,
 // with l = (2, 0, 0),
-//   k1 = 1 + tr AS,  k2 = l'Sl + 2 tr (AS)^2,  k3 = 6 l'SASl + 8 tr (AS)^3,  k4 = 48 l'SASASl + 48 tr (AS)^4
+//   k1 = 1 + tr AS,                  k2 = l'Sl + 2 tr (AS)^2,
+//   k3 = 6 l'SASl + 8 tr (AS)^3,     k4 = 48 l'SASASl + 48 tr (AS)^4
 // (Mathai and Provost 1992, theorem 3.2b.2). A wave of variance s has the fourth cumulant -3/2 s^2.
 // Therefore 2u contributes an additional -24 sum s^2 to k4.
 FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {

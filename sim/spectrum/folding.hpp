@@ -3,7 +3,8 @@
 //
 // The derivatives of the horizontal displacement are those of the cascade's texels. Let
 //
-//   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,  so that  J = (1 + u)^2 - v^2 - w^2
+//   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,
+//   so that  J = (1 + u)^2 - v^2 - w^2
 //
 // except for the term (Dx,z - Dz,x)^2 / 4, which is 0 for exact derivatives. A sum of many waves is
 // Gaussian.

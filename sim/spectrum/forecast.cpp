@@ -13,25 +13,26 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846, two_pi = 2 * pi;
 
-constexpr double max_time_s = 1e12;  // microseconds of it are still told apart
+constexpr double max_time_s = 1e12;  // limit of a resolution of about 1e-4 s in double precision
 constexpr double longest_change_s = 1e9;
-constexpr double min_swell_from_m = 1e3, max_swell_from_m = 2e7;  // half of the way round the earth
+constexpr double min_swell_from_m = 1e3, max_swell_from_m = 2e7;  // half the earth's circumference
 constexpr double max_peak_m = 1e5;
 
-/// Two peaks are one within what peak_of() finds out.
+/// Relative tolerance for equal peaks: the accuracy of peak_of().
 constexpr double peak_tolerance = 1e-6;
 
 std::string of_change(std::string_view name, std::size_t number) {
     return std::string(name) + " of change " + number_text(number);
 }
 
-/// The first thing that a forecast fixes and `sea` has otherwise.
+/// Returns a message about the first field that must be constant in a forecast and differs in
+/// `sea`.
 std::string difference(const SeaState& first, const SeaState& sea, std::size_t number) {
     const auto refused = [&](std::string_view name, const auto& is, const std::string& needed) {
         return invalid_value_message(of_change(name, number), is, needed + " as the first sea has it");
     };
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
-    // Octaves that move one another have no energies to blend.
+    // Octaves of a pond displace one another, so they have no independent energies to blend.
     if (sea.waves == WaveModel::pond)
         return invalid_value_message(of_change("waves", number), name_of(sea.waves),
                                      "spectrum or analytic: a pond does not change");
@@ -54,7 +55,7 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
 }
 
 std::string too_long(const std::string& whose, const SeaState& sea, double largest_peak_m) {
-    if (largest_peak_m == 0) return {};  // the search for a peak takes most of a check's time
+    if (largest_peak_m == 0) return {};  // skip the search for the peak, which is expensive
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
     return invalid_value_message(
@@ -66,7 +67,7 @@ double between(double before, double after, double part) {
     return before == after ? before : (1 - part) * before + part * after;
 }
 
-/// The shorter way round, in [-2 pi, 2 pi] as directions are.
+/// Returns the direction between two directions along the shorter arc, in [-2 pi, 2 pi].
 double turned(double before, double after, double part) {
     double turn = after - before;
     while (turn > pi) turn -= two_pi;
@@ -109,7 +110,7 @@ std::string check(const Forecast& forecast) {
     if (!(largest_m >= 0 && largest_m <= max_peak_m))
         return invalid_value_message("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
     if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
-    double over_s = -max_time_s;  // when the change before is over
+    double over_s = -max_time_s;  // end of the previous change
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
         const SeaChange& change = forecast.changes[i];
         const std::size_t number = i + 1;
@@ -162,7 +163,8 @@ SeaState sea_between(const SeaState& before, const SeaState& after, double part)
     SeaState sea = part < 0.5 ? before : after;
     for (const SeaStateField& field : sea_state_fields())
         if (const auto* number = std::get_if<double SeaState::*>(&field.member))
-            if (before.**number != field.also && after.**number != field.also)  // such as 0, for chosen
+            // A special value (`also`, such as 0 for "chosen") cannot be interpolated.
+            if (before.**number != field.also && after.**number != field.also)
                 sea.** number = between(before.**number, after.**number, part);
     sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, part);
     if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);

@@ -1,9 +1,10 @@
-// Seas by name: the files of presets/, which cmake/sea_presets.cmake has made a table of. Heights
-// of the named ones follow the World Meteorological Organization's sea states (Manual on Codes,
-// WMO-No. 306, code table 3700). Those of beaufort-1 to beaufort-12 are the probable wave heights
-// of the open sea in its table of Beaufort's forces, at a speed of the force's range and the fetch
-// that gives them; waves of 0.1 m, the table's least, need more than a light air, so beaufort-1 has
-// 0.06 m.
+// The sea-state presets: cmake/sea_presets.cmake converts the files of presets/ to a table.
+//
+// Heights of the named presets follow the World Meteorological Organization's sea states (Manual on
+// Codes, WMO-No. 306, code table 3700). Heights of beaufort-1 to beaufort-12 are the probable wave
+// heights of the open sea in its table of Beaufort forces. Each has a wind speed in the range of
+// the force and the fetch that gives the height. The smallest height of the table, 0.1 m, needs
+// more wind than force 1 has, so beaufort-1 has 0.06 m.
 #include <array>
 
 #include "pelagic/sim/sea_state.hpp"

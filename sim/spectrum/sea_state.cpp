@@ -21,8 +21,9 @@ constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine
 constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
                                                                              "donelan-banner"};
 
-// With 3 texels to its shortest wave and 6 steps of its grid to its longest, a cascade of N texels
-// is N / 18 times shorter than the one above it at most. Fewer texels make no stack.
+// A cascade has 3 texels per shortest wave and 6 grid steps to its longest wave. The ratio of the
+// sides of consecutive cascades is therefore at most N / 18. Cascades with fewer texels cannot form
+// a stack.
 constexpr int min_resolution_of_stacks = 32;
 
 constexpr double two_pi = 6.283185307179586;

@@ -138,7 +138,8 @@ double WaveSpectrum::wind_density(double k) const {
 }
 
 // Ochi and Hubble 1976 with lambda = 3, the low frequencies of their most probable sea:
-//   S(omega) = Hs^2/16 4 u^lambda e^-u / (Gamma(lambda) omega),  u = (lambda + 1/4) (omega_p / omega)^4.
+//   S(omega) = Hs^2/16 4 u^lambda e^-u / (Gamma(lambda) omega),
+//   u = (lambda + 1/4) (omega_p / omega)^4.
 // swell_height_m is the height at the sea's depth, so only breaking attenuates the swell.
 double WaveSpectrum::swell_density(double k) const {
     const double omega = angular_frequency(k, water_);

@@ -3,8 +3,9 @@
 // A physical model is a deep-water frequency spectrum S(omega) in m^2 s times Kitaigorodskii's
 // factor, which is less than 1 in finite depth (TMA: Bouws et al. 1985). It is multiplied by a
 // directional distribution and transformed to wave vectors:
-//   S(kx, kz) = S(omega) phi(omega, depth) (d omega / d k) / k D(theta), in m^4; the integral over all k is the variance
-// and E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. A swell adds its own energy. If
+//   S(kx, kz) = S(omega) phi(omega, depth) (d omega / d k) / k D(theta), in m^4.
+// The integral of S(kx, kz) over all k is the variance, and
+// E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. A swell adds its own energy. If
 // the waves exceed the height limit of the depth, breaking reduces all energies by one factor.
 // `phillips-paper` keeps the paper's own scaling, which depends on N and L and has no physical
 // height.

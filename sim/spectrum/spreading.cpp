@@ -99,8 +99,8 @@ OppositeDensities DirectionalLobe::densities(double cosine) const {
         return cosine < 0 ? OppositeDensities{far, near} : OppositeDensities{near, far};
     }
     const auto power = [&](double cosine_of_wave) {
-        const double half_cosine_squared =
-            std::max(0.5 * (1 + cosine_of_wave), 1e-300);  // 0 has no logarithm
+        // The lower bound avoids the logarithm of 0.
+        const double half_cosine_squared = std::max(0.5 * (1 + cosine_of_wave), 1e-300);
         return factor_ * det::pow(half_cosine_squared, narrowness_);
     };
     return {power(cosine), power(-cosine)};

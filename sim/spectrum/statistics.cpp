@@ -21,12 +21,12 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// Sums over waves of their variance, m^2.
+/// Sums of variances over waves, m^2.
 struct Moments {
     double variance = 0;
-    double x = 0, z = 0;  ///< times the unit vector in which they run
+    double x = 0, z = 0;  ///< variances times the unit vector of propagation
 
-    /// A wave that runs along (cosine_x, cosine_z) and the one against it.
+    /// Adds a wave along (cosine_x, cosine_z) and its opposite.
     void add(double along, double against, double cosine_x, double cosine_z) {
         variance += along + against;
         x += (along - against) * cosine_x;
@@ -34,27 +34,29 @@ struct Moments {
     }
 };
 
-// Bands 5 % wide from the longest wave of the grid up to the shortest.
+// Ratio of consecutive band edges: 5 %. Bands cover the longest to the shortest wave of the grid.
 constexpr double band_ratio = 1.05;
 
-/// What one pass over all cascades' grids finds: every figure of this file comes from these.
+/// The sums of one pass over all cascades' grids. All statistics in this file are computed from
+/// them.
 struct GridSums {
     double lowest_band_hz = 0;
-    Moments expected;                     ///< the mean over all seeds
-    std::vector<CascadeSlopes> cascades;  ///< the same
-    Moments drawn;                        ///< of this seed, as are the rest
-    /// Of frequency, band_ratio wide, from that of the longest wave on; m^2.
+    Moments expected;                     ///< mean over all seeds
+    std::vector<CascadeSlopes> cascades;  ///< mean over all seeds
+    Moments drawn;                        ///< for the sea's seed
+    /// Variance per frequency band for the sea's seed, m^2. Bands are band_ratio wide, and the
+    /// first begins at the frequency of the longest wave.
     std::vector<double> bands;
-    /// The swell's part of them, as many; none without a swell.
+    /// The swell's contribution to each of `bands`; empty without a swell.
     std::vector<double> swell_bands;
-    std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
-    double expected_hz = 0,
-           /// The mean over all seeds of the variances times the frequency, and its square.
-           expected_hz2 = 0;
+    /// Variance by number of periods per loop for the sea's seed, m^2.
+    std::unordered_map<std::uint32_t, double> harmonics;
+    /// Means over all seeds of variance times frequency, and of variance times squared frequency.
+    double expected_hz = 0, expected_hz2 = 0;
     double expected_swell = 0, drawn_swell = 0;              ///< m^2
     double expected_convergence = 0, drawn_convergence = 0;  ///< variances of Dx,x + Dz,z
 
-    /// The variance of a wave, and what part of it is the swell's.
+    /// Adds the variance of a wave. \param of_swell  the swell's contribution to `variance`, m^2
     void add_drawn(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
         const double rise = det::log(hertz / lowest_band_hz) / det::log(band_ratio);
         const auto band = static_cast<std::size_t>(std::max(0.0, rise));
@@ -75,8 +77,7 @@ SeaState without_swell(SeaState sea) {
     return sea;
 }
 
-/// What the waves of a sea with a swell would be without it, breaking apart, which takes as much of
-/// both.
+/// The wind sea of a sea with a swell. Breaking attenuates wind sea and swell by the same factor.
 class WindPart {
    public:
     WindPart(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
@@ -96,13 +97,13 @@ class WindPart {
     double kept_;
 };
 
-/// The swell's part of a wave's energy.
+/// Returns the swell's fraction of a wave's energy.
 double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 - of_wind / all, 0.0, 1.0) : 0; }
 
 enum class Draws { no, yes };
 
-/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without
-/// draws only what is the mean over all seeds is summed, for half the work.
+/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number and therefore most of the
+/// computation. Without draws, only means over all seeds are computed, at half the cost.
 void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, GridSums& sums) {
     const CascadeWaves waves(sea, cascade);
     const Water& water = waves.water();
@@ -115,8 +116,8 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
     struct Variances {
         double expected = 0, drawn = 0, drawn_swell = 0;
     };
-    // The wave (m, n) and the one against it; what they hold of this seed. Each h~(k) is h0(k) and
-    // a mirror of h0(-k), so every amplitude counts twice in the variance.
+    // Adds the wave (m, n) and its opposite, with expected and drawn variances. Each h~(k) is the
+    // sum of h0(k) and the mirrored h0(-k), so every amplitude counts twice in the variance.
     const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
                               double k, Variances& of_shell) {
         const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
@@ -160,7 +161,7 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
     sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
 }
 
-/// Adds a pond's octaves, as independent as phases of their own make them.
+/// Adds a pond's octaves, as independent waves with phases of their own.
 void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance slopes;
@@ -195,12 +196,12 @@ GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws
 
 std::string short_text(double value) { return rounded_text(value, 3); }
 
-/// What a sea asks for, whatever cascades can hold.
+/// The waves of the model, without the limits of the cascades.
 struct ModelWaves {
     SpectralPeak peak;
-    std::optional<double> significant_wave_height_m;  ///< none for phillips-paper
+    std::optional<double> significant_wave_height_m;  ///< empty for phillips-paper
     double kept_after_breaking = 1;
-    int left_out = 0;  ///< waves of a list that no cascade holds
+    int left_out = 0;  ///< number of listed waves that no cascade holds
 };
 
 ModelWaves model_waves_of_list(const SeaState& sea) {
@@ -231,13 +232,14 @@ ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan
     return asked;
 }
 
-/// What was asked for, with the sums of the grid.
+/// Combines the model's waves with the sums of the grid.
 ExpectedWaves expected_from(const ModelWaves& asked, const GridSums& sums) {
     return {4 * std::sqrt(sums.expected.variance), two_pi / asked.peak.omega, two_pi / asked.peak.k,
             asked.significant_wave_height_m};
 }
 
-/// Of bands band_ratio wide, the first from `edge_hz` on; no number where all are empty.
+/// Returns the peak period of bands that are band_ratio wide. Returns NaN if all bands are empty.
+/// \param edge_hz  lower edge of the first band
 double peak_period_of(const std::vector<double>& bands, double edge_hz) {
     double weight = 0, weighted_frequency = 0;
     for (const double energy : bands) {
@@ -259,7 +261,7 @@ MeanPeriods periods_of(double variance, double hz, double hz2) {
 MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
     GridSums looped;
     double variance = 0;
-    // In the order of their frequencies: a sum of doubles has other bits in another order.
+    // Add in the order of frequencies: the result of a floating-point sum depends on the order.
     for (const auto& [harmonic, of_harmonic] : std::map(sums.harmonics.begin(), sums.harmonics.end())) {
         looped.add_expected(harmonic / loop_period_s, of_harmonic);
         variance += of_harmonic;
@@ -267,7 +269,8 @@ MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
     return periods_of(variance, looped.expected_hz, looped.expected_hz2);
 }
 
-/// Of a sea with a swell. The peak of all that was drawn is that of the part which has the model's.
+/// Adds the statistics of wind sea and swell. The drawn peak period of the whole sea is that of the
+/// component which has the model's peak.
 void add_parts(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
     const auto part = [&](double expected, double drawn, double peak_period_s, const std::vector<double>& bands) {
         return WavePart{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
@@ -281,7 +284,8 @@ void add_parts(const SeaState& sea, std::span<const CascadePlan> plan, const Gri
     const double wind_peak_s = two_pi / peak_of(WaveSpectrum(wind, plan.front()), wind).omega;
     report.wind_sea = part(sums.expected.variance - sums.expected_swell, sums.drawn.variance - sums.drawn_swell,
                            wind_peak_s, wind_bands);
-    // Where Ochi and Hubble's spectrum peaks at any depth: it is one over frequency.
+    // The peak of Ochi and Hubble's spectrum is at swell_period_s at any depth, because it is a
+    // spectrum over frequency.
     report.swell = part(sums.expected_swell, sums.drawn_swell, sea.swell_period_s, sums.swell_bands);
     const double peak_s = report.expected.peak_period_s;
     const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
@@ -305,8 +309,8 @@ LoopFrequencies loop_frequencies_from(const GridSums& sums) {
     return found;
 }
 
-/// The angle of (x, z) in (-pi, pi], the same bits everywhere: Newton's steps from the nearest
-/// quarter of a turn, each of which leaves the cube of the error over six.
+/// Returns the angle of (x, z) in (-pi, pi], bit-identical on every machine. Uses Newton steps from
+/// the nearest quarter turn; each step reduces an error e to e^3 / 6.
 double angle_of(double x, double z) {
     const double length = std::sqrt(x * x + z * z);
     if (!(length > 0)) return 0;
@@ -329,8 +333,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     const SpectralPeak& peak = asked.peak;
     const CascadePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;
-    // What a patch does to the height, over all seeds: one seed's own may as well be above the
-    // model's.
+    // The effect of the patch size on the height is a mean over all seeds: the height of one seed
+    // may also exceed the model's.
     const auto height_beside_model = [&]() -> std::string {
         if (!waves.model_significant_wave_height_m || sea.waves != WaveModel::spectrum) return {};
         return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
@@ -339,15 +343,15 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     std::vector<std::string> warnings;
     if (const double kept = asked.kept_after_breaking; kept < 1) {
         const double height = highest_over_depth * sea.depth_m;
-        warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
-                           short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
-                           " m is left, 0.6 of the depth");
+        warnings.push_back("waves break in " + number_text(sea.depth_m) + " m of water: Hs is limited to " +
+                           short_text(height) + " m (0.6 of the depth) instead of " +
+                           short_text(height / std::sqrt(kept)) + " m");
     }
     if (asked.left_out > 0)
         warnings.push_back(number_text(asked.left_out) +
-                           " of the sea's waves are shorter than the cascades' texels hold and left out, of Hs " +
-                           short_text(*waves.model_significant_wave_height_m) + " m " +
-                           short_text(waves.significant_wave_height_m) + " m is left: raise the resolution");
+                           " of the sea's waves are too short for the cascades and are omitted; Hs is " +
+                           short_text(waves.significant_wave_height_m) + " m instead of " +
+                           short_text(*waves.model_significant_wave_height_m) + " m: raise the resolution");
     if (coarsest.grid.side_m < 2 * peak_wavelength_m)
         warnings.push_back("the patch of " + number_text(coarsest.grid.side_m) +
                            " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
@@ -359,11 +363,11 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
                            " m): raise the resolution or shrink the patch");
     const double looped = loop_harmonic(peak.omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
     if (std::fabs(looped / peak.omega - 1) > 0.1)
-        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s changes the peak period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
-                           " %: waves of a loop run a whole number of periods");
-    // Of a list's waves few frequencies are all that there are. In a longer loop few are those of a
-    // narrow swell, or of a grid that holds few waves, which the notes above tell.
+                           " %: each wave has a whole number of periods per loop");
+    // Listed waves always have few frequencies. In a longer loop, few frequencies are caused by a
+    // narrow swell or by a grid that holds few waves, for which other warnings exist.
     const double ten_peaks_s = 10 * waves.peak_period_s;
     if (sea.waves == WaveModel::spectrum && found.largest_share > 0 &&
         found.for_90_percent < fewest_loop_frequencies && sea.loop_period_s < ten_peaks_s)
