@@ -10,13 +10,13 @@
 namespace pelagic {
 namespace {
 
-/// A number that GLSL takes for a float.
+/// Returns a GLSL float literal.
 std::string literal(double value) {
     const std::string text = number_text(static_cast<float>(value));
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-// `fract` before the sine: GLSL says nothing of how well it takes many turns.
+// `fract` precedes the sine, because GLSL does not specify the sine's accuracy for large angles.
 constexpr const char* functions = R"(
 struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
 
@@ -25,8 +25,8 @@ AnalyticWater analytic_water(vec2 reference_m, float time_s) {
     vec2 slope = vec2(0.0);
     vec3 contraction = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
     for (int i = 0; i < analytic_waves; ++i) {
-        vec4 wave = analytic_wave[i];      // way, turns a metre, amplitude
-        vec2 turn = analytic_turn[i];      // turns at the origin, turns a second
+        vec4 wave = analytic_wave[i];      // direction, turns per metre, amplitude
+        vec2 turn = analytic_turn[i];      // turns at the origin, turns per second
         float phase = 6.2831853 * fract(dot(wave.xy, reference_m) * wave.z - turn.y * time_s + turn.x);
         float s = sin(phase), c = cos(phase), steepness = 6.2831853 * wave.z * wave.w;
         moved.xz -= analytic_choppiness * wave.w * s * wave.xy;

@@ -1,4 +1,4 @@
-// An AnalyticSea as text for a shader.
+// Generates GLSL that evaluates an analytic sea.
 #pragma once
 
 #include <string>
@@ -7,20 +7,22 @@
 
 namespace pelagic {
 
-/// Where and when a shader's zero is. Its floats tell 600 s and some hundred wavelengths well: print the text again
-/// further on.
+/// Origin of a shader's coordinates. Floats are accurate up to 600 s and some hundred wavelengths
+/// from it; beyond, generate the text again with a new origin.
 struct GlslOrigin {
     double time_s = 0, x_m = 0, z_m = 0;
 };
 
-/// GLSL ES 3.00 with the waves as constants, no uniforms and no textures, for vertex and fragment shaders of
-/// `precision highp float`:
+/// Returns GLSL ES 3.00 for vertex and fragment shaders with `precision highp float`. The waves are
+/// constants; the text has no uniforms and no textures. It declares
 ///
 ///   struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };  metres, unit
-///   AnalyticWater analytic_water(vec2 reference_m, float time_s)                    both from `origin` on
+///   AnalyticWater analytic_water(vec2 reference_m, float time_s)              relative to `origin`
 ///
-/// The same displacement and normal as AnalyticSurface::sample_undisplaced() to 1e-3 of the sum of the amplitudes.
-/// Throws std::invalid_argument with check(sea)'s line. \pre the origin is finite
+/// Displacement and normal differ from AnalyticSurface::sample_undisplaced() by at most 1e-3 of the
+/// sum of the amplitudes.
+/// \throws std::invalid_argument with the message of check(sea), if it is not empty
+/// \pre the origin is finite
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin = {});
 std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin = {});
 

@@ -37,38 +37,38 @@ void require(const AnalyticSea& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
 }
 
-// Parts of each wave, k A, in thousandths; from the longest wave to the shortest. Calm is what a swell leaves,
-// intense is chop on a storm's waves, a little below the limit.
+// k A of each wave, in thousandths, from the longest wave to the shortest. Calm is a decayed swell.
+// Intense is a storm's waves with chop, just below max_steepness.
 constexpr std::size_t preset_waves = 16;
 using Steepness = std::array<int, preset_waves>;
 constexpr Steepness calm_steepness = {4, 6, 7, 7, 6, 4, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1};
 constexpr Steepness moderate_steepness = {15, 20, 23, 23, 20, 16, 13, 10, 8, 7, 6, 5, 5, 4, 4, 3};
 constexpr Steepness intense_steepness = {44, 50, 48, 42, 35, 29, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8};
 
-/// Of wave i of so many: between the nearest of the sixteen, before all are scaled to the same sum.
+/// Interpolates the table at wave i of `waves`. The caller scales the values to the table's sum.
 double steepness_at(const Steepness& steepness, int i, int waves) {
     if (waves == 1) return steepness.front();
     const double at = (preset_waves - 1.0) * i / (waves - 1);
     const auto before = std::min(static_cast<std::size_t>(at), preset_waves - 2);
-    const double part = at - static_cast<double>(before);
-    return (1 - part) * steepness[before] + part * steepness[before + 1];
+    const double fraction = at - static_cast<double>(before);
+    return (1 - fraction) * steepness[before] + fraction * steepness[before + 1];
 }
 
-/// Lengths fall evenly. Directions and phases are spread by the golden ratio, as evenly as any number of waves can be;
-/// shorter waves run further from the wind.
+/// Returns a sea whose lengths fall geometrically. The golden ratio distributes directions and
+/// phases evenly for any number of waves. Shorter waves deviate more from the wind.
 AnalyticSea family_sea(const AnalyticFamily& family, const Steepness& steepness) {
     constexpr double golden = 0.6180339887498949;
-    double all = 0, these = 0;
-    for (const int one : steepness) all += one;
-    for (int i = 0; i < family.waves; ++i) these += steepness_at(steepness, i, family.waves);
+    double table_sum = 0, sum = 0;
+    for (const int one : steepness) table_sum += one;
+    for (int i = 0; i < family.waves; ++i) sum += steepness_at(steepness, i, family.waves);
     AnalyticSea sea;
     for (int i = 0; i < family.waves; ++i) {
-        const double part = family.waves == 1 ? 0 : i / (family.waves - 1.0);
+        const double fraction = family.waves == 1 ? 0 : i / (family.waves - 1.0);
         const double wavelength_m =
-            std::max(min_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, part));
+            std::max(min_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, fraction));
         const double spread = 2 * (i * golden - std::floor(i * golden)) - 1, turn = i * golden * golden;
-        const double k_a = steepness_at(steepness, i, family.waves) * (all / these) * 1e-3;
-        double direction_rad = family.direction_rad + spread * (0.35 + part);
+        const double k_a = steepness_at(steepness, i, family.waves) * (table_sum / sum) * 1e-3;
+        double direction_rad = family.direction_rad + spread * (0.35 + fraction);
         if (std::fabs(direction_rad) > two_pi) direction_rad -= std::copysign(two_pi, direction_rad);
         sea.waves.push_back({.amplitude_m = k_a * wavelength_m / two_pi,
                              .wavelength_m = wavelength_m,
@@ -110,7 +110,7 @@ std::string check(const AnalyticSea& sea) {
     for (std::size_t i = 0; i < sea.waves.size(); ++i)
         if (const std::string reason = check_fields(sea.waves[i], wave_fields); !reason.empty())
             return one_line("waves[" + number_text(i) + "]." + reason);
-    // What a sea is scaled to may round past the limit by a last digit.
+    // Scaling may exceed the limit by a rounding error.
     if (const double steepness = steepness_of(sea); !(steepness <= max_steepness * (1 + 1e-12)))
         return invalid_value_message(
             "steepness", rounded_text(steepness, 6),

@@ -1,4 +1,4 @@
-// A sea of a few waves in closed form: the waves themselves, seas by name, and the way from one to another.
+// An analytic sea of a few waves: its parameters, presets, and interpolation between two seas.
 #pragma once
 
 #include <cstddef>
@@ -11,66 +11,73 @@
 
 namespace pelagic {
 
-/// height = amplitude cos(k.x - w t + phase), w^2 = g k: deep water. Ranges stand in analytic_wave_fields().
+/// A wave in deep water: height = amplitude cos(k.x - w t + phase), w^2 = g k.
+/// analytic_wave_fields() has the ranges.
 struct AnalyticWave {
     double amplitude_m = 0;    ///< [0, 100]
     double wavelength_m = 10;  ///< [0.01, 1000]
-    double direction_rad = 0;  ///< where it runs towards, from +x towards +z; [-2 pi, 2 pi]
+    double direction_rad = 0;  ///< in which it travels, from +x towards +z; [-2 pi, 2 pi]
     double phase_rad = 0;      ///< at x = z = t = 0, a crest by default; [-2 pi, 2 pi]
 };
 
 struct AnalyticSea {
     std::vector<AnalyticWave> waves;  ///< 1 to 64
-    double choppiness = 1;            ///< 1: water goes round in circles, as Gerstner's; 0: a height field; [0, 1]
+    double choppiness = 1;            ///< 1: circular orbits (Gerstner); 0: a height field; [0, 1]
 };
 
-/// The largest sum of k A. No crest folds below 1; up to here each step of a search takes off three fifths of its
-/// error.
+/// Largest sum of k A. No crest overturns below 1. Up to 0.4, each step of the search for a
+/// reference point reduces its error by 60 % or more.
 inline constexpr double max_steepness = 0.4;
 
-/// Sum of k A over the waves.
+/// Returns the sum of k A over the waves.
 double steepness_of(const AnalyticSea& sea);
 
-/// 4 sqrt(variance of the height), m.
+/// Returns 4 sqrt(variance of the height), m.
 double significant_height_m(const AnalyticSea& sea);
 
-/// The same sea with all amplitudes scaled so that its significant wave height is as asked. \pre it has waves that
-/// are not flat
+/// Returns the sea with its amplitudes scaled to a significant wave height, m. \pre some amplitude
+/// is not 0
 AnalyticSea with_significant_height(AnalyticSea sea, double height_m);
 
 std::span<const NumericField<AnalyticWave>> analytic_wave_fields();
 
-/// Empty if usable, else one line: "steepness is 0.52, needs at most 0.4, the sum of 2 pi amplitude_m /
-/// wavelength_m", "waves[3].wavelength_m is -1, needs [0.01, 1000]".
+/// Returns an empty string if the sea is valid, otherwise one line: "steepness is 0.52, needs at
+/// most 0.4, the sum of 2 pi amplitude_m / wavelength_m", "waves[3].wavelength_m is -1, needs
+/// [0.01, 1000]".
 std::string check(const AnalyticSea& sea);
 
-/// The sea on the way from one (u = 0) to another (u = 1; outside it stays there). Amplitudes and choppiness go
-/// linearly with s = u^2 (3 - 2u), so that nothing snaps; a wave keeps its length, direction and phase, so that
-/// nothing jumps, spins or slides. Waves that both have at the same place of their lists are one; others come and go.
-/// The steepness is between the two seas'.
-/// Throws std::invalid_argument if more than 64 waves meet, or a sea is refused by check().
+/// Interpolates between two seas. Amplitudes and choppiness are linear in s = u^2 (3 - 2u), so that
+/// their rates are continuous. Each wave keeps its length, direction and phase. Waves that are
+/// equal at one index of both lists are merged; the amplitudes of others grow or decay. The
+/// steepness is between those of the seas.
+/// \param u  0: `from`, 1: `to`; clamped to [0, 1]
+/// \throws std::invalid_argument if the result has more than 64 waves, or check() rejects a sea
 AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u);
 
-/// Seas of any number of waves in the presets' manner: lengths fall evenly from the longest to the shortest, directions lie
-/// around the wind's, further from it the shorter the wave, and the sum of k A is the presets', whatever the lengths.
+/// Parameters of a sea like the presets, with any number of waves. Lengths fall geometrically from
+/// the longest to the shortest. Directions spread around the wind's, more for shorter waves. The
+/// sum of k A is that of the presets, for any lengths.
 struct AnalyticFamily {
     int waves = 16;                          ///< 1 to 64
     double longest_m = 120, shortest_m = 2;  ///< [0.01, 1000]
-    double strength = 1;                     ///< 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2]
-    double direction_rad = 0;                ///< of the wind; [-2 pi, 2 pi]
+    /// 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].
+    double strength = 1;
+    double direction_rad = 0;  ///< of the wind; [-2 pi, 2 pi]
 };
-/// Throws std::invalid_argument as morphed().
+/// Returns the sea of a family. \throws std::invalid_argument if the parameters give a sea that
+/// check() rejects
 AnalyticSea analytic_sea(const AnalyticFamily& family);
 
-/// "analytic-calm", "analytic-moderate", "analytic-intense". All have the same sixteen waves from 120 to 2 m, each of
-/// them higher in the later, so that any two morph with Hs between theirs.
+/// A named sea: "analytic-calm", "analytic-moderate" or "analytic-intense". All have sixteen waves
+/// of equal lengths, from 120 to 2 m. Each wave's amplitude increases from preset to preset, so Hs
+/// of an interpolated sea is between those of the two presets.
 struct AnalyticPreset {
     std::string_view name;
     std::string_view summary;
     AnalyticSea sea;
 };
 std::span<const AnalyticPreset> analytic_presets();
-/// Null if there is none of that name.
+/// Returns a preset, or null if there is none of that name.
 const AnalyticPreset* analytic_preset_named(std::string_view name);
 
 }  // namespace pelagic

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
-// The rest of the tolerance is for what floats lose of a displacement of 64 m, the largest.
+// The other half of the tolerance covers float rounding of a displacement of 64 m, the largest.
 constexpr double search_target_m = AnalyticSurface::tolerance_m / 2;
 
 GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
@@ -47,15 +47,17 @@ const Sea& checked(const Sea& sea) {
     return sea;
 }
 
-// The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A:
-// everywhere
-// |D'| <= s and |D''| <= M. A reference point that is drawn a distance r off goes on
+// The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness
+// sum k^2 A. Then |D'| <= s and |D''| <= M everywhere. From q with the residual off = q + D(q) - p
+// of length r, a step is
 //
-// * by the fixed point, q - off: off' = D(q - off) - D(q), so r' <= s r;
-// * by Newton, q - (1 + D')^-1 off, a step of at most r / (1 - s): r' <= M/2 (r / (1 - s))^2 by Taylor's theorem.
+// * a fixed-point step to q - off: off' = D(q - off) - D(q), so r' <= s r;
+// * a Newton step to q - (1 + D')^-1 off, of length at most r / (1 - s): r' <= M/2 (r / (1 - s))^2
+// by Taylor's theorem.
 //
-// Each step takes the one that promises less, so that r' <= r min(s, c r), c = M / (2 (1 - s)^2). The search begins
-// at p itself, at most choppiness sum A off, and has ended when what is promised is within the target.
+// Each step uses the method with the lower bound, so r' <= r min(s, c r), c = M / (2 (1 - s)^2).
+// The search starts at p, where r is at most choppiness sum A, and ends when the bound is within
+// the target.
 struct Convergence {
     double s = 0, c = 0, first_m = 0;
 
@@ -70,7 +72,7 @@ struct Convergence {
         c = bend / (2 * (1 - s) * (1 - s));
     }
 
-    /// One more than is promised, for the roundings of floats.
+    /// Returns the upper bound of the steps, plus one for float rounding.
     int max_steps() const {
         int steps = 1;
         for (double r = first_m; r > search_target_m; r *= std::min(s, c * r)) ++steps;
@@ -115,13 +117,13 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);
 
-    const AnswerArrays<10> arrays{samples.height_m,      samples.horizontal_x_m, samples.horizontal_z_m,
+    const OutputArrays<10> arrays{samples.height_m,      samples.horizontal_x_m, samples.horizontal_z_m,
                                   samples.normal_x,      samples.normal_y,       samples.normal_z,
                                   samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
                                   samples.velocity_z_mps};
-    const bool normals = arrays.wants_any(3, 7), velocities = arrays.wants_any(7, 10);
+    const bool normals = arrays.has_any(3, 7), velocities = arrays.has_any(7, 10);
     for_each_group(points.x, points.z, arrays, kernels_->lanes, [&](const PointGroup<10>& group) {
-        float* const* out = group.answers.data();
+        float* const* out = group.outputs.data();
         GerstnerJob job{.waves = terms_.data(),
                         .starts = starts.data(),
                         .wave_count = static_cast<int>(terms_.size()),

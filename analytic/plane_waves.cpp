@@ -71,7 +71,7 @@ std::string check(const PlaneWaves& sea) {
         if (const double length = sea.waves[i].turns_per_m(); !(length >= 1e-4 && length <= 200))
             return invalid_value_message(place + "turns_per_m", length, "[0.0001, 200]");
     }
-    // What a sea is scaled to may round past the limit by a last digit.
+    // Scaling may exceed the limit by a rounding error.
     if (const double steepness = steepness_of(sea); !(steepness <= max_steepness * (1 + 1e-12)))
         return invalid_value_message(
             "steepness", rounded_text(steepness, 6),

@@ -1,5 +1,5 @@
-// Waves by what their phases are made of: what an AnalyticSea comes down to, and what one is whose waves were moved onto
-// the grids of cascades (sim/analytic_cascades.hpp).
+// Plane waves with explicit wave vectors and frequencies. They represent an AnalyticSea, also one
+// whose waves were moved to the grids of cascades (sim/analytic_cascades.hpp).
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace pelagic {
 
+/// A plane wave:
 /// height = amplitude cos(2 pi (x turns_per_m_x + z turns_per_m_z - t frequency_hz + phase_turns))
 struct PlaneWave {
     double amplitude_m = 0;                       ///< [0, 100]
-    double turns_per_m_x = 0, turns_per_m_z = 0;  ///< k / 2 pi, 1/m; its length in [0.0001, 200]
+    double turns_per_m_x = 0, turns_per_m_z = 0;  ///< k / 2 pi, 1/m; length in [0.0001, 200]
     double frequency_hz = 0;                      ///< [0, 1e4]
     double phase_turns = 0;                       ///< [-1, 1]
 
@@ -21,18 +22,18 @@ struct PlaneWave {
 
 struct PlaneWaves {
     std::vector<PlaneWave> waves;  ///< 1 to 64
-    double choppiness = 1;         ///< as AnalyticSea has it
+    double choppiness = 1;         ///< as AnalyticSea::choppiness
 };
 
-/// Every wave as it is, in deep water. \pre check(sea) is empty
+/// Converts each wave without change, in deep water. \pre check(sea) is empty
 PlaneWaves plane_waves_of(const AnalyticSea& sea);
 
-/// As those of an AnalyticSea.
+/// Overloads of the functions for AnalyticSea.
 double steepness_of(const PlaneWaves& sea);
 double significant_height_m(const PlaneWaves& sea);
 std::string check(const PlaneWaves& sea);
 
-/// sqrt(g k) / 2 pi
+/// Returns sqrt(g k) / 2 pi.
 double deep_water_frequency_hz(double turns_per_m);
 
 }  // namespace pelagic

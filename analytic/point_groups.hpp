@@ -1,4 +1,4 @@
-// Points of an application cut into what kernels take: whole groups, and a room for every answer.
+// Division of an application's points into groups for the kernels, with an array for each output.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,16 @@ namespace pelagic {
 
 inline constexpr double furthest_analytic_point_m = 1e9;
 
-/// The application's arrays, empty where he wants none.
+/// Output arrays of the application; an empty one is not written.
 template <std::size_t Kinds>
-struct AnswerArrays {
+struct OutputArrays {
     std::array<std::span<float>, Kinds> of;
 
     template <class... Spans>
-    AnswerArrays(Spans... spans) : of{spans...} {}
+    OutputArrays(Spans... spans) : of{spans...} {}
 
-    bool wants_any(std::size_t first, std::size_t last) const {
+    /// Returns whether an array in [first, last) is not empty.
+    bool has_any(std::size_t first, std::size_t last) const {
         return std::any_of(of.begin() + first, of.begin() + last,
                            [](std::span<float> array) { return !array.empty(); });
     }
@@ -31,31 +32,32 @@ struct AnswerArrays {
 template <std::size_t Kinds>
 struct PointGroup {
     std::size_t first;
-    std::size_t count;  ///< past the application's points there are copies of his last
+    std::size_t count;  ///< including copies of the last point, as padding
     const double *x, *z;
-    std::array<float*, Kinds> answers;  ///< never null
+    std::array<float*, Kinds> outputs;  ///< never null
 };
 
-/// Calls sample(group) for groups of at most `most` points, and hands out what they answer. Answers that nobody wants
-/// go to an array on the stack, so that kernels needn't ask.
-/// \param multiple  of what the kernel takes, a part of analytic_group: a single point shall not cost sixteen
+/// Calls sample(group) for groups of at most 8 * analytic_group points. Outputs without an array
+/// are written to scratch memory on the stack, so that kernels need no branches. The last group's
+/// outputs are copied.
+/// \param multiple  the kernel's point count is a multiple of it; a divisor of analytic_group
 template <std::size_t Kinds, class Sample>
-void for_each_group(std::span<const double> x, std::span<const double> z, const AnswerArrays<Kinds>& arrays,
+void for_each_group(std::span<const double> x, std::span<const double> z, const OutputArrays<Kinds>& arrays,
                     std::size_t multiple, Sample sample) {
     constexpr std::size_t max = 8 * analytic_group;
     assert(x.size() == z.size());
-    float room[Kinds][max];
+    float scratch[Kinds][max];
     for (std::size_t first = 0; first < x.size();) {
-        const std::size_t left = x.size() - first;
-        const std::size_t whole = std::min(left / analytic_group * analytic_group, max);
+        const std::size_t remaining = x.size() - first;
+        const std::size_t whole = std::min(remaining / analytic_group * analytic_group, max);
         const bool is_tail = whole == 0;
         double tail_x[analytic_group], tail_z[analytic_group];
         for (std::size_t i = 0; is_tail && i < analytic_group; ++i) {
-            tail_x[i] = x[first + std::min(i, left - 1)];
-            tail_z[i] = z[first + std::min(i, left - 1)];
+            tail_x[i] = x[first + std::min(i, remaining - 1)];
+            tail_z[i] = z[first + std::min(i, remaining - 1)];
         }
         PointGroup<Kinds> group{first,
-                                is_tail ? (left + multiple - 1) / multiple * multiple : whole,
+                                is_tail ? (remaining + multiple - 1) / multiple * multiple : whole,
                                 is_tail ? tail_x : x.data() + first,
                                 is_tail ? tail_z : z.data() + first,
                                 {}};
@@ -65,13 +67,13 @@ void for_each_group(std::span<const double> x, std::span<const double> z, const 
                            [](double at) { return std::fabs(at) <= furthest_analytic_point_m; }));
         for (std::size_t kind = 0; kind < Kinds; ++kind) {
             assert(arrays.of[kind].empty() || arrays.of[kind].size() == x.size());
-            group.answers[kind] = is_tail || arrays.of[kind].empty() ? room[kind] : arrays.of[kind].data() + first;
+            group.outputs[kind] = is_tail || arrays.of[kind].empty() ? scratch[kind] : arrays.of[kind].data() + first;
         }
         sample(static_cast<const PointGroup<Kinds>&>(group));
         if (is_tail)
             for (std::size_t kind = 0; kind < Kinds; ++kind)
-                if (!arrays.of[kind].empty()) std::copy_n(room[kind], left, arrays.of[kind].data() + first);
-        first += is_tail ? left : whole;
+                if (!arrays.of[kind].empty()) std::copy_n(scratch[kind], remaining, arrays.of[kind].data() + first);
+        first += is_tail ? remaining : whole;
     }
 }
 

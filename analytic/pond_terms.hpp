@@ -1,4 +1,4 @@
-// An octave as the kernel takes it.
+// Conversion of an octave to the kernel's constants.
 #pragma once
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"

@@ -18,11 +18,11 @@ namespace pelagic {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
-constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, over its density
+constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, divided by its density
 constexpr double golden = 0.6180339887498949;     // of a turn
 constexpr double min_exp = 0.1353352832366127;    // exp(-2)
 constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
-constexpr double shortest_wavelength_m = 1e-3;    // where water is smooth
+constexpr double shortest_wavelength_m = 1e-3;    // shorter ones are invisible
 
 constexpr std::array fields = {
     NumericField<PondSea>{"octaves", &PondSea::octaves, 1, max_analytic_waves, "1 to 64"},
@@ -40,14 +40,15 @@ double last_wavelength_m(const PondSea& sea) {
     return wavelength_m;
 }
 
-/// Distances along a ray between two heights; none if it never is there.
-struct Stretch {
+/// An interval of a ray, by distance from its origin.
+struct Interval {
     double from_m, to_m;
 };
-std::optional<Stretch> between_heights(double y, double way_y, double lowest, double highest, double reach_m) {
-    Stretch all{0, reach_m};
-    if (way_y != 0) {
-        const double a = (highest - y) / way_y, b = (lowest - y) / way_y;
+/// Returns the interval in which a ray is between two heights; empty if there is none.
+std::optional<Interval> between_heights(double y, double direction_y, double lowest, double highest, double reach_m) {
+    Interval all{0, reach_m};
+    if (direction_y != 0) {
+        const double a = (highest - y) / direction_y, b = (lowest - y) / direction_y;
         all = {std::max(0.0, std::min(a, b)), std::min(reach_m, std::max(a, b))};
     } else if (y < lowest || y > highest) {
         return {};
@@ -82,19 +83,19 @@ double shown_part(double wavelength_m, double footprint_m) {
 
 std::vector<PondOctave> octaves_of(const PondSea& sea) {
     const DefaultFloatEnvironment environment;
-    double sum = 0, part = 1;
-    for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) sum += part;
+    double sum = 0, weight = 1;
+    for (int i = 0; i < sea.octaves; ++i, weight *= sea.decay) sum += weight;
     std::vector<PondOctave> octaves;
     double wavelength_m = sea.wavelength_m;
-    part = 1;
-    for (int i = 0; i < sea.octaves; ++i, part *= sea.decay, wavelength_m /= sea.growth) {
+    weight = 1;
+    for (int i = 0; i < sea.octaves; ++i, weight *= sea.decay, wavelength_m /= sea.growth) {
         const auto [z, x] = det::sine_cosine_of_turns(sea.direction_rad / two_pi + i * golden);
         octaves.push_back({.turns_per_m_x = x / wavelength_m,
                            .turns_per_m_z = z / wavelength_m,
                            .frequency_hz = ripple_frequency_hz(1 / wavelength_m),
                            .phase_turns = i * golden * golden,
-                           .height_m = sea.height_m * part / sum,
-                           .drag_m = sea.drag * part * sea.wavelength_m / two_pi});
+                           .height_m = sea.height_m * weight / sum,
+                           .drag_m = sea.drag * weight * sea.wavelength_m / two_pi});
     }
     return octaves;
 }
@@ -103,8 +104,8 @@ PondTerms pond_terms_of(const PondOctave& octave) {
     const double per_m = octave.turns_per_m();
     const auto rounded = [](double value) { return static_cast<float>(value); };
     return {.phase = {octave.turns_per_m_x, octave.turns_per_m_z},
-            .way_x = rounded(octave.turns_per_m_x / per_m),
-            .way_z = rounded(octave.turns_per_m_z / per_m),
+            .direction_x = rounded(octave.turns_per_m_x / per_m),
+            .direction_z = rounded(octave.turns_per_m_z / per_m),
             .turns_per_m = rounded(per_m),
             .k = rounded(two_pi * per_m),
             .height = rounded(octave.height_m),
@@ -156,12 +157,12 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
 
-    const AnswerArrays<6> arrays{
+    const OutputArrays<6> arrays{
         samples.height_m,      samples.normal_x, samples.normal_y, samples.normal_z, samples.vertical_velocity_mps,
         samples.slope_variance};
-    const bool slopes = arrays.wants_any(1, 6);
+    const bool slopes = arrays.has_any(1, 6);
     for_each_group(points.x, points.z, arrays, analytic_group, [&](const PointGroup<6>& group) {
-        float* const* out = group.answers.data();
+        float* const* out = group.outputs.data();
         float tail[analytic_group];
         const float* footprint = footprint_m.empty() ? nullptr : footprint_m.data() + group.first;
         if (footprint && group.first + group.count > footprint_m.size()) {
@@ -188,43 +189,44 @@ std::optional<PondHit> PondWaves::first_hit(double time_s, std::array<double, 3>
     const auto [dx, dy, dz] = direction;
     const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
     assert(length > 0 && std::isfinite(length) && std::isfinite(reach_m));
-    const std::array<double, 3> way{dx / length, dy / length, dz / length};
-    const auto along = [&](double distance_m, std::size_t axis) { return origin_m[axis] + distance_m * way[axis]; };
+    const std::array<double, 3> unit{dx / length, dy / length, dz / length};
+    const auto along = [&](double distance_m, std::size_t axis) { return origin_m[axis] + distance_m * unit[axis]; };
 
-    constexpr std::size_t looks = analytic_group;
-    /// The first of `looks` places, `step_m` apart behind `from_m`, that is under water.
+    constexpr std::size_t sample_count = analytic_group;
+    /// Returns the first of `sample_count` positions, `step_m` apart after `from_m`, that is under
+    /// water.
     const auto first_under = [&](double from_m, double step_m) -> std::optional<std::size_t> {
-        double x[looks], z[looks];
-        float height[looks];
-        for (std::size_t i = 0; i < looks; ++i) {
+        double x[sample_count], z[sample_count];
+        float height[sample_count];
+        for (std::size_t i = 0; i < sample_count; ++i) {
             const double distance_m = from_m + step_m * static_cast<double>(i + 1);
             x[i] = along(distance_m, 0);
             z[i] = along(distance_m, 2);
         }
         sample(time_s, {x, z}, {.height_m = height});
-        for (std::size_t i = 0; i < looks; ++i)
+        for (std::size_t i = 0; i < sample_count; ++i)
             if (along(from_m + step_m * static_cast<double>(i + 1), 1) <= height[i]) return i;
         return {};
     };
 
-    const std::optional<Stretch> stretch = between_heights(origin_m[1], way[1], lowest_m(), highest_m(), reach_m);
-    if (!stretch) return {};
-    double from_m = stretch->from_m, step_m = shortest_m_ / 8;
+    const std::optional<Interval> interval = between_heights(origin_m[1], unit[1], lowest_m(), highest_m(), reach_m);
+    if (!interval) return {};
+    double from_m = interval->from_m, step_m = shortest_m_ / 8;
     std::optional<std::size_t> under;
     while (!(under = first_under(from_m, step_m))) {
-        from_m += step_m * static_cast<double>(looks);
-        if (from_m >= stretch->to_m) return {};
+        from_m += step_m * static_cast<double>(sample_count);
+        if (from_m >= interval->to_m) return {};
     }
-    // The crossing lies within one step: sixteen looks at it, and again.
+    // The crossing is within one step: divide the step into sixteen, repeatedly.
     for (const double enough_m = std::max(1e-6, 1e-12 * from_m);;) {
         from_m += step_m * static_cast<double>(*under);
         if (step_m <= enough_m) break;
-        step_m /= static_cast<double>(looks);
+        step_m /= static_cast<double>(sample_count);
         under = first_under(from_m, step_m);
-        if (!under) under = looks - 1;  // the step's end is under water, but for a last digit
+        if (!under) under = sample_count - 1;  // rounding: the end of the step is under water
     }
     const double distance_m = from_m + step_m / 2;
-    if (distance_m > stretch->to_m) return {};
+    if (distance_m > interval->to_m) return {};
     return PondHit{distance_m, {along(distance_m, 0), along(distance_m, 1), along(distance_m, 2)}};
 }
 

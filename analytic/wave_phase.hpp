@@ -1,4 +1,4 @@
-// Where a wave is in its turn at any time.
+// Phase of a wave at any time.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,14 @@ namespace pelagic {
 
 inline constexpr double gravity_of_waves_mps2 = 9.80665;
 
-/// frequency_hz x time_s without its whole turns, in parts of 2^-64 of a turn: the product of the two doubles is
-/// taken exactly, as integers, so time loses no accuracy however long it runs, and -t is the same turned back.
+/// Returns the fractional turns of frequency_hz * time_s, in units of 2^-64 of a turn. The product
+/// of the two doubles is exact in integers, so the accuracy does not depend on the time, and
+/// turned(f, -t) is -turned(f, t).
 /// \pre both are finite
 std::uint64_t turned(double frequency_hz, double time_s);
 
-/// Turns in [-1/2, 1/2) of a wave at x = z = 0: `phase_turns` less what it has turned.
+/// Returns the phase of a wave at x = z = 0, in turns in [-1/2, 1/2):
+/// phase_turns - frequency_hz * time_s.
 double turns_at_origin(double phase_turns, double frequency_hz, double time_s);
 
 }  // namespace pelagic

@@ -29,7 +29,7 @@ const AnalyticKernels& analytic_kernels_for(Isa isa) {
         default: break;
 #endif
     }
-    std::abort();  // the precondition is broken
+    std::abort();  // precondition violated
 }
 
 }  // namespace pelagic

@@ -1,5 +1,6 @@
-// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Only kernels may be included here, because
-// the linker keeps one copy of an inline function for everyone, and it might be this one.
+// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Include only kernels
+// here: the linker keeps one copy of each inline function for the whole program, and it might be
+// the copy compiled here.
 #include "pelagic/analytic/kernels/gerstner.kernel.hpp"
 #include "pelagic/analytic/kernels/pond.kernel.hpp"
 

@@ -1,4 +1,4 @@
-// Sums of waves that move water horizontally too, and the search for the water that is drawn at a point.
+// Sums of Gerstner waves, and the search for the reference point of a displaced position.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,13 @@
 
 namespace pelagic::kernels {
 
-/// W points: those that were given, and how far from them the water that is looked at rests.
+/// W points, and the vectors from their reference points to them.
 template <class Arch>
 struct GerstnerPoints {
     using V = xsimd::batch<float, Arch>;
 
-    /// The water rests `back` before the given point.
+    /// Returns the rotation of a wave's phase at the reference point, which is the point minus
+    /// `back`.
     PELAGIC_INLINE Rotation<Arch> rotation(const GerstnerTerms& wave, int i) const {
         const V turns = back_x * V(wave.turns_per_m_x) + back_z * V(wave.turns_per_m_z);
         return rotation_of_turns<Arch>(phases.of(i) - phase_of_turns<Arch>(turns));
@@ -28,7 +29,7 @@ struct GerstnerPoints {
     V back_x = V(0.f), back_z = V(0.f);
 };
 
-/// Displacement and its derivatives along x and z.
+/// Horizontal displacement and its derivatives along x and z.
 template <class Arch>
 struct HorizontalSum {
     using V = xsimd::batch<float, Arch>;
@@ -43,19 +44,19 @@ struct HorizontalSum {
     }
 };
 
-/// Looks for the reference points of W world points. A point's steps depend on itself alone: lanes that are done keep
-/// their bits.
+/// Finds the reference points of W displaced positions. Lanes that have converged do not change, so
+/// a point's result does not depend on the other lanes.
 template <class Arch>
 PELAGIC_INLINE void search_reference(const GerstnerJob& job, GerstnerPoints<Arch>& at) {
     using V = xsimd::batch<float, Arch>;
-    V error_left(1e30f);
+    V error_bound(1e30f);
     for (int step = 0; step < job.max_steps; ++step) {
-        const auto open = error_left > V(job.target_m);
+        const auto open = error_bound > V(job.target_m);
         if (!xsimd::any(open)) return;
         HorizontalSum<Arch> d;
         for (int i = 0; i < job.wave_count; ++i) d.add(job.waves[i], at.rotation(job.waves[i], i));
 
-        // Where the water of this reference point is drawn, less the given point.
+        // Displaced position of the reference point minus the given point.
         const V off_x = d.x - at.back_x, off_z = d.z - at.back_z;
         const V error = square_root<Arch>(off_x * off_x + off_z * off_z);
         const V j_xx = V(1.f) + d.xx, j_zz = V(1.f) + d.zz;
@@ -66,11 +67,11 @@ PELAGIC_INLINE void search_reference(const GerstnerJob& job, GerstnerPoints<Arch
         const V step_z = xsimd::select(newton, (j_xx * off_z - d.xz * off_x) * inverse, off_z);
         at.back_x = xsimd::select(open, at.back_x + step_x, at.back_x);
         at.back_z = xsimd::select(open, at.back_z + step_z, at.back_z);
-        error_left = xsimd::select(open, error * xsimd::min(after_newton, V(job.contraction)), error_left);
+        error_bound = xsimd::select(open, error * xsimd::min(after_newton, V(job.contraction)), error_bound);
     }
 }
 
-/// What is told of W points.
+/// Computes the outputs for W points.
 template <class Arch, bool InWorld, bool Normals, bool Velocities>
 PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
@@ -83,7 +84,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
         const GerstnerTerms& wave = job.waves[i];
         const Rotation<Arch> r = InWorld ? points.rotation(wave, i) : rotation_of_turns<Arch>(points.phases.of(i));
         height = height + V(wave.height) * r.cosine;
-        d.add(wave, r);  // what nobody reads costs nothing
+        d.add(wave, r);  // the compiler removes unused sums
         if constexpr (Normals) {
             slope_x = slope_x + V(wave.slope_x) * r.sine;
             slope_z = slope_z + V(wave.slope_z) * r.sine;
@@ -95,7 +96,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
         }
     }
 
-    const WaveAnswers& out = job.out;
+    const WaveOutputs& out = job.out;
     height.store_unaligned(out.height + at);
     d.x.store_unaligned(out.horizontal_x + at);
     d.z.store_unaligned(out.horizontal_z + at);

@@ -1,7 +1,9 @@
-// Phases of waves at points in double: 2^32 is a full turn, as rotation_of_turns() takes it.
+// Phases of waves at points, from doubles to 32-bit integers in which 2^32 is a full turn (the
+// input of rotation_of_turns()).
 //
-// Doubles carry a point far from the origin: 1e6 turns away a phase is still within 2^-32 of a turn. Whole turns go
-// first; what is left, added to 1.5 x 2^20, stands in the lower word of the sum, in parts of 2^-32.
+// With doubles, a phase is within 2^-32 of a turn up to 1e6 turns from the origin. Whole turns are
+// subtracted first. The fraction is added to 1.5 x 2^20; the lower word of the sum is then the
+// fraction in units of 2^-32.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +17,7 @@
 
 namespace pelagic::kernels {
 
-/// The lower words of two registers of doubles, in order.
+/// Returns the lower words of two registers of doubles, in order.
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double, Arch> a,
@@ -28,8 +30,8 @@ PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double
 template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double, Arch> a,
                                                              xsimd::batch<double, Arch> b) {
-    const __m256 halves =
-        _mm256_shuffle_ps(_mm256_castpd_ps(a), _mm256_castpd_ps(b), _MM_SHUFFLE(2, 0, 2, 0));  // a01 b01 a23 b23
+    // Lanes: a01 b01 a23 b23.
+    const __m256 halves = _mm256_shuffle_ps(_mm256_castpd_ps(a), _mm256_castpd_ps(b), _MM_SHUFFLE(2, 0, 2, 0));
     return _mm256_permute4x64_epi64(_mm256_castps_si256(halves), _MM_SHUFFLE(3, 1, 2, 0));
 }
 #endif
@@ -47,14 +49,14 @@ PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double
 }
 #endif
 
-/// Phases of all waves at W points, kept on the stack: every search starts from them.
+/// Phases of all waves at W points, on the stack. Each step of a search reads them.
 template <class Arch>
 class PointPhases {
     using U = xsimd::batch<std::uint32_t, Arch>;
     using D = xsimd::batch<double, Arch>;
 
    public:
-    /// \param terms  anything with a WavePhase `phase`
+    /// \param terms  `count` elements of a type with a WavePhase `phase`
     template <class Terms>
     PELAGIC_INLINE PointPhases(const Terms* terms, const double* starts, int count, const double* x,
                                const double* z) {
@@ -82,15 +84,15 @@ class PointPhases {
     alignas(64) std::uint32_t phases_[max_analytic_waves * U::size];
 };
 
-/// Turns of a few thousand at most as a phase.
+/// Converts turns to a phase. \pre |turns| is at most a few thousand
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> phase_of_turns(xsimd::batch<float, Arch> turns) {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
     const V to_whole(0x1.8p23f);
-    const V rest = turns - ((turns + to_whole) - to_whole);
-    // A half turn times 2^32 is no int32: half of it is, twice.
-    const U half = same_bits<U>(xsimd::to_int(rest * V(0x1p31f)));
+    const V fraction = turns - ((turns + to_whole) - to_whole);
+    // Half a turn times 2^32 does not fit an int32, so half of it is converted and doubled.
+    const U half = same_bits<U>(xsimd::to_int(fraction * V(0x1p31f)));
     return half + half;
 }
 

@@ -1,4 +1,4 @@
-// Octaves of exp(sin - 1), each moved by the slopes of those before it.
+// Octaves of exp(sin - 1), each displaced by the slopes of the octaves before it.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace pelagic::kernels {
 
-/// exp(s - 1) of s in [-1, 1], within 2^-23: a polynomial fitted at Chebyshev nodes.
+/// Returns exp(s - 1) for s in [-1, 1], within 2^-23, by a polynomial fitted at Chebyshev nodes.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> exp_of_sine(xsimd::batch<float, Arch> s) {
     using V = xsimd::batch<float, Arch>;
@@ -28,7 +28,8 @@ PELAGIC_INLINE xsimd::batch<float, Arch> exp_of_sine(xsimd::batch<float, Arch> s
     return V(0.36787945f) + s * sum;
 }
 
-/// 1 - smoothstep(0.4, 1, footprint over half a wave): how much of an octave points so far apart can show.
+/// Returns the weight of an octave: 1 - smoothstep(0.4, 1, half_waves).
+/// \param half_waves  footprint divided by half a wavelength
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> shown_part(xsimd::batch<float, Arch> half_waves) {
     using V = xsimd::batch<float, Arch>;
@@ -36,7 +37,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> shown_part(xsimd::batch<float, Arch> ha
     return V(1.f) - t * t * (V(3.f) - (t + t));
 }
 
-/// W points on their way through the octaves. Without `Slopes` the height alone, and no derivative is computed.
+/// Sums of the octaves at W points. Without `Slopes`, only heights are computed.
 template <class Arch, bool Slopes>
 class PondPoints {
     using V = xsimd::batch<float, Arch>;
@@ -47,34 +48,35 @@ class PondPoints {
           footprint_(job.footprint ? V::load_unaligned(job.footprint + at) : V(0.f)) {}
 
     PELAGIC_INLINE void add(const PondTerms& octave, int i) {
-        const V way_x(octave.way_x), way_z(octave.way_z), k(octave.k);
-        const V moved_turns = (way_x * off_x_ + way_z * off_z_) * V(octave.turns_per_m);
+        const V direction_x(octave.direction_x), direction_z(octave.direction_z), k(octave.k);
+        const V moved_turns = (direction_x * off_x_ + direction_z * off_z_) * V(octave.turns_per_m);
         const auto [s, c] = rotation_of_turns<Arch>(phases_.of(i) + phase_of_turns<Arch>(moved_turns));
         const V wave = exp_of_sine<Arch>(s), shown = shown_part<Arch>(footprint_ * V(octave.half_waves_per_m));
         const V amplitude = V(octave.height) * shown, drag = V(octave.drag) * shown * wave, by = drag * c;
         height_ = height_ + amplitude * (wave - V(0.465759608f));  // E exp(sin p - 1) = I0(1) / e
-        off_x_ = off_x_ - way_x * by;
-        off_z_ = off_z_ - way_z * by;
+        off_x_ = off_x_ - direction_x * by;
+        off_z_ = off_z_ - direction_z * by;
         if constexpr (!Slopes) return;
 
-        const V phase_x = k * (way_x * x_x_ + way_z * z_x_), phase_z = k * (way_x * x_z_ + way_z * z_z_);
-        const V phase_t = k * (way_x * x_t_ + way_z * z_t_) - V(octave.frequency);
+        const V phase_x = k * (direction_x * x_x_ + direction_z * z_x_),
+                phase_z = k * (direction_x * x_z_ + direction_z * z_z_);
+        const V phase_t = k * (direction_x * x_t_ + direction_z * z_t_) - V(octave.frequency);
         const V gain = amplitude * wave * c, by_phase = drag * (c * c - s);
         slope_x_ = slope_x_ + gain * phase_x;
         slope_z_ = slope_z_ + gain * phase_z;
         vertical_velocity_ = vertical_velocity_ + gain * phase_t;
-        x_x_ = x_x_ - way_x * (by_phase * phase_x);
-        x_z_ = x_z_ - way_x * (by_phase * phase_z);
-        x_t_ = x_t_ - way_x * (by_phase * phase_t);
-        z_x_ = z_x_ - way_z * (by_phase * phase_x);
-        z_z_ = z_z_ - way_z * (by_phase * phase_z);
-        z_t_ = z_t_ - way_z * (by_phase * phase_t);
+        x_x_ = x_x_ - direction_x * (by_phase * phase_x);
+        x_z_ = x_z_ - direction_x * (by_phase * phase_z);
+        x_t_ = x_t_ - direction_x * (by_phase * phase_t);
+        z_x_ = z_x_ - direction_z * (by_phase * phase_x);
+        z_z_ = z_z_ - direction_z * (by_phase * phase_z);
+        z_t_ = z_t_ - direction_z * (by_phase * phase_t);
         // E (exp(sin p - 1) cos p)^2 = I1(2) / (2 e^2)
         const V steepness = V(octave.height) * k;
         hidden_ = hidden_ + (V(1.f) - shown * shown) * (steepness * steepness * V(0.107634645f));
     }
 
-    PELAGIC_INLINE void store(const PondAnswers& out, std::size_t at) const {
+    PELAGIC_INLINE void store(const PondOutputs& out, std::size_t at) const {
         height_.store_unaligned(out.height + at);
         if constexpr (!Slopes) return;
         const V length = square_root<Arch>(slope_x_ * slope_x_ + V(1.f) + slope_z_ * slope_z_);
@@ -90,13 +92,14 @@ class PondPoints {
     PointPhases<Arch> phases_;
     V footprint_;
     V height_ = V(0.f), slope_x_ = V(0.f), slope_z_ = V(0.f), vertical_velocity_ = V(0.f), hidden_ = V(0.f);
-    /// Where the point has been moved to, less where it is; derivatives of where it is now along x, along z and in
-    /// time.
+    /// Displacement of the points, and derivatives of the displaced position along x, along z and
+    /// in time.
     V off_x_ = V(0.f), off_z_ = V(0.f);
     V x_x_ = V(1.f), x_z_ = V(0.f), z_x_ = V(0.f), z_z_ = V(1.f), x_t_ = V(0.f), z_t_ = V(0.f);
 };
 
-/// A group at once: an octave waits for those before it, and meanwhile the other registers go on.
+/// Processes a group of registers together. An octave depends on the octaves before it, and the
+/// other registers hide that latency.
 template <class Arch, bool Slopes, std::size_t... Registers>
 PELAGIC_FLATTEN void pond_groups(const PondJob& job, std::index_sequence<Registers...>) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;

@@ -111,8 +111,8 @@ struct GerstnerInput::State {
                             static_cast<float>(-z * cosine)}};
     }
 
-    /// Returns the derivative in time. An angle falls by w rad/s, so the derivative of the cosine is
-    /// w sin, and the derivative of the sine is -w cos.
+    /// Returns the derivative in time. An angle falls by w rad/s, so the derivative of cos(angle)
+    /// is w sin(angle), and the derivative of sin(angle) is -w cos(angle).
     static GridWaveRow derivative_of(const GridWaveRow& row, double frequency_hz) {
         const float omega = static_cast<float>(two_pi * frequency_hz);
         GridWaveRow derivative = row;

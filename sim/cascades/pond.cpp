@@ -26,7 +26,7 @@ struct RowChunk {
     alignas(64) std::array<float, chunk_texels> height, normal_x, normal_y, normal_z, vertical_velocity,
         slope_variance;
 
-    PondAnswers answers(bool with_velocities) {
+    PondOutputs outputs(bool with_velocities) {
         if (!with_velocities) return {.height = height.data()};
         return {height.data(),   normal_x.data(),          normal_y.data(),
                 normal_z.data(), vertical_velocity.data(), slope_variance.data()};
@@ -106,7 +106,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
                        .x = columns_.data() + first,
                        .z = z.data(),
                        .footprint = footprint.data(),
-                       .out = chunk.answers(with_velocities)});
+                       .out = chunk.outputs(with_velocities)});
         const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
             store_row(values, count, first, component(planes, of), lanes_, block_floats);
         };

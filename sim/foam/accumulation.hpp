@@ -7,8 +7,8 @@
 //
 //   b(a) = z_w + s (y - 1/2 + a/F).
 //
-// The boundary falls by s/F per second and is at b_y = z_w + s (y - 1/2) now. After the time at which
-// it was at b_1 = z_w + s/2, above which all water is white, z crosses it upwards
+// The boundary falls by s/F per second and is at b_y = z_w + s (y - 1/2) now. After the time at
+// which it was at b_1 = z_w + s/2, above which all water is white, z crosses it upwards
 //
 //   n(y) = int_0^((1 - y) F) p(b(a)) E[(dz/dt + s/F)^+] da
 //        = (P(b_y) - P(b_1)) (p(c) + c (1 - P(c))) / c,  c = s / (F w)
