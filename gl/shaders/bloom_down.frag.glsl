@@ -1,4 +1,5 @@
-// Half the size of what came before: Bjorge 2015, "Bandwidth-Efficient Rendering" (dual filtering). Weights add up to 1.
+// Halves the size of an image: Bjorge 2015, "Bandwidth-Efficient Rendering" (dual filtering). The
+// weights add up to 1.
 precision highp float;
 #include "used_part.glsl"
 

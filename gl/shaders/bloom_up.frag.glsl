@@ -1,10 +1,11 @@
-// A level of the spread light with all coarser ones: each level counts the same. Bjorge 2015, "Bandwidth-Efficient Rendering"
-// (the dual filter's way up). Weights add up to 1.
+// Adds the sum of all coarser levels of the bloom to a level; all levels have equal weights. Bjorge
+// 2015, "Bandwidth-Efficient Rendering" (upsampling of the dual filter). The filter weights add up
+// to 1.
 precision highp float;
 #include "used_part.glsl"
 
-uniform highp sampler2D level;    // as large as what is drawn
-uniform highp sampler2D coarser;  // half as large, with all below it
+uniform highp sampler2D level;    // as large as the output
+uniform highp sampler2D coarser;  // half as large; includes all coarser levels
 uniform vec4 level_used;
 uniform vec4 coarser_used;
 uniform float coarser_part;

@@ -1,24 +1,27 @@
-// Sunlight that the waves gather and spread: its part of the mean where it meets a plane below the water. Made of the real
-// surface (gl/water/caustics.hpp), or of three rows of crests where an application hands in none and on headsets. The mean is 1 either way.
+// Caustics: sunlight on a plane below the water, relative to its mean. The texture is baked from
+// the frame's surface (gl/water/caustics.hpp). Headsets, and applications that set no caustics, use
+// three rows of crests. Both have a mean of 1.
 #if SHADING != HEADSET
 uniform sampler2D caustics;
 #endif
 
-// Three rotated rows of crests: half-rectified cosines, their sum cubed so that lines are thin. Of cosines c with
-// independent phases the mean of (c1 + c2 + c3)^3 is 3 <c^3> + 18 <c^2><c> + 6 <c>^3 = 2.2625.
+// Returns three rotated rows of crests: the cube of a sum of half-rectified cosines, which gives
+// thin lines. For cosines c with independent phases the mean of (c1 + c2 + c3)^3 is 3 <c^3> + 18
+// <c^2><c> + 6 <c>^3 = 2.2625.
 float rows_of_crests(vec2 at) {
     vec3 phase = vec3(dot(at, caustic_row[0].xy), dot(at, caustic_row[1].xy), dot(at, caustic_row[2].xy)) +
                  vec3(caustic_row[0].z, caustic_row[1].z, caustic_row[2].z);
-    // Crests of one row bend by those of the next: straight ones would make a grid.
+    // Crests of one row are bent by the next row, because straight crests would form a grid.
     vec3 c = max(cos(phase + 1.1 * sin(0.37 * phase.yzx)), 0.0);
     float sum = c.x + c.y + c.z;
     return mix(1.0, sum * sum * sum / 2.2625, 0.6);
 }
 
-// `at` is where the ray came through the surface, relative to the viewer; `pixel_m` how wide a pixel is there.
+// Returns the caustics of a ray. `at` is where the ray enters flat water, relative to the viewer,
+// and `pixel_m` is the width of a pixel there.
 float caustics_at(vec2 at, float depth, float pixel_m) {
-    float focus = caustic_row[0].w;  // depth for which they were made
-    // Light that has not gone far is still even, and far below the rays of many waves mix.
+    float focus = caustic_row[0].w;  // depth for which the caustics were baked
+    // Near the surface light is still uniform. Far below the focus the rays of many waves mix.
     float seen = min(depth / focus, 1.0) * exp(-max(depth / focus - 1.0, 0.0));
     float light = mix(rows_of_crests(at), 1.0, smoothstep(0.1, 0.6, pixel_m));
 #if SHADING != HEADSET

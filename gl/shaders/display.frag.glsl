@@ -1,4 +1,4 @@
-// The camera: light that the lens spreads, exposure, the eye's night, the tone curve, sRGB and dithering.
+// Display pass: bloom, exposure, night vision, the tone curve, sRGB and dithering.
 precision highp float;
 #include "film.glsl"
 #include "used_part.glsl"
@@ -7,8 +7,9 @@ uniform highp sampler2D radiance;
 uniform highp sampler2D spread;
 uniform vec4 radiance_used;
 uniform vec4 spread_used;
-uniform vec4 look;  // x: exposure; y: luminance of a radiance of 1, cd/m^2; z: part of the light that is spread; w: 1 if the
-                    // shader encodes sRGB
+// x: exposure; y: luminance of a radiance of 1, cd/m^2; z: fraction of the light that bloom
+// spreads; w: 1 if the shader encodes sRGB
+uniform vec4 look;
 
 in vec2 place;
 out vec4 colour;

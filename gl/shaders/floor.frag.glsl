@@ -1,4 +1,5 @@
-// The floor where it is seen without a surface before it: beaches and islands from the air, everything from within the water.
+// Floor without a water surface in front: beaches and islands from the air, and all of the floor
+// from within the water.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif

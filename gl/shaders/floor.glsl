@@ -1,5 +1,8 @@
-// The floor of the sea: where it lies, and its light. A plane at the sea's depth, or a field of heights.
-uniform highp sampler2D floor_heights;  // metres above rest; metres are halves, finest around the waterline
+// Geometry and light of the sea floor: a plane at the sea's depth, or a height field.
+
+// Heights in metres above the still-water level, as half floats. Their precision is best near the
+// waterline.
+uniform highp sampler2D floor_heights;
 
 #if defined(FLOOR) && SHADING != HEADSET
 uniform sampler2D detail;
@@ -12,7 +15,7 @@ bool has_floor_heights() { return floor_place.z > 0.0; }
 
 vec2 floor_uv(vec2 at) { return floor_place.xy + at * floor_place.zw; }
 
-// Above rest.
+// Returns the height above the still-water level.
 float floor_height(vec2 at, float mip) {
     if (!has_floor_heights()) return floor_look.x;
     return textureLod(floor_heights, floor_uv(at), mip).x;
@@ -30,8 +33,9 @@ vec3 floor_normal(vec2 at, float mip) {
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
-// The way along a ray that goes down, metres: closed for a plane; on heights the place is looked up again twice, which finds
-// floors that are less steep than the ray.
+// Returns the distance to the floor along a ray that leads down, metres. For a plane it is exact.
+// For a height field two iterations follow, which converge where the floor is less steep than the
+// ray.
 float way_to_floor(vec3 start, vec3 ray) {
     float high = start.y + viewer.z;
     float down = max(-ray.y, 0.02);
@@ -44,11 +48,11 @@ float way_to_floor(vec3 start, vec3 ray) {
     return way;
 }
 
-// How wide a pixel is on the floor when it has gone so far.
+// Returns the width of a pixel on the floor at a distance.
 float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
 
 #if defined(SHORE) && SHADING != HEADSET
-// The film that runs off mirrors the sky, as water does, where the sand is smooth and full of it.
+// Adds the reflection of the sky in the film of water that runs off wet sand.
 vec3 with_film_of_water(vec3 light, vec3 at, vec3 normal, float wet) {
     vec3 to_eye = normalize(eye[EYE].xyz - at);
     float facing = max(dot(normal, to_eye), 0.0);
@@ -59,8 +63,10 @@ vec3 with_film_of_water(vec3 light, vec3 at, vec3 normal, float wet) {
 }
 #endif
 
-// Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its
-// own way. Ripples a quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
+// Returns the radiance of the floor for a pixel of width pixel_m. Under water, sunlight is
+// attenuated along its refracted path and skylight with depth. Sand has ripples a quarter of a
+// metre apart, as swell forms them. Wet sand is darker than dry sand (Lobell and Asner 2002: by
+// half).
 vec3 floor_light(vec3 at, float pixel_m) {
     float depth = -(at.y + viewer.z);
 #if SHADING == HEADSET
@@ -70,10 +76,10 @@ vec3 floor_light(vec3 at, float pixel_m) {
     float mip = has_floor_heights() ? log2(max(pixel_m * floor_place.z * float(textureSize(floor_heights, 0).x), 1.0)) : 0.0;
     vec3 normal = floor_normal(at.xz, mip);
 
-    vec2 place_on_sand = at.xz + floor_mesh.zw;  // repeats after 64 m
+    vec2 place_on_sand = at.xz + floor_mesh.zw;  // has a period of 64 m
     float coarse = textureLod(detail, place_on_sand / 16.0, log2(max(pixel_m * 16.0, 1.0))).z;
     float middle = textureLod(detail, place_on_sand.yx / 4.0, log2(max(pixel_m * 64.0, 1.0))).z;
-    vec2 across = vec2(230.0, 97.0) / 64.0;  // ripples a metre
+    vec2 across = vec2(230.0, 97.0) / 64.0;  // ripples per metre
     float phase = 2.0 * pi * dot(place_on_sand, across) + 9.0 * coarse + 2.5 * middle;
     float ripples = 0.32 * (1.0 - smoothstep(0.05, 0.14, pixel_m)) * smoothstep(-0.3, 0.5, depth) * floor_look.w;
     vec3 rippled = normalize(normal + vec3(across.x, 0.0, across.y) * (0.256 * ripples * cos(phase)));
@@ -81,13 +87,14 @@ vec3 floor_light(vec3 at, float pixel_m) {
 
     const vec3 wet_sand = vec3(0.35, 0.31, 0.25);
 #ifdef SHORE
-    // Water that has run off leaves sand dark as high as the waves reach, whose edge sand sucks a little higher.
+    // Sand is wet and dark up to the height that waves reach, and slightly above because sand draws
+    // up water.
     float above_reach = -depth - textureLod(shore_reach, shore_uv(at.xz), 0.0).x;
     float wet = 1.0 - smoothstep(0.0, 0.08, above_reach + 0.06 * (middle - 0.5));
 #else
     float wet = 1.0 - smoothstep(0.6, 1.4, -depth / floor_look.y + 0.5 * (middle - 0.5));
 #endif
-    // Dry sand is blown even; under water shells and algae gather in patches.
+    // Wind evens out dry sand. Under water, shells and algae form patches.
     vec3 albedo = wet_sand * mix(1.65, 1.0, wet) * mix(0.87 + 0.16 * coarse + 0.1 * middle, 0.62 + 0.45 * coarse + 0.31 * middle, wet);
     albedo = mix(floor_albedo.rgb, albedo, floor_look.w);
 

@@ -1,4 +1,5 @@
-// The floor as strips of a level grid, raised by its heights. The outermost vertices lie far away, as high as the edge.
+// Floor mesh: strips of a level grid, displaced by the heights. The outermost vertices are far away
+// and have the height of the edge.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 layout(num_views = 2) in;

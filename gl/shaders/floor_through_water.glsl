@@ -1,7 +1,8 @@
-// What is seen of the floor from above the water.
+// The floor as seen from above through the water.
 
-// Light from below the surface: that of the water down to the floor, and the floor's own, dimmed along the refracted ray. Slopes within
-// the pixel turn rays by a quarter of themselves, to both sides.
+// Returns light from below the surface: upwelling light of the water down to the floor, and light
+// of the floor, attenuated along the refracted ray. Slopes within the pixel deflect rays to both
+// sides by a quarter of their angle.
 vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float alpha2) {
     if (floor_albedo.w < 0.5) return upwelling(normal, to_eye);
     vec3 ray = refract(-to_eye, normal, 1.0 / water_index);
@@ -10,12 +11,12 @@ vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float
     vec3 k = attenuation_of_water();
     vec3 there_and_back = exp(-k * (way * (1.0 - ray.y)));
     vec3 bottom = floor_light(at + ray * way, pixel_on_floor(distance_m + way) + 0.5 * sqrt(0.5 * alpha2) * way);
-    // Crossing the surface widens rays: radiance shrinks by the square of the index.
+    // Refraction at the surface widens rays, which divides radiance by the square of the index.
     return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * way) / (water_index * water_index);
 }
 
-// The last decimetres of water are hardly there: no hard line where the sea meets the sand. Foam that waves leave on a beach is no thicker
-// than a few centimetres, and hides the sand nevertheless.
+// Fades out the last decimetres of water, so that there is no hard line between sea and sand. Foam
+// that waves leave on a beach is at most a few centimetres thick but hides the sand.
 vec3 soft_shore(vec3 radiance, vec3 at, float distance_m, float height, float foam) {
     if (!has_floor_heights()) return radiance;
     float ground = floor_height(at.xz, 0.0);

@@ -1,28 +1,31 @@
-// Foam: how much of a pixel lies under it, how thick it is there, and its light.
+// Coverage, thickness and light of foam in a pixel.
 //
-// The cascades' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/water/foam_image.hpp).
-// Each scale hands its amount on to the next finer one and changes nothing of its mean, so the sea is as white as its maps are, from near
-// and far. A value of a map is an age, too: 1 breaks now, 0.5 did so 1.4 s ago, and opens into threads.
+// The cascades' maps give the amount of foam (foam_maps.glsl), and a texture gives its structure at
+// three scales (gl/water/foam_image.hpp). Each scale redistributes its amount to the next finer
+// scale without a change of the mean, so the mean coverage equals that of the maps at any distance.
+// A value of a map is also an age: foam of value 1 is breaking now, and foam of value 0.5 broke 1.4
+// s ago and opens into threads.
 //
-// Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength for remote sensing of ocean
-// aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
-// A headset has one look-up: lace. MEDIUM: lace and streaks; HIGH: bubbles, too.
+// Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength
+// for remote sensing of ocean aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
+// HEADSET samples lace only; MEDIUM samples lace and streaks; HIGH also samples bubbles.
 uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
-const float foam_texels = 256.0;  // a side
+const float foam_texels = 256.0;  // texels along each axis
 
 struct Foam {
-    float cover;      // part of the pixel
-    float fresh;      // part of it that breaks now
+    float cover;      // covered fraction of the pixel
+    float fresh;      // fraction of the pixel that is breaking now
     float thickness;  // 0: a film of old bubbles, 1: fresh and opaque
     float plume;      // bubbles below the surface, 0 to 1
-    vec2 slopes;      // of its relief
+    vec2 slopes;      // slopes of the relief
     float hollow;     // 0 on top of the relief, 1 in its hollows
 };
 
-// The part of a place that foam covers where it covers the part `amount` of all places: those of the highest rank, from 0 to 1, with
-// an edge as wide as 2 soft, at most 1. The mean over all ranks is `amount`, exactly: where the edge would leave [0, 1], it moves.
+// Returns the coverage at a point of rank `rank` in [0, 1], if foam covers the fraction `amount` of
+// all points. Points of the highest rank are covered first. The edge is 2 soft wide, at most 1. The
+// mean over all ranks is exactly `amount`: the edge is moved where it would leave [0, 1].
 float gathered(float amount, float rank, float soft) {
     float low = min(amount, 1.0 - amount);
     float inside = low < soft ? 2.0 * sqrt(soft * max(low, 0.0)) - soft : low;
@@ -30,20 +33,22 @@ float gathered(float amount, float rank, float soft) {
     return clamp((rank - edge) / (2.0 * soft) + 0.5, 0.0, 1.0);
 }
 
-// The same, seen by a pixel so long: structure that is finer than the pixel is only its mean.
+// Returns gathered() in a pixel of length pixel_m. Structure smaller than the pixel is replaced by
+// its mean.
 float gathered_in_pixel(float amount, float rank, float soft, float pixel_m, float scale_m) {
     float blur = pixel_m / scale_m;
     return mix(gathered(amount, rank, min(soft + 0.5 * blur, 0.5)), amount, smoothstep(0.4, 2.0, blur));
 }
 
-// A layer, its signed bytes from -1 to 1. Texels as long as the pixel; half a level finer, because ranks blur when they are mixed.
+// Samples a layer and converts its signed bytes to [-1, 1]. The mip has texels of the pixel's
+// length, but is half a level finer, because interpolation blurs ranks.
 vec4 structure(int layer, vec2 uv, float pixel_cascades) {
     vec4 texel = textureLod(foam_structure, vec3(uv, layer), log2(max(pixel_cascades * foam_texels, 1.0)) - 0.5);
     texel.yz = (texel.yz * 255.0 - 128.0) / 127.0;
     return texel;
 }
 
-// Streaks belong to the open sea.
+// Only the open sea has streaks.
 #define STREAKS (SHADING >= MEDIUM && SURFACE == OPEN)
 #define THREE_SCALES (SHADING == HIGH && SURFACE == OPEN)
 
@@ -57,10 +62,12 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
 
 #endif
 
-// How much of the foam at a place is fresh. Of ages that are as many of each, so is a half.
+// Returns the fraction of the foam that is fresh. In a mean over uniformly distributed ages it is
+// one half.
 float breaking_fraction(float part, float mean) { return mix(smoothstep(0.4, 1.0, part), 0.5, mean); }
 
-// `crests`: part that is white of small water, or of dynamic waves.
+// Returns the foam of a pixel. `crests` is the fraction that foam of small water or of dynamic
+// waves covers.
 Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     Footprint pixel = footprint_of(at);
     float pixel_m = max(length(pixel.dx), length(pixel.dy));
@@ -79,12 +86,13 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     float amount = crests, freshness = 1.0, thickest = 1.0;
 #endif
     float fresh = amount * freshness, plume = amount;
-    // Where the eye is high above it, a thick crest of foam hides what lies behind it: what is seen lies nearer.
+    // Fresh foam is raised, so the view ray meets it at an offset towards the eye.
     vec2 behind = to_eye.xz / max(to_eye.y, 0.3);
     vec2 lace_uv = (at + behind * (foam_kind.z * fresh)) * noise_scale.y + foam_shift.zw;
 
 #if THREE_SCALES
-    // The third look-up is for what the pixel can show: bubbles near, the widest windrows far away.
+    // The third texture sample depends on the pixel size: bubbles near the eye, the widest windrows
+    // far away.
     bool far = pixel_m > 0.35;
     vec4 third = far ? streaks_at(1, at, pixel_m)
                      : structure(bubbles_layer, at * noise_scale.x + foam_shift.xy, pixel_m * noise_scale.x);
@@ -114,17 +122,19 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     return Foam(cover, fresh, thickness, plume, relief, hollow);
 }
 
-// From a film through which the water shows to thick foam: 0.2 to 0.7 in the visible (Whitlock et al. 1982; Koepke 1984).
+// Returns the albedo, from 0.2 for a translucent film to 0.7 for thick foam in visible light
+// (Whitlock et al. 1982; Koepke 1984).
 float foam_albedo(float thickness) { return mix(0.2, 0.7, thickness); }
 
-// Water full of bubbles below foam: they scatter white light, the water takes the red out of it.
+// Returns the light of water with bubbles below foam. Bubbles scatter white light, and the water
+// absorbs red light.
 vec3 light_of_plume(vec3 light_down) {
-    const float bubbles_per_m = 0.15;  // scattered backwards
+    const float bubbles_per_m = 0.15;  // backscattering of bubbles
     vec3 scattering = water_backscattering.rgb + bubbles_per_m;
     return light_down * (0.54 * 0.33 / pi) * scattering / (water_absorption.rgb + scattering);
 }
 
-// What a pixel of water shows with its foam.
+// Adds foam to the radiance of a pixel of water.
 vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel) {
     float height = max(sun.y, 0.0);
     vec3 light_down = sun_irradiance.rgb * height + sky_irradiance.rgb;
@@ -133,17 +143,17 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     if (foam.cover <= 0.0) return radiance;
 
     vec3 bumpy = normalize(normal - vec3(foam.slopes.x, 0.0, foam.slopes.y) * foam.thickness);
-    // Light spreads in foam, so that faces which look away from the sun are lit a little, too.
+    // Light spreads in foam, so faces that point slightly away from the sun are lit too.
     const float spread = 0.25;
     float facing = max((dot(bumpy, sun.xyz) + spread) / (1.0 + spread), 0.0);
-    // A low sun does not reach into hollows.
+    // Light of a low sun does not reach hollows.
     float shadow = foam.hollow * foam.thickness;
     facing *= 1.0 - shadow * (1.0 - smoothstep(0.1, 0.9, height));
     float open = (0.5 + 0.5 * bumpy.y) * (1.0 - 0.35 * shadow);
     vec3 light = sun_irradiance.rgb * facing + sky_irradiance.rgb * open;
 
     float albedo = foam_albedo(foam.thickness);
-    // Bubbles are wet: they mirror as water does, but as a rough thing.
+    // Wet bubbles reflect like rough water.
     float sheen = 0.5 * mean_fresnel(clamp(dot(bumpy, to_eye), 0.0, 1.0), 0.35);
     vec3 mirrored = sky_irradiance.rgb / pi * sheen + sun_irradiance.rgb * (0.5 * glint(bumpy, to_eye, 0.1));
     vec3 white = light * (albedo * (1.0 - sheen) / pi) + mirrored;

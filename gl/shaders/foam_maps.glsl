@@ -1,5 +1,6 @@
-// How much of a place is under foam: what the cascades' maps say, and nothing else. Texels rest, so foam stays on its water.
-uniform mediump sampler2DArray foam_maps;  // a part of 1, a layer a cascade
+// Foam coverage from the cascades' maps. The maps are sampled at undisplaced positions, so foam
+// moves with the water.
+uniform mediump sampler2DArray foam_maps;  // coverage in [0, 1]; one layer per cascade
 
 float part_of_cascade(int cascade) {
 #ifdef SHORE
@@ -10,7 +11,7 @@ float part_of_cascade(int cascade) {
 }
 
 #if FOAM_OF_VERTICES > 0
-// That of the coarsest cascades, which is wider than the mesh is fine.
+// Returns the foam of the coarsest cascades. It is coarse enough for the mesh to resolve.
 FoamOfCascades foam_by_vertices() {
 #ifdef SKIRT
     FoamOfCascades all = no_foam;
@@ -18,18 +19,19 @@ FoamOfCascades foam_by_vertices() {
         all = with_cascade(all, cascade, cascade_slope[cascade].w * part_of_cascade(cascade), 4.0);
     return all;
 #else
-    // Smoothed edges ask for pixels whose middle is beside its triangles.
+    // With multisampling, pixels whose centre is outside the triangles extrapolate.
     vec3 foam = clamp(foam_of_vertices, 0.0, 1.0);
     return FoamOfCascades(foam.x, foam.y, foam.z);
 #endif
 }
 #endif
 
-// One cascade's, of a piece so wide around a place.
+// Returns the foam of one cascade at a mip.
 float foam_of_cascade(int cascade, vec2 at, float distance_m, float mip) {
     vec2 uv = place_in_cascade(cascade, at);
 #if SHADING == HIGH && CASCADES == 1
-    // As its waves: mixed by weights that add to one, so that the mean stays.
+    // Copies are blended as for the waves, but with weights that add up to one, which preserves the
+    // mean.
     Copies copies = copies_at(cascade, at, distance_m);
     if (!copies.are_one)
         return dot(copies.weights * copies.weights, vec2(textureLod(foam_maps, vec3(uv + copies.first, cascade), mip).x,
@@ -39,8 +41,8 @@ float foam_of_cascade(int cascade, vec2 at, float distance_m, float mip) {
 }
 
 #ifdef SHORE
-// Foam of waves that break on the shore is thick, and hides what the cascades have there. A texel of it is metres wide, and all of it breaks at
-// once: without bent edges one would see squares.
+// Adds foam of waves that break on the shore. It is thick and hides foam of the cascades. Its
+// texels are metres wide, so `ragged` distorts their edges, which would otherwise show as squares.
 FoamOfCascades with_foam_of_shore(FoamOfCascades all, vec2 ragged) {
 #if SHADING == HEADSET
     float foam = shore.water.w;
@@ -53,7 +55,8 @@ FoamOfCascades with_foam_of_shore(FoamOfCascades all, vec2 ragged) {
 }
 #endif
 
-// `ragged`, within [-1, 1], bends the edges of texels. Cascades of which no wave is left in the pixel have their mean.
+// Returns the foam of all cascades. `ragged` in [-1, 1] distorts the edges of texels. Cascades of
+// which the pixel resolves no wave use their mean.
 FoamOfCascades foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pixel) {
 #if FOAM_OF_VERTICES > 0
     FoamOfCascades all = foam_by_vertices();
@@ -61,7 +64,7 @@ FoamOfCascades foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pi
     FoamOfCascades all = no_foam;
 #endif
     for (int cascade = FOAM_OF_VERTICES; cascade < CASCADES; ++cascade) {
-        // Lace is the shape of what is smaller than half a metre.
+        // Lace gives the structure below half a metre.
         float texels_a_m = cascade_scale[cascade].x, mip = log2(max(max(pixel.wide_m, 0.5) * texels_a_m, 1e-3));
         float part = cascade_slope[cascade].w, weight = float(cascade) < foam_kind.x ? weight_of_cascade(cascade, mip) : 0.0;
         if (weight > 0.0) part = mix(part, foam_of_cascade(cascade, at + ragged / texels_a_m, distance_m, mip), weight);

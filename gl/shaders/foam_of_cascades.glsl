@@ -1,14 +1,16 @@
-// Foam at a place is the largest of the cascades' there (Cascade::foam_r8). Of means over many whitecaps that would be too little: cascades know
-// nothing of one another, so where one has foam on the part a of a place and one on b, 1 - (1 - a)(1 - b) is under foam.
+// Foam at a point is the maximum over the cascades (Cascade::foam_r8). For means over many
+// whitecaps the maximum is too small: cascades are independent, so if they cover the fractions a
+// and b, 1 - (1 - a)(1 - b) is covered.
 struct FoamOfCascades {
-    float part;   // of the place
-    float mean;   // 0: what lies at one place; 1: a mean over whitecaps of any age, and over the water between them
-    float thick;  // that which breaks: 1 of waves that plunge, less of small ones, which only spill
+    float part;   // covered fraction
+    float mean;   // 0: value at a point; 1: mean over whitecaps of any age and the water between
+    float thick;  // thickness of breaking foam: 1 for plunging waves, less for small spilling ones
 };
 
 const FoamOfCascades no_foam = FoamOfCascades(0.0, 0.0, 1.0);
 
-// A whitecap is some texels wide: the fourth mip has hardly any of them left.
+// Combines foam with foam of another source. Whitecaps are a few texels wide, so the fourth mip
+// hardly resolves any.
 FoamOfCascades with_foam_of(FoamOfCascades all, float part, float mip, float thick) {
     float mean = smoothstep(1.0, 4.0, mip);
     float both = all.part * part, sum = max(all.part + part, 1e-4);
@@ -17,6 +19,6 @@ FoamOfCascades with_foam_of(FoamOfCascades all, float part, float mip, float thi
 }
 
 FoamOfCascades with_cascade(FoamOfCascades all, int cascade, float part, float mip) {
-    // Texels of 2 m belong to waves of 6 m and more.
+    // A cascade with texels of 2 m holds waves of 6 m and longer.
     return with_foam_of(all, part, mip, clamp(0.5 / cascade_scale[cascade].x, 0.3, 1.0));
 }

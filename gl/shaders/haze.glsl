@@ -1,8 +1,8 @@
-// The air between the sea and the eye.
+// Air between the sea and the eye.
 //
-// A path adds its source function times what it takes away. That of the air over the sea is the sun's light, scattered once by air
-// and by haze, and the sky's, which comes evenly from above; it depends on the angle to the sun alone. Phase functions, albedo and
-// heights as in gl/sky/atmosphere.hpp.
+// A path adds its source function times its absorptance. The source function is sunlight that air
+// and haze scatter once, plus skylight that is uniform from above. It depends on the angle to the
+// sun alone. Phase functions, albedo and scale heights are those of gl/sky/atmosphere.hpp.
 const vec3 rayleigh_per_m = vec3(5.8e-6, 13.5e-6, 33.1e-6);
 
 float rayleigh_phase(float cosine) { return 3.0 / (16.0 * pi) * (1.0 + cosine * cosine); }
@@ -14,7 +14,7 @@ float haze_phase(float cosine) {
            ((2.0 + g * g) * pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
 }
 
-// Mean density on the way down from a height, over that at the sea.
+// Returns the mean density between the sea and a height, relative to the density at the sea.
 float thinned(float height, float scale_height) {
     float x = max(abs(height), 1.0) / scale_height;
     return (1.0 - exp(-x)) / x;
@@ -29,11 +29,13 @@ vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
     float to_sun = dot(ray, sun.xyz);
     vec3 source = (sun_irradiance.rgb * (air * rayleigh_phase(to_sun) + by_haze * haze_phase(to_sun)) +
                    sky_irradiance.rgb / (2.0 * pi) * (air + by_haze)) / taken;
-    // Where haze ends the view it has the sky's own colour at the horizon, so the two meet without a line. Further down, where the
-    // azimuth loses its meaning, the sky there says less and less; its clouds must not show on the haze.
+    // At the horizon dense haze has the colour of the sky there, so that no line separates the two.
+    // Further down the azimuth becomes undefined, and the sky's weight falls to 0. Its clouds must
+    // not show on the haze.
     float at_horizon = exp(-100.0 * ray.y * ray.y);
     vec3 horizon = textureLod(sky, vec3(ray.x, 0.01 * ray.y * ray.y, ray.z), 4.0 * (1.0 - at_horizon)).rgb;
-    // The second factor softens the last part of a degree, in which rows of pixels are kilometres apart.
+    // The second factor softens the last fraction of a degree, in which rows of pixels are
+    // kilometres apart.
     float soft = distance_m / haze.w;
     vec3 left = exp(-taken * distance_m) * exp(-soft * soft);
     return mix(mix(source, horizon, at_horizon), radiance, left);

@@ -1,8 +1,8 @@
-// An application's mesh in the light of sun and sky.
+// Application mesh, lit by sun and sky.
 precision highp float;
 #include "mesh_light.glsl"
 
-layout(location = 0) in vec3 position;  // metres, y above rest
+layout(location = 0) in vec3 position;  // metres, y above the still-water level
 layout(location = 1) in vec3 outwards;
 layout(location = 2) in vec3 painted;
 out vec3 at;

@@ -1,7 +1,7 @@
-// Laid out as MeshLight of gl/meshes/lit_mesh.cpp. Directions in the mesh's own axes.
+// The layout is that of MeshLight in gl/meshes/lit_mesh.cpp. Directions are in the mesh's axes.
 layout(std140) uniform MeshLight {
     highp mat4 clip_from_mesh;
-    highp vec4 sun;             // xyz: towards it
-    highp vec4 sun_irradiance;  // across the rays; w: exposure by which samples are weighted, or 0
-    highp vec4 sky_irradiance;  // on a level plane
+    highp vec4 sun;             // xyz: direction towards the sun
+    highp vec4 sun_irradiance;  // perpendicular to the rays; w: exposure that weights samples, or 0
+    highp vec4 sky_irradiance;  // irradiance on a level plane
 };

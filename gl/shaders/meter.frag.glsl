@@ -1,12 +1,12 @@
-// A cell of a light meter: logarithms to the base 2 of its luminance, their mean and that of its mean. 16 taps, each of four
-// texels.
+// Cell of a light meter: the mean of the logarithms to base 2 of the luminance, and the logarithm
+// of its mean. It takes 16 samples, each of four texels.
 precision highp float;
 #include "film.glsl"
 #include "used_part.glsl"
 
 uniform highp sampler2D radiance;
 uniform vec4 radiance_used;
-uniform vec4 cells;  // xy: how many; zw: 1 over that
+uniform vec4 cells;  // xy: number of cells; zw: 1 / xy
 
 in vec2 place;
 out vec4 colour;

@@ -1,12 +1,15 @@
-// What the surface gives back of the light above it: the sky, and the sun's glint. A pixel's water is made of facets whose slopes have
-// Gauss' distribution (Cox and Munk 1954) around the mean normal, of deviation s along each axis; alpha^2 = 2 s^2.
+// Reflection of the sky and glint of the sun. The water in a pixel consists of facets whose slopes
+// have a Gaussian distribution (Cox and Munk 1954) around the mean normal, with standard deviation
+// s along each axis; alpha^2 = 2 s^2.
 //
-// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (Beckmann's distribution, which is Gauss' of slopes);
-// Heitz 2014, "Understanding the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean
-// Lighting using Seamless Transitions from Geometry to BRDF".
-uniform highp samplerCube sky;  // level m: mirrored by alpha = (m / last)^2
+// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (Beckmann's
+// distribution, which is Gaussian in slopes); Heitz 2014, "Understanding the Masking-Shadowing
+// Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
+// Seamless Transitions from Geometry to BRDF".
+uniform highp samplerCube sky;  // level m: reflection with alpha = (m / last)^2
 
-// Unpolarised light from air to water, for the cosine at the facet.
+// Returns the Fresnel reflectance of unpolarised light from air to water. `cosine` is the cosine of
+// incidence at a facet.
 float fresnel(float cosine) {
     const float index = 1.333;
     float g = sqrt(index * index - 1.0 + cosine * cosine);
@@ -14,57 +17,64 @@ float fresnel(float cosine) {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
-// The facets that an eye sees. It sees each by its projected area, max(mu + t x, 0), t being the sine of the angle between eye and
-// mean normal, mu its cosine and x the slope towards the eye.
+// Facets visible to the eye. Each is weighted by its projected area, max(mu + t x, 0). Here mu and
+// t are the cosine and the sine of the angle between eye and mean normal, and x is the slope
+// towards the eye.
 struct SeenFacets {
     float slope;            // mean slope towards the eye
     float cosine;           // mean cosine between eye and facet
     float cosine_variance;
 };
 
-// With a = mu / (s t), Gauss' density p and distribution P, and q = P / (a P + p) the mean slope is s q, the mean cosine mu + s t q, and
-// its variance s^2 t^2 (2 - a q - q^2). At grazing angles the slope is 1.25 s: the far sea mirrors the sky well above the horizon.
+// Let a = mu / (s t), p and P the Gaussian density and distribution, and q = P / (a P + p). The
+// mean slope is s q, the mean cosine mu + s t q, and its variance s^2 t^2 (2 - a q - q^2). At
+// grazing angles the mean slope is 1.25 s, so the distant sea reflects the sky well above the
+// horizon.
 SeenFacets seen_facets(float mu, float s) {
     float spread = max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
     float a = clamp(mu / spread, -3.0, 1e4);
     float density = 0.3989423 * exp(-0.5 * a * a);
-    float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));  // Page 1977, within 1.4e-4
+    // Page 1977, with an error of at most 1.4e-4.
+    float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));
     float q = distribution / max(a * distribution + density, 1e-4);
     return SeenFacets(s * q, mu + spread * q, spread * spread * max(2.0 - a * q - q * q, 0.0));
 }
 
-// Fresnel's mean over the facets that are seen: that of one facet a little more grazing than the mean one, because the curve is hollow.
-// Facets of slope x stand at 1 / sqrt(1 + x^2) of the cosine. Within 4 % of the mean's integral for s up to 0.2.
+// Returns the mean Fresnel reflectance of the visible facets. It is that of one facet slightly more
+// grazing than the mean facet, because the curve is convex. Facets of slope x have 1 / sqrt(1 +
+// x^2) of the cosine. The error is at most 4 % of the integral for s up to 0.2.
 float mean_fresnel(float cosine, float s) {
     SeenFacets seen = seen_facets(cosine, s);
     return fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0));
 }
 
-// Smith's function for Beckmann's distribution (Walter et al. 2007, equation 15), times the cosine.
+// Returns Smith's function for Beckmann's distribution (Walter et al. 2007, equation 15), times the
+// cosine.
 float masked_area(float cosine, float alpha) {
     float across = alpha * sqrt(max(1.0 - cosine * cosine, 1e-6));
     float a = cosine / across;
     return a < 1.6 ? across * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0.0;
 }
 
-// Part of the water that an eye sees that no other wave hides from a light, by their heights over the flat sea: (1 + V) / (1 + V + L),
-// V and L being Smith's functions of eye and light (Heitz 2014, equation 99). Of all waves: also those that a pixel shows hide the sun and
-// the sky from one another.
+// Returns the fraction of the visible water that no other wave shadows, from the elevations of eye
+// and light over the flat sea. It is (1 + V) / (1 + V + L), where V and L are Smith's functions of
+// eye and light (Heitz 2014, equation 99). It includes all waves, because waves that a pixel
+// resolves also hide the sun and the sky from each other.
 float lit_part(float eye_cosine, float light_cosine, float alpha_of_all) {
     float eye_height = max(eye_cosine, 1e-3), light_height = max(light_cosine, 1e-4);
     float seen = (eye_height + masked_area(eye_height, alpha_of_all)) * light_height;
     return seen / (seen + masked_area(light_height, alpha_of_all) * eye_height);
 }
 
-// Alpha of all waves together.
+// Returns alpha of all waves.
 float alpha_of_all_waves() {
     float square = waves.y * waves.y;
     for (int cascade = 0; cascade < CASCADES; ++cascade) square += cascade_slope[cascade].z;
     return sqrt(square);
 }
 
-// Of the mean square slope of all waves what the mesh's triangles have at a distance: a cascade's octaves have equal parts, and a mesh needs
-// vertices twice as dense as texels.
+// Returns the mean square slope of the waves that the mesh resolves at a distance. Octaves of a
+// cascade have equal variances, and a mesh needs vertices twice as dense as texels.
 float slopes_of_mesh(float distance_m) {
     float spacing = max(mesh.y, distance_m * mesh.x), square = 0.0;
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
@@ -74,9 +84,10 @@ float slopes_of_mesh(float distance_m) {
     return square;
 }
 
-// Waves that a pixel's normal has and the mesh has not are seen as if they were flat: those that lean away count as much as those
-// that lean towards the eye. The normal, whose slopes against the mesh have Gauss' distribution, is moved to where the same part
-// of the facets that an eye sees leans less.
+// Corrects the normal for projected area. Waves that are in the normal but not in the mesh are
+// drawn as if they were flat: facets that face away from the eye have the same weight as facets
+// that face it. The slopes of the normal relative to the mesh have a Gaussian distribution. They
+// are mapped to the quantiles of the visible facets, approximated by mean and standard deviation.
 vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float distance_m) {
     float all = alpha_of_all_waves();
     float s = sqrt(0.5 * max(all * all - alpha2 - slopes_of_mesh(distance_m), 1e-6));
@@ -84,7 +95,7 @@ vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float dista
     vec2 slopes = normal.xz / normal.y - plane;
     vec2 towards = to_eye.xz / max(length(to_eye.xz), 1e-4);
     float mu = dot(facet, to_eye);
-    if (mu <= 0.0) return normal;  // from below, and backs of crests
+    if (mu <= 0.0) return normal;  // seen from below, or the back of a crest
     SeenFacets seen = seen_facets(mu, s);
     float narrowed = sqrt(seen.cosine_variance) / max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
     float lean = dot(slopes, towards);
@@ -92,7 +103,8 @@ vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float dista
     return normalize(vec3(plane.x + slopes.x, 1.0, plane.y + slopes.y));
 }
 
-// Part of light from a direction, of irradiance 1 across its rays, that a pixel's facets send to the eye as radiance.
+// Returns the radiance that a pixel's facets reflect to the eye, for light from a direction with
+// irradiance 1 perpendicular to its rays.
 float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
     if (dot(normal, to_light) <= 0.0) return 0.0;
     vec3 middle = to_light + to_eye;
@@ -105,21 +117,24 @@ float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float
            lit_part(to_eye.y, to_light.y, alpha_of_all) / (4.0 * (nv + masked_area(nv, sqrt(alpha2))));
 }
 
-// The sun's disc is narrower than any water's slopes.
+// Returns the glint of the sun. The disc is treated as a point, because it is narrower than the
+// distribution of slopes.
 float glint(vec3 normal, vec3 to_eye, float alpha2) {
     return mirrored_part(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
 }
 
-// The facets' image of the sky.
+// Reflection of the sky in the facets of a pixel.
 struct MeanMirror {
-    vec3 towards;     // where their mean leads, weighted by what they mirror
-    float alpha2;     // of a mirror with as wide an image
-    float sky_share;  // of what they mirror, the rest is other waves' water
+    vec3 towards;     // mean reflected direction, weighted by reflectance
+    float alpha2;     // alpha^2 of a mirror that blurs equally
+    float sky_share;  // fraction of reflected rays that reach the sky; others hit waves
 };
 
-// Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c, which weights the slopes. The image is as wide as the slopes of
-// the facets that are seen make it, and narrower across, where grazing facets turn it little. 0.69: the sky's levels have GGX'
-// distribution, of which as many facets lean less. A ray that meets another wave is mirrored by it again, 0.3 of it, for it is low.
+// Around a cosine c the Fresnel curve falls off as exp(-6 (1 - c^2) c), which weights the slopes.
+// The visible facets' slopes determine the width of the reflected image. Perpendicular to the plane
+// of incidence it is narrower, because grazing facets deflect it little. The factor 0.69 matches
+// the median slope to that of the sky's levels, which have a GGX distribution. A ray that hits
+// another wave is low there, so 0.3 of it is reflected again.
 MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_all) {
     float mu = dot(normal, to_eye);
     vec3 along = to_eye - normal * mu;
@@ -130,14 +145,16 @@ MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_al
     float slope = seen.slope - 6.0 * (1.0 - cosine * cosine) * seen.cosine_variance / t;
     vec3 towards = reflect(-to_eye, normalize(normal + along / t * clamp(slope, 0.0, 1.5)));
     float in_plane = seen.cosine_variance / max(s * s * t * t, 1e-8);
-    // Of a pixel's own waves the mean of all facets' lit parts is less than the mean facet's: fitted to its integral.
+    // Within a pixel, the mean of the facets' lit fractions is smaller than that of the mean facet.
+    // The factor is fitted to the integral.
     float x = max(mu, 0.0) / sqrt(alpha2);
     float lit = lit_part(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
     return MeanMirror(vec3(towards.x, max(towards.y, 0.0), towards.z), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
                       mix(0.3, 1.0, lit));
 }
 
-// `water_light`:  what other waves show where they mirror nothing
+// Returns the reflected light of a pixel. `water_light` is the radiance of other waves without
+// their reflection.
 vec3 mirrored_light(vec3 normal, vec3 to_eye, float alpha2, vec3 water_light) {
     MeanMirror mirror = mean_mirror(normal, to_eye, alpha2, alpha_of_all_waves());
     vec3 light = textureLod(sky, mirror.towards, sqrt(sqrt(mirror.alpha2)) * sky_irradiance.w).rgb;

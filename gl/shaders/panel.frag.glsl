@@ -1,4 +1,4 @@
-// The viewer's panel: the font's coverage times the widget's colour, which is sRGB already.
+// Panel of the viewer: the font's coverage times the colour of the widget, which is already sRGB.
 precision mediump float;
 in vec2 at_font;
 in vec4 tint;

@@ -1,4 +1,4 @@
-// The viewer's panel: Dear ImGui's triangles, in pixels from the window's upper left corner.
+// Panel of the viewer: triangles of Dear ImGui, in pixels from the window's upper left corner.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 font_position;
 layout(location = 2) in vec4 colour;

@@ -1,10 +1,11 @@
-// What an application drew before the sea, mirrored: the ray is followed through its image, in steps that are even on the screen (McGuire and
-// Mara 2014, "Efficient GPU Screen-Space Ray Tracing"). The first step that ends behind what stands there is halved until the place is
-// found. Where there is none, or the ray leaves the image, the sky is mirrored.
-uniform highp sampler2D scene_radiance;  // times coverage; alpha: coverage
+// Screen-space reflection of the scene that the application drew before the sea. The ray is traced
+// through the image in steps of equal length on the screen (McGuire and Mara 2014, "Efficient GPU
+// Screen-Space Ray Tracing"). The first step that ends behind the scene is refined by bisection. If
+// there is no such step within the image, the sky is reflected.
+uniform highp sampler2D scene_radiance;  // radiance times coverage; alpha: coverage
 uniform highp sampler2D scene_depth;
 
-// How far ahead of the eye the scene stands there, as clip coordinates' w.
+// Returns the distance of the scene ahead of the eye, as w of clip coordinates.
 float scene_ahead(vec2 on_screen) {
     float depth = textureLod(scene_depth, 0.5 + 0.5 * on_screen, 0.0).r;
     if (depth >= 1.0) return 1e9;
@@ -12,8 +13,8 @@ float scene_ahead(vec2 on_screen) {
     return 1.0 / dot(vec4(m[0].w, m[1].w, m[2].w, m[3].w), vec4(on_screen, 2.0 * depth - 1.0, 1.0));
 }
 
-// `start`, `change`: clip coordinates, and what a metre of the ray adds.
-// Metres until the ray leaves the image, through one of its edges or the near plane.
+// Returns the distance in metres until the ray leaves the image through an edge or the near plane.
+// `start` is in clip coordinates, and `change` is their change per metre of the ray.
 float way_in_image(vec4 start, vec4 change) {
     vec4 edges = vec4(start.w + start.x, start.w - start.x, start.w + start.y, start.w - start.y);
     vec4 nearer = vec4(change.w + change.x, change.w - change.x, change.w + change.y, change.w - change.y);
@@ -23,7 +24,8 @@ float way_in_image(vec4 start, vec4 change) {
     return max(min(min(min(ways.x, ways.y), min(ways.z, ways.w)), min(to_near, 1e4)), 0.0);
 }
 
-// Radiance along a ray, and how much it counts against the sky's. `spread`: how wide the facets' image is, radians.
+// Returns the scene's radiance along a ray and its weight against the sky. `spread` is the angular
+// width of the reflected image, radians.
 vec4 scene_along(vec3 at, vec3 towards, float spread) {
     const int steps = 24, refinements = 4;
     vec4 start = clip_from_viewer[0] * vec4(at, 1.0), change = clip_from_viewer[0] * vec4(towards, 0.0);
@@ -50,7 +52,8 @@ vec4 scene_along(vec3 at, vec3 towards, float spread) {
     }
     vec4 clip = start + behind * change;
     vec2 on_screen = clip.xy / clip.w;
-    // Further behind than the last step led: the ray passes what hides it there.
+    // If the ray is further behind the scene than the last step is long, it passes behind an
+    // object.
     float thickness = 2.0 * (behind - before) + 0.005 * clip.w;
     if (clip.w - scene_ahead(on_screen) > thickness) return vec4(0.0);
     vec2 size = vec2(textureSize(scene_radiance, 0));
@@ -62,7 +65,8 @@ vec4 scene_along(vec3 at, vec3 towards, float spread) {
     return vec4(seen.rgb / max(seen.a, 1e-4), min(seen.a, 1.0) * inside);
 }
 
-// `sky_light`: what is mirrored where the ray meets nothing; `water_light`: what other waves show where they mirror nothing
+// Returns the reflected light with the scene. `sky_light` is the reflected light without the scene,
+// and `water_light` is the radiance of other waves without their reflection.
 vec3 with_mirrored_scene(vec3 sky_light, vec3 at, vec3 normal, vec3 to_eye, float alpha2, vec3 water_light) {
     MeanMirror mirror = mean_mirror(normal, to_eye, alpha2, alpha_of_all_waves());
     vec4 scene = scene_along(at, normalize(mirror.towards), sqrt(mirror.alpha2));

@@ -1,7 +1,7 @@
-// One triangle over the whole viewport.
+// One triangle that covers the viewport.
 precision highp float;
 
-out vec2 place;  // [0, 1] across the viewport, from its lower left corner
+out vec2 place;  // [0, 1] over the viewport, from its lower left corner
 
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);

@@ -1,14 +1,16 @@
-// Open sea. In the order of main():
+// Water surface. Steps of main(), in order:
 //
-//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn; slopes of dynamic waves
-//   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
-//               what an application drew
-//   water       light from below: absorption and backscattering, light through crests
-//   foam        white and diffuse, over all of it: how much the cascades' maps say, where in the pixel its texture does
-//   haze        towards the colour that the sky has at the horizon there
+//   waves    normal and roughness of the surface in the pixel, or of small water; slopes of dynamic
+//            waves
+//   mirror   reflection of the sky, weighted by the projected area of the facets; glint of the sun;
+//            with MIRRORS_SCENE also the application's scene
+//   water    light from below: absorption and backscattering, light through crests
+//   foam     white diffuse light; the cascades' maps give the coverage, a texture gives the
+//            structure
+//   haze     blends towards the colour of the sky at the horizon
 //
-// With BELOW, where a floor or a lens is near the surface: what lies below shows through, and pixels of a lens that is under water see the
-// surface from below instead.
+// BELOW is set if a floor is visible or the lens is near the surface. The surface is then
+// transparent, and pixels whose lens is under water show the surface from below.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
@@ -66,9 +68,12 @@ const float pi = 3.14159265;
 #endif
 
 #ifdef SKIRT
-// The skirt reaches to infinity, and smoothed edges ask for pixels whose middle is beside its triangles, where the
-// divisor of interpolation may have changed its sign, and that of `place` with it. The direction remains, up to that
-// sign: the ray through the pixel, which leads ahead. It meets the flat sea where it meets it, at the horizon far away.
+// Returns the position of a pixel on the skirt, relative to the viewer.
+//
+// The skirt reaches to infinity. With multisampling, pixels whose centre is outside its triangles
+// are shaded too. There the interpolation divisor, and with it `place`, may have the wrong sign.
+// The direction of the ray through the pixel is still correct up to its sign, and the ray must
+// point ahead. Its intersection with the flat sea is the position; at the horizon it is far away.
 vec3 place_on_skirt() {
     vec3 ray = place.xyz - eye[EYE].xyz * place.w;
     vec4 middle = viewer_from_clip[EYE] * vec4(0.0, 0.0, 0.0, 1.0);
@@ -114,7 +119,8 @@ void main() {
 
     Foam foam = foam_at(resting, distance_m, surface.crests, to_eye);
 #if BELOW
-    // From below the edge of Snell's window is sharp: what normals turn from pixel to pixel counts as roughness there.
+    // From below the edge of Snell's window is sharp, so the change of the normal between pixels is
+    // added to roughness.
     float turns = fwidth(dot(normal, to_eye));
     float above_lens = lens_above_water(from_eye);
     if (above_lens < 0.0) {

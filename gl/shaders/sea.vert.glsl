@@ -1,5 +1,5 @@
-// A patch of the quadtree: reference positions from integers, displacement from the texture, the morph between levels.
-// The same as quadtree/patch_vertex.hpp, and the two must stay the same.
+// Patch of the quadtree: reference positions from integers, displacement from the texture, morph
+// between levels. The computation must equal that of quadtree/patch_vertex.hpp.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 layout(num_views = 2) in;
@@ -10,26 +10,26 @@ precision highp int;
 
 layout(location = 0) in uvec2 vertex;   // i, j: 0 to V
 layout(location = 1) in uvec2 corner;   // steps from the grid's corner to the patch's
-layout(location = 2) in uvec2 level;    // x: level; y: which diagonals
+layout(location = 2) in uvec2 level;    // x: level; y: parity of the diagonals
 layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
-uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a cascade
+uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; one layer per cascade
 #if VERTEX_CASCADES > 0
-uniform highp sampler2DArray slopes;  // as waves.glsl has it
+uniform highp sampler2DArray slopes;  // the texture of waves.glsl
 out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest cascade
 #elif MESH_SLOPES
 uniform highp sampler2DArray slopes;
-out vec2 mesh_slopes;  // of the height, of the waves that the mesh holds
+out vec2 mesh_slopes;  // slopes of the height of the waves that the mesh resolves
 #endif
 
 #if FOAM_OF_VERTICES > 0
 #include "foam_of_cascades.glsl"
-out vec3 foam_of_vertices;  // FoamOfCascades: part, mean, thick
+out vec3 foam_of_vertices;  // part, mean and thick of FoamOfCascades
 #endif
 
-out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
-out vec2 rest;   // where the water rests
+out vec4 place;  // relative to the viewer; w is 1 (0 at the horizon of the skirt)
+out vec2 rest;   // undisplaced position
 flat out int patch_level;
 
 invariant gl_Position;
@@ -40,8 +40,9 @@ invariant gl_Position;
 #ifdef SHORE
 #include "shore.glsl"
 
-// The cascades' parts count where water is drawn, and where that is depends on them. They change over many times the length of the way, so
-// that each round is nearer by the ratio of the two; the first begins where the water rests.
+// Returns the cascades' weights at the displaced position, which itself depends on the weights. The
+// weights change over lengths much larger than the displacement, and each iteration reduces the
+// error by the ratio of the two. The first iteration starts at the undisplaced position.
 vec4 parts_where_drawn(vec2 at, vec2 ways[CASCADES]) {
     vec4 parts = parts_of_cascades(at);
     for (int round = 0; round < 2; ++round) {
@@ -57,16 +58,17 @@ vec4 parts_where_drawn(vec2 at, vec2 ways[CASCADES]) {
 #include "dynamic_waves.glsl"
 #endif
 
-// Of a vertex: how far, what foam floats there, and the slopes of dynamic waves.
+// Displacement of a vertex, its foam, and the slopes of dynamic waves.
 struct Moved {
     vec3 way;
     vec3 foam;
     vec2 slopes;
 };
 
-// The sum of what the cascades hold there. Mips and weights depend on the reference position alone, so that every patch that has this
-// vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
-// of a few vertices still count.
+// Returns the sum of the cascades at a vertex. Mips and weights depend on the reference position
+// alone, so they are equal in all patches that share the vertex. The mip follows the vertex
+// spacing, which grows with distance. It is half a level finer, because waves of a few vertices are
+// still visible.
 Moved displaced(ivec2 index) {
     vec2 at = grid.xy + vec2(index) * grid.z;
     vec2 from_centre = abs(at - fade.xy);
@@ -110,7 +112,7 @@ Moved displaced(ivec2 index) {
     moved *= left;
     vec2 slopes = vec2(0.0);
 #ifdef DYNAMIC_WAVES
-    // Half a level finer, as the cascades.
+    // Half a level finer, like the mips of the cascades.
     vec4 answers = left * dynamic_waves(at + moved.xz, spacing * 0.7071068);
     moved.y += answers.x;
     slopes = answers.yz;
@@ -123,8 +125,9 @@ Moved mixed(Moved a, Moved b, float part) {
 }
 
 #if BELOW
-// Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
-// image: between vertices a mesh is not the surface that queries know.
+// Blends the mesh to the plane in `lens` around a lens near the water. Between vertices the mesh
+// differs from the surface that queries return, so without the blend its edge would not coincide
+// with the waterline in the image.
 vec3 as_at_lens(vec3 at) {
     if (lens.w <= 0.0) return at;
     vec3 from_eye = at - eye[EYE].xyz;

@@ -1,17 +1,19 @@
-// A shore, as sim/shore_surface.hpp says: at a place where water is drawn each cascade counts with its part, and waves that feel the floor add to
-// the sum. Look-ups beyond the rectangle have what its edges have: the parts of the cascades there, and no waves.
-uniform mediump sampler2D shore_parts;  // of the cascades
+// Shore (sim/shore_surface.hpp). At a displaced position each cascade has a weight, and waves that
+// the floor transforms are added to the sum. Samples beyond the rectangle return the values on its
+// edges: the weights there, and no waves.
+uniform mediump sampler2D shore_parts;  // weights of the cascades
 uniform highp sampler2D shore_water;    // height, its slopes along x and z, foam
-uniform highp sampler2D shore_reach;    // how high the waves that are passing reach, above rest
+uniform highp sampler2D shore_reach;    // height that passing waves reach above still water
 
 vec2 shore_uv(vec2 at) { return shore_place.xy + at * shore_place.zw; }
 
 vec4 parts_of_cascades(vec2 at) { return textureLod(shore_parts, shore_uv(at), 0.0); }
 
-// A texel of that mip is as long as `long_m`.
+// Returns the mip whose texels have the length long_m.
 float shore_mip(float long_m) { return clamp(log2(max(long_m * shore_size.z, 1e-6)), 0.0, shore_size.w); }
 
-// Texels of coarse mips reach into the rectangle, so on their way out of it waves end within one of them.
+// Texels of coarse mips on the edges cover the inside of the rectangle, so waves fade out within
+// one texel of the mip.
 vec4 shore_water_at(vec2 at, float mip) {
     vec2 uv = shore_uv(at);
     vec2 within = (0.5 - abs(uv - 0.5)) * shore_size.xy - 0.5;  // texels of mip 0
@@ -19,8 +21,9 @@ vec4 shore_water_at(vec2 at, float mip) {
     return textureLod(shore_water, uv, mip) * there;
 }
 
-// The height of the finest mip is cubic between texels (Keys 1981), as queries have it: 4 x 4 texels in 3 x 3 linear samples, of which one
-// between the two middle texels stands for both. Coarser mips are linear.
+// Returns the height. The finest mip is interpolated with cubics (Keys 1981), as in queries: 4 x 4
+// texels in 3 x 3 linear samples, where the middle sample combines the two middle texels. Coarser
+// mips are linear.
 float shore_height_at(vec2 at, float mip) {
     float coarse = shore_water_at(at, mip).x;
     if (mip >= 1.0) return coarse;

@@ -1,12 +1,12 @@
-// What a pixel of water knows of the shore that it is drawn at.
+// Values of the shore at a pixel of water.
 struct ShoreInPixel {
-    vec4 parts;  // of the cascades
-    vec4 water;  // as shore_water has it
+    vec4 parts;  // weights of the cascades
+    vec4 water;  // channels of shore_water
     float mip;
-    vec2 at;     // where the pixel is drawn
+    vec2 at;     // displaced position
 };
 
-// Of the pixel that is drawn: main() looks first.
+// Shore at the current pixel. main() sets it by look_at_shore() before it calls other functions.
 ShoreInPixel shore = ShoreInPixel(vec4(1.0), vec4(0.0), 0.0, vec2(0.0));
 
 void look_at_shore(vec2 at) {

@@ -1,5 +1,6 @@
-// The flat sea from the grid's border to the horizon. The outer vertices of quadtree/skirt.hpp lie 10 S away, which
-// from a height is short of the horizon; here they lie in the same direction, but infinitely far.
+// Flat sea from the border of the grid to the horizon. The outer vertices of quadtree/skirt.hpp lie
+// 10 S away, which is nearer than the horizon for a high viewer. Here they lie in the same
+// direction at infinity.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 layout(num_views = 2) in;
@@ -34,7 +35,7 @@ void main() {
         vec2 outwards = (at - skirt.xy) / (skirt.z * grid.z);
         place = vec4(outwards.x, 0.0, outwards.y, 0.0);
         gl_Position = clip_from_viewer[EYE] * place;
-        // On the far plane, and not a rounding behind it.
+        // On the far plane, and not behind it after rounding.
         gl_Position.z = min(gl_Position.z, gl_Position.w * 0.9999995);
     }
 }

@@ -1,12 +1,14 @@
-// The surface in a pixel of small water (small_water.glsl).
-uniform highp sampler2D flow;  // velocities of a river along x and z, in parts of its fastest; 128 is none
+// Slopes and roughness of a pixel of small water (small_water.glsl).
+// Velocity of a river along x and z. The byte 128 is zero and 255 is the maximum speed.
+uniform highp sampler2D flow;
 
 #if SURFACE == RIVER
-// Bumps that flow: two copies, half a cycle apart, are carried along and begin again when they have no weight. Independent waves
-// add in squares, so the weights are divided by the root of the sum of theirs. Fast water is rough, and still water smooth.
+// Returns noise that the flow advects. Two copies, half a cycle apart, are advected and restart
+// when their weight is 0. Variances of independent waves add, so the weights are divided by the
+// root of the sum of their squares. Fast water is rougher than still water.
 Bumps flowing_bumps(vec2 at, float pixel_m) {
     vec2 velocity = (texture(flow, at * flow_place.z + flow_place.xy).xy * 255.0 - 128.0) / 127.0;
-    vec2 way = velocity * flow_cycle.z;  // in a cycle
+    vec2 way = velocity * flow_cycle.z;  // displacement in a cycle
     float rough = mix(0.3, 1.0, min(length(velocity), 1.0));
     Bumps first = sum_of_octaves(at - way * (flow_cycle.x - 0.5) + flow_jump.xy, pixel_m, rough);
     Bumps second = sum_of_octaves(at - way * (flow_cycle.y - 0.5) + flow_jump.zw, pixel_m, rough);
@@ -29,7 +31,8 @@ Bumps small_bumps(vec2 at, float pixel_m) {
 }
 
 Waves waves_at(vec2 at, float distance_m) {
-    // Near the horizon a pixel is long and thin. Half of its length keeps waves that lie across it, and hardly any that alias.
+    // Near the horizon a pixel's footprint is long and narrow. Half of its length keeps waves
+    // across the footprint with little aliasing.
     Footprint pixel = footprint_of(at);
     float a = length(pixel.dx), b = length(pixel.dy);
     Bumps seen = small_bumps(at, max(min(a, b), 0.5 * max(a, b)));

@@ -1,21 +1,24 @@
-// Water too small for the sea's cascades, made where it is shaded: a lake (bumps of noise), a coast (ridges of noise), a river (bumps
-// that a map of its flow carries along), a pond (waves of the exponential of a sine). Slopes are true derivatives of
-// the heights, and waves finer than a pixel count as its roughness, so that nothing sparkles and nothing is lost.
+// Procedural waves of small water, which the cascades do not model: a lake (noise), a coast (ridged
+// noise), a river (noise that a flow map advects), a pond (waves of the exponential of a sine).
 //
-// Perlin 2002, "Improving Noise"; Perlin and Neyret 2001, "Flow Noise"; Jarzynski and Olano 2020, "Hash Functions for GPU
-// Rendering" (PCG).
+// Slopes are exact derivatives of the heights. Waves shorter than a pixel contribute to its
+// roughness instead, which prevents aliasing and conserves the slope variance.
+//
+// Perlin 2002, "Improving Noise"; Perlin and Neyret 2001, "Flow Noise"; Jarzynski and Olano 2020,
+// "Hash Functions for GPU Rendering" (PCG).
 
 const int octaves = 8;
 const int pond_waves = 24;
 
 struct Bumps {
     float height;
-    vec2 gradient;  // of the height, along x and z
-    float left;     // mean square of the slopes that are finer than the pixel
-    float crest;    // 1 on the sharpest ridges, where a coast is white
+    vec2 gradient;  // gradient of the height along x and z
+    float left;     // mean square of the slopes that the pixel does not resolve
+    float crest;    // 1 on the sharpest ridges, where a coast has foam
 };
 
-// How much of waves half of whose length is so long is left in pixels, or between vertices, so far apart.
+// Returns the amplitude factor of waves with half the wavelength `half_wave_m` for samples
+// `apart_m` apart.
 float shown_in(float half_wave_m, float apart_m) { return 1.0 - smoothstep(0.4, 1.0, apart_m / half_wave_m); }
 
 uint mixed_bits(uint bits) {
@@ -24,14 +27,15 @@ uint mixed_bits(uint bits) {
     return (word >> 22u) ^ word;
 }
 
-// A corner's gradient turns as time goes on: waves rise and fall where they are. The grid repeats after 64 cells.
+// Returns the gradient at a grid corner. It rotates with time, so waves rise and fall in place. The
+// grid has a period of 64 cells.
 vec2 turning_gradient(ivec2 corner, int octave, float turn) {
     uvec2 wrapped = uvec2(corner & 63);
     float angle = 6.2831853 * (float(mixed_bits(wrapped.x + 64u * wrapped.y + 4096u * uint(octave)) >> 8u) / 16777216.0 + turn);
     return vec2(cos(angle), sin(angle));
 }
 
-// Gradient noise, within [-0.71, 0.71], and its derivatives. E n^2 = 0.0466, E |n| = 0.1764.
+// Returns gradient noise in [-0.71, 0.71] and its derivatives. E n^2 = 0.0466, E |n| = 0.1764.
 vec3 turning_noise(vec2 place, ivec2 cell, int octave, float turn) {
     vec2 whole = floor(place), f = place - whole;
     ivec2 corner = cell + ivec2(whole);
@@ -47,18 +51,18 @@ vec3 turning_noise(vec2 place, ivec2 cell, int octave, float turn) {
 }
 #if SURFACE == COAST
 const float noise_slope_square = 0.6506;  // E |grad sqrt(n^2 + 0.03^2)|^2
-const float half_wave_cells = 0.4;        // a ridge is twice as fine as the noise that it is made of
+const float half_wave_cells = 0.4;        // ridges have half the wavelength of their noise
 #else
 const float noise_slope_square = 0.7796;  // E |grad n|^2
 const float half_wave_cells = 0.75;
 #endif
 
-// A sum of octaves. Those of a coast are ridges, each moved by the height of those before it: small ridges gather on large ones. `rough`
-// scales all of them.
+// Returns a sum of octaves, scaled by `rough`. Octaves of a coast are ridges. Each is displaced by
+// the height of the previous ones, so that small ridges concentrate on large ones.
 Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
     Bumps sum = Bumps(0.0, vec2(0.0), 0.0, 1.0);
     for (int i = 0; i < octaves; ++i) {
-        vec4 grid = bump_grid[i];  // xy: cosine and sine of its turn; z: cells a metre; w: height
+        vec4 grid = bump_grid[i];
         vec4 place = bump_place[i];
         float height = grid.w * rough, contraction = bump_kind.x;
         float steepness = height * grid.z;
@@ -82,8 +86,9 @@ Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
     return sum;
 }
 
-// Waves of exp(sin - 1): sharp crests, broad troughs. Each moves those after it along its own way by its slope, so that small waves
-// gather on the crests of large ones; `turned` is the derivative of the place that has been moved so far.
+// Returns a sum of waves exp(sin - 1), which have sharp crests and broad troughs. The slope of each
+// wave displaces the following waves along its direction, so that small waves concentrate on the
+// crests of large ones. `turned` is the derivative of the displaced position.
 Bumps sum_of_pond_waves(vec2 at, float apart_m) {
     Bumps sum = Bumps(0.0, vec2(0.0), 0.0, 0.0);
     mat2 turned = mat2(1.0);
@@ -107,8 +112,8 @@ Bumps sum_of_pond_waves(vec2 at, float apart_m) {
     return sum;
 }
 
-// What stands above the level of rest: a vertex moves up and down there. A lake's and a river's waves are centimetres, and
-// their surface stays flat.
+// Returns the height of a vertex above the still-water level. Waves of lakes and rivers are
+// centimetres high, so their mesh stays level.
 float small_height(vec2 at, float spacing_m) {
 #if SURFACE == POND
     return sum_of_pond_waves(at, spacing_m).height;

@@ -1,4 +1,4 @@
-// Stars as points: one in some cells of a cube's faces, the same in every frame.
+// Stars as points: one in some cells of the faces of a cube, identical in every frame.
 
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (pcg3d).
 uvec3 hashed(uvec3 v) {
@@ -11,7 +11,8 @@ uvec3 hashed(uvec3 v) {
 
 vec3 random_at(uvec3 v) { return vec3(hashed(v) >> 8u) / 16777216.0; }
 
-// As bright as the star is in the pixel, whatever its size: a spot of 0.6 pixels' deviation.
+// Returns the radiance of stars in a pixel. Each is a Gaussian spot with a standard deviation of
+// 0.6 pixels, so its flux does not depend on the pixel size.
 vec3 starlight(vec3 direction) {
     vec3 size = abs(direction);
     float most = max(size.x, max(size.y, size.z));
@@ -22,16 +23,18 @@ vec3 starlight(vec3 direction) {
     vec2 cell = floor((across * 0.5 + 0.5) * cells);
     uvec3 key = uvec3(uvec2(cell), uint(axis * 2 + (ahead > 0.0 ? 1 : 0)));
     vec3 place = random_at(key), kind = random_at(key + uvec3(97u, 0u, 0u));
-    // Away from the cell's edge, so that its spot fits.
+    // The star keeps a distance from the edge of the cell, so that its spot fits.
     vec2 star_at = (cell + 0.2 + 0.6 * place.xy) / cells * 2.0 - 1.0;
-    // Every third cell has one, fewer towards the cube's corners, where cells hold less sky: 7200 stars in all, about as many as
-    // eyes see (Yale Bright Star Catalogue: 9096 to magnitude 6.5).
+    // Every third cell has a star, and fewer near the cube's corners, where cells cover a smaller
+    // solid angle. The total is 7200 stars, about as many as are visible to the eye (Yale Bright
+    // Star Catalogue: 9096 to magnitude 6.5).
     if (place.z > 0.36 * pow(1.0 + dot(star_at, star_at), -1.5)) return vec3(0.0);
     vec3 star = axis == 1 ? vec3(star_at.x, sign(ahead), star_at.y)
                           : axis == 0 ? vec3(sign(ahead), star_at) : vec3(star_at, sign(ahead));
     float pixel = max(max(length(dFdx(direction)), length(dFdy(direction))), 1e-5);
     float off = length(direction - normalize(star)) / pixel;
-    // Each magnitude has 3.2 times as many stars as the one before, down to 6.5 (Allen 1976): flux goes with a uniform number to the -0.8.
+    // Each magnitude has 3.2 times as many stars as the previous one, down to 6.5 (Allen 1976), so
+    // the flux is proportional to a uniform number to the power -0.8.
     float flux = min(0.0025 * pow(max(kind.x, 1e-5), -0.8), 4.0);
     vec3 tint = mix(vec3(1.15, 0.97, 0.75), vec3(0.82, 0.98, 1.35), kind.y);
     const float spread = 0.36;  // variance

@@ -1,4 +1,4 @@
-// What a pixel of the sea or the sky becomes: a colour for the screen, or radiance for a display pass.
+// Output of a pixel of the sea or the sky: a colour for the screen, or radiance for a display pass.
 #include "film.glsl"
 
 vec4 screen_colour(vec3 radiance) {

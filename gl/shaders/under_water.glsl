@@ -1,8 +1,9 @@
-// What an eye in the water sees: its own water, with shafts of light in it.
+// View under water: the light of the water, with shafts of light.
 
-// Shafts of light: the caustics' pattern stands in the water along the sun's rays. A few places of the eye's ray, nearer ones
-// closer together, each with the mean of what lies between it and the next; moved a little from pixel to pixel, so that no
-// steps show.
+// Returns the mean sunlight along a ray, relative to sunlight without caustics. The pattern of the
+// caustics extends along the sun's rays. The view ray is sampled at a few points, denser near the
+// eye. Each sample takes the mean over the distance to the next. Offsets vary from pixel to pixel
+// to hide the steps.
 float shafts_along(vec3 start, vec3 ray, float way) {
 #if SHADING == HEADSET
     return 1.0;
@@ -28,7 +29,7 @@ float shafts_along(vec3 start, vec3 ray, float way) {
 #endif
 }
 
-// What is seen through water: `radiance`, `way` metres ahead along the ray.
+// Returns `radiance` as seen through `way` metres of water along the ray.
 vec3 through_water(vec3 radiance, vec3 start, vec3 ray, float way) {
     return radiance * exp(-attenuation_of_water() * way) +
            scattered_light(ray, depth_of(start), way, shafts_along(start, ray, way));

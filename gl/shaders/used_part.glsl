@@ -1,8 +1,8 @@
-// Images may use less than the whole of their texture: the lower left part. gl/display.cpp.
+// Images may cover only the lower left rectangle of their texture (gl/display.cpp).
 
-// Texture coordinates of a place in [0, 1], no nearer to the used part's edge than the texels' middles.
-// \param used  xy: the used part of the texture; zw: a texel
+// Converts a position in [0, 1] to texture coordinates, clamped to the outermost texel centres.
+// \param used  xy: fraction of the texture that the image covers; zw: size of a texel
 vec2 in_used_part(vec2 place, vec4 used) { return clamp(place * used.xy, 0.5 * used.zw, used.xy - 0.5 * used.zw); }
 
-// Samples carry the weight in alpha by which they were multiplied (tone.glsl).
+// Divides by alpha, which holds the weight of a sample (weighted_sample() in film.glsl).
 vec3 unweighted(vec4 texel) { return texel.rgb / max(texel.a, 1e-4); }

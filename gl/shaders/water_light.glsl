@@ -1,21 +1,23 @@
-// Light within the water: what is left of sunlight and skylight at a depth, and what the water scatters towards the eye.
+// Light within the water: attenuation of sunlight and skylight with depth, and in-scattering
+// towards the eye.
 //
-// Attenuation is the sum of absorption and backscattering, for light that comes down and for what is seen alike, so that deep
-// water has the colour that upwelling() gives it. Scattering at small angles hardly turns light: the rest of it, by the
-// delta approximation (Joseph, Wiscombe and Weinman 1976), is a Henyey-Greenstein lobe of g' = g / (1 + g) = 0.48 for sea water's
-// g = 0.92 (Petzold 1972). Its amount is 9.5 times the backscattering: straight down under a high sun that is 0.29 bb / (a + bb) of
-// the light, as upwelling() has it.
+// Attenuation is the sum of absorption and backscattering, both for downwelling light and along the
+// view ray, so that deep water has the colour of upwelling(). Scattering at small angles hardly
+// deflects light. By the delta approximation (Joseph, Wiscombe and Weinman 1976) the remainder is a
+// Henyey-Greenstein lobe of g' = g / (1 + g) = 0.48 for sea water's g = 0.92 (Petzold 1972). The
+// scattering coefficient of the lobe is 9.5 times the backscattering. Straight down under a high
+// sun this gives 0.29 bb / (a + bb) of the light, as in upwelling().
 const float water_index = 1.333;
 
 vec3 attenuation_of_water() { return water_absorption.rgb + water_backscattering.rgb; }
 
-// Towards the sun, by Snell's law at level water.
+// Returns the direction towards the sun in the water, by Snell's law at a level surface.
 vec3 sun_in_water() {
     vec2 across = sun.xz / water_index;
     return vec3(across.x, sqrt(1.0 - dot(across, across)), across.y);
 }
 
-// Just below the surface, on a level plane.
+// Irradiance just below the surface, on a level plane.
 vec3 sunlight_below() {
     float high = max(sun.y, 0.0);
     return sun_irradiance.rgb * high * (1.0 - mean_fresnel(high, 0.15));
@@ -26,8 +28,9 @@ float henyey_greenstein(float cosine, float g) {
     return (1.0 - g * g) / (4.0 * pi * pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
 }
 
-// What water scatters towards an eye `depth` below the surface, along `way` metres of a ray. Light falls off with depth and with
-// the way, so the integral of exp(-k s) exp(-k (depth - s ray.y)) is closed. `shafts` is the sun's part of its mean along the ray.
+// Returns the light that water scatters towards an eye `depth` metres below the surface, along
+// `way` metres of a ray. The integral of exp(-k s) exp(-k (depth - s ray.y)) over the ray has a
+// closed form. `shafts` is the mean sunlight along the ray, relative to sunlight without caustics.
 vec3 scattered_light(vec3 ray, float depth, float way, float shafts) {
     const float lobe = 0.48, amount = 9.5;
     vec3 k = attenuation_of_water();
@@ -41,5 +44,5 @@ vec3 scattered_light(vec3 ray, float depth, float way, float shafts) {
             from_sky * henyey_greenstein(ray.y, lobe));
 }
 
-// Depth below rest of a place relative to the viewer.
+// Returns the depth below the still-water level of a position relative to the viewer.
 float depth_of(vec3 at) { return max(-(at.y + viewer.z), 0.0); }

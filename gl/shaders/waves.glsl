@@ -1,17 +1,23 @@
-// The surface in a pixel: normal and roughness from the mips of the cascades' slopes, and ripples that no texel holds.
+// Normal and roughness of a pixel of the surface, from the mips of the cascades' slopes and from
+// ripples smaller than a texel.
 //
 // VR Ocean, equations 47 and 48 (the normal); Olano and Baker 2010, "LEAN Mapping".
-uniform highp sampler2DArray slopes;   // of a cascade: h_x, h_z, D_xx, D_zz, as sim/slope_sum.hpp says
-uniform highp sampler2DArray moments;  // D_xz, variance of h_x, of h_z, covariance
-uniform sampler2D detail;              // slopes of ripples, noise for gusts and foam, how much of the slopes this mip still holds
+uniform highp sampler2DArray slopes;   // per cascade: h_x, h_z, D_xx, D_zz (sim/slope_sum.hpp)
+uniform highp sampler2DArray moments;  // D_xz, variance of h_x, variance of h_z, covariance
+uniform sampler2D detail;              // ripple slopes, noise, resolved fraction of the slopes
 
-// The piece of sea that a pixel covers, metres at rest: near the horizon it is long and thin, which mips, being square, would blur to
-// nothing. So it is looked at in four places, the rooks of a rotated square, over 1.33 of its sides, the same on every driver,
-// unlike their anisotropic filters. Each look takes a mip half as wide as the piece: the mip as wide as the piece is an average of two by two
-// texels, which folds waves of three texels back with half their height, and a glint would weave them into a cloth.
+// Footprint of a pixel on the sea, metres at undisplaced positions.
+//
+// Near the horizon the footprint is long and narrow, and a square mip would blur all waves in it.
+// It is therefore sampled at four points of a rotated square over 1.33 of its sides. Unlike
+// anisotropic filters this is identical on every driver.
+//
+// Each sample takes a mip half as wide as the footprint. A mip as wide as the footprint averages 2
+// x 2 texels, which aliases waves of three texels with half their height; a glint would show them
+// as a woven pattern.
 struct Footprint {
     vec2 dx, dy;   // along the image's row and column
-    float wide_m;  // of a look
+    float wide_m;  // width of a sample
 };
 
 #if SHADING == HIGH
@@ -27,43 +33,49 @@ Footprint footprint_of(vec2 at) {
 #if SHADING == HIGH
     return Footprint(dx, dy, max(0.5 * sqrt(min(x2, y2)), 0.25 * longest));
 #else
-    // One look: as wide as the piece in the mean of its sides.
+    // One sample, as wide as the geometric mean of the footprint's sides.
     return Footprint(dx, dy, max(sqrt(sqrt(x2 * y2)), 0.25 * longest));
 #endif
 }
 
-// How the surface changes along the world's x and z at rest, and the mean square of the slopes that the pixel averages away.
+// Derivatives of the surface along undisplaced world x and z, and the mean square of the slopes
+// that the pixel averages away.
 struct Slopes {
-    vec2 h;          // of the height
-    vec3 d;          // of the horizontal displacement: D_xx, D_zz, D_xz
-    float variance;  // of h, both axes
+    vec2 h;          // derivatives of the height
+    vec3 d;          // derivatives of the horizontal displacement: D_xx, D_zz, D_xz
+    float variance;  // variance of h, summed over both axes
 };
 
-// Bytes of which 128 is zero.
+// Signed bytes: 128 is zero.
 const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
 
 #if SHADING == HIGH
-// The sides of a piece seen through texels of that size: at least a texel, at most a whole cascade, beyond which there is nothing to tell apart.
+// Returns the sides of a footprint, clamped to at least a texel and at most one period of the
+// texture.
 mat2 sides_of(Footprint pixel, float texel_m, float tile_m) {
     vec2 lengths = vec2(max(length(pixel.dx), 1e-6), max(length(pixel.dy), 1e-6));
     vec2 scale = clamp(lengths, texel_m, tile_m) / lengths;
     return mat2(pixel.dx * scale.x, pixel.dy * scale.y);
 }
 
-// An only cascade is seen many times over from where it looks small, and its copies would make a carpet; sums of cascades repeat nowhere that an
-// eye compares. So far from the eye each look may
-// go to another place of it: along a smooth noise places follow one another, and the two between which the noise stands are mixed. Both are
-// the same random sea, so that weights whose squares sum to one keep its statistics (Heitz and Neyret 2018, "High-Performance
-// By-Example Noise using a Histogram-Preserving Blending Operator": slopes are Gaussian as they are).
+// Offsets that vary the copies of a periodic texture.
+//
+// If there is only one cascade, its periods form a visible pattern in the distance. Sums of
+// cascades do not repeat visibly. Far from the eye, samples are therefore taken at offset texture
+// coordinates. A smooth noise selects two successive offsets of a sequence, and their samples are
+// blended. Both belong to the same random process, so weights whose squares sum to one preserve its
+// statistics (Heitz and Neyret 2018, "High-Performance By-Example Noise using a
+// Histogram-Preserving Blending Operator"; slopes are already Gaussian).
 struct Copies {
-    vec2 first, second;  // texture coordinates that are added
+    vec2 first, second;  // offsets of texture coordinates
     vec2 weights;
-    bool are_one;        // near the eye: the looks are all of one place
+    bool are_one;        // near the eye: both offsets are equal
 };
 
 Copies copies_along(float noise) {
     float first = floor(noise), second = smoothstep(0.0, 1.0, noise - first);
-    const vec2 to_next = vec2(0.7548777, 0.5698403);  // Roberts 2018, the sequence R2: none of its places is near another
+    // The R2 sequence (Roberts 2018), whose points are well separated.
+    const vec2 to_next = vec2(0.7548777, 0.5698403);
     return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
 }
 
@@ -78,8 +90,8 @@ vec4 look_of(int i, int cascade, vec2 uv, mat2 sides, float mip) {
     return textureLod(slopes, vec3(uv + sides * look_at[i], cascade), mip) * signed_scale - signed_zero;
 }
 
-// What a cascade's maps say around a place in them; the sides of the piece are texture coordinates. Where slopes differ between looks,
-// their variance counts as averaged away.
+// Returns a cascade's slopes in a footprint whose sides are given in texture coordinates. The
+// variance between the samples counts as averaged away.
 Slopes look_at_cascade(int cascade, vec2 uv, mat2 sides, float mip, Copies copies) {
     vec4 a = look_of(0, cascade, uv + copies.first, sides, mip), b = look_of(2, cascade, uv + copies.first, sides, mip);
     vec4 c = look_of(1, cascade, uv + copies.second, sides, mip), d = look_of(3, cascade, uv + copies.second, sides, mip);
@@ -94,7 +106,8 @@ Slopes look_at_cascade(int cascade, vec2 uv, mat2 sides, float mip, Copies copie
                   scatter * range * range + (moment.y + moment.z) * cascade_slope[cascade].y);
 }
 
-// The same of a pixel. A cascade of which no wave is left in the pixel is roughness, and costs nothing.
+// Returns a cascade's slopes in a pixel. If the pixel resolves no wave of the cascade, all of them
+// count as roughness, and no texture is sampled.
 Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float mip = log2(pixel.wide_m * cascade_scale[cascade].x);
     float weight = weight_of_cascade(cascade, mip + 1.0);
@@ -106,9 +119,10 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
 #else
-// A cascade's slopes from one look. What the pixel averages away is in the moments; a headset, which has no look to spare for them, takes
-// it as the part of the octaves between the texels and the cascade's longest waves that the mip has lost: the slopes of wind waves are about
-// the same in each.
+// Returns a cascade's slopes from one sample. The moments give the variance that the pixel averages
+// away. Headsets omit that sample and estimate the variance from the fraction of octaves, between a
+// texel and the longest waves, that the mip does not resolve. Each octave of wind waves has about
+// the same slope variance.
 Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float mip = log2(pixel.wide_m * cascade_scale[cascade].x);
     vec3 uv = vec3(place_in_cascade(cascade, at), cascade);
@@ -125,10 +139,10 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
 }
 #endif
 
-// VR Ocean, equation 48, as `y` of the normal.
+// VR Ocean, equation 48: y of the normal.
 float jacobian_of(vec3 d) { return (1.0 + d.x) * (1.0 + d.y) - d.z * d.z; }
 
-// The normal of the sum of all cascades, as its slopes in the world: x and z over y, at most 4.9.
+// Returns the normal of the sum of all cascades as world slopes: x and z over y, at most 4.9.
 vec2 normal_slopes(Slopes sum) {
     vec3 normal = vec3(sum.h.y * sum.d.z - sum.h.x * (1.0 + sum.d.y), jacobian_of(sum.d),
                        sum.h.x * sum.d.z - sum.h.y * (1.0 + sum.d.x));
@@ -141,12 +155,14 @@ vec2 normal_slopes(Slopes sum) {
 
 struct Waves {
     vec2 slopes;   // with the sign of the normal
-    float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
-    float crests;  // part of the pixel that breaks of small water and of dynamic waves; the cascades have maps of it (foam_maps.glsl)
+    float alpha2;  // alpha^2: mean square of the slopes that the pixel does not resolve
+    // Fraction of the pixel that foam of small water or of dynamic waves covers. Foam of the
+    // cascades has maps of its own (foam_maps.glsl).
+    float crests;
 };
 
 #if VERTEX_CASCADES > 0
-// The coarsest cascade's waves are long: a headset looks at them once a vertex.
+// The coarsest cascade's waves are long, so headsets sample them per vertex.
 Slopes slopes_of_vertices() {
 #ifdef SKIRT
     return Slopes(vec2(0.0), vec3(0.0), cascade_slope[0].z);
@@ -160,7 +176,7 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
 #if VERTEX_CASCADES > 0
-        Slopes seen;  // WebGL chooses no structures by ?:
+        Slopes seen;  // WebGL does not support ?: on structures
         if (cascade < VERTEX_CASCADES)
             seen = slopes_of_vertices();
         else
@@ -180,8 +196,9 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     return Waves(slopes_of_all, sum.variance, 0.0);
 }
 
-// A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A cascade of them is
-// decimetres wide, so near the eye there are thousands: they are mixed from copies, as an only cascade of waves is.
+// Returns a layer of ripples: slopes in xy, and in w the fraction of their mean square that the
+// pixel resolves. The period is decimetres, so thousands of periods are visible. They are blended
+// from copies, like a single cascade.
 vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
     mat2 turn = mat2(row.x, -row.y, row.y, row.x);
@@ -198,36 +215,38 @@ vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec4 d = textureLod(detail, uv + copies.second + sides * look_at[3], mip);
     vec2 first = a.xy + b.xy - 1.0, second = c.xy + d.xy - 1.0;
     vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy));
-    // Slopes are stored as a quarter of their deviations: their mean square is 1/16.
+    // Slopes are stored with a standard deviation of 1/4, so their mean square is 1/16.
     vec4 sum = vec4(copies.weights.x * first + copies.weights.y * second, 0.0,
                     0.25 * (a.w + b.w + c.w + d.w) - 16.0 * dot(copies.weights * copies.weights, apart));
 #else
     vec4 texel = textureLod(detail, uv, mip);
     vec4 sum = vec4(texel.xy * 2.0 - 1.0, texel.zw);
 #endif
-    // Their longest waves are a third of the texture: at 2 texels none is left.
+    // The longest ripples are a third of the period. At the mip of 2 texels no ripple is resolved.
     return sum * clamp(7.0 - mip, 0.0, 1.0);
 }
 
-// The slopes of a layer, turned back into the world.
+// Rotates the slopes of a layer to world axes.
 vec2 rotated_back(int layer, vec2 slopes) {
     vec2 row = detail_turn[layer].zw;  // cosine and sine
     return vec2(row.x * slopes.x - row.y * slopes.y, row.y * slopes.x + row.x * slopes.y);
 }
 
-// Gusts: patches of rougher water, hundreds of metres wide, that every sea has.
+// Returns the gust factor of the roughness. Gusts are patches of rougher water, hundreds of metres
+// wide.
 float gust_at(vec2 at) {
 #if SHADING == HEADSET
     return 1.0;
 #else
-    // The finer noise repeats within sight, so the wider one bends it.
+    // The finer noise repeats visibly, so the wider noise distorts it.
     float wide = texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
     float fine = texture(detail, at * noise_scale.z + gust_shift.xy + vec2(0.9, -0.7) * wide).z;
     return clamp(0.35 + 1.3 * (fine + wide - 0.5), 0.35, 1.7);
 #endif
 }
 
-// The water that no cascade holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
+// Adds the unresolved (subgrid) roughness waves.y^2. Ripples show a fraction of it as slopes where
+// pixels are small enough.
 void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
     vec4 a = layer_of_ripples(0, at, pixel);
