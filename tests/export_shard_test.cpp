@@ -175,7 +175,7 @@ TEST(ShardedExport, IsNotMadeTwiceAtOnceNorBesideOthers) {
     };
     {
         const tools::Descriptor at_work = hold(".sea.2-of-2.lock", LOCK_EX), in_folder = hold(".sea.lock", LOCK_SH);
-        expect_says(run_pelagic(shard_to(folder.path(), 2, 2)), 2, "where nobody makes shard 2/2");
+        expect_says(run_pelagic(shard_to(folder.path(), 2, 2)), 2, "where no other process exports shard 2/2");
         expect_says(run_pelagic(export_to(folder.path())), 2, "another export is at work there");
         expect_says(merge(folder.path()), 2, "another export is at work there");
         expect_done(run_pelagic(shard_to(folder.path(), 1, 2, {"--resume"})));
@@ -274,7 +274,7 @@ TEST(MergedShards, ThatNobodyMadeAreRefused) {
     expect_says(merge(folder.path()), 2, "none is there");
     expect_says(merge(folder / "nowhere"), 2, "No such file");
     write_file(folder / "sea.1-of-1.json", "{ torn");
-    expect_says(merge(folder.path()), 1, "nothing says what the export was");
+    expect_says(merge(folder.path()), 1, "the options of the export are unknown");
 }
 
 /// One record of two is edited, and merge says so and touches nothing.

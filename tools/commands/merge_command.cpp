@@ -98,7 +98,7 @@ class Merge {
                 // check_all() reports this record if another one can be read.
             }
         throw FileError("no record of a shard in " + folder_.path().string() +
-                        " can be read: nothing says what the export was, so all " + std::to_string(count_) +
+                        " can be read: the options of the export are unknown, so all " + std::to_string(count_) +
                         " shards have to be made again");
     }
 

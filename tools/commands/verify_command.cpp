@@ -228,7 +228,7 @@ void VerifyCommand::run() {
                      verification.sampled());
     } catch (const DamagedRecord&) {
         throw FileError((folder.path() / record_name({})).string() +
-                        " is damaged: nothing says what the export was, so it has to be made again");
+                        " is damaged: its options are unknown, so the export has to be made again");
     }
 }
 

@@ -355,9 +355,9 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
         require_reachable(*options.events, options.times.time_of(options.times.number(options.times.count() - 1)));
     const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);
     if (is_gltf && options.maps.up_axis != UpAxis::y)
-        throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf, whose specification says so");
+        throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf: glTF is y-up");
     if (is_gltf && options.maps.unit != LengthUnit::metre)
-        throw bad_value("--unit", *typed("unit"), "m with --mesh gltf, whose specification says so");
+        throw bad_value("--unit", *typed("unit"), "m with --mesh gltf: glTF uses metres");
     if (options.maps.maps.empty() && !options.meshes.any() && !options.events)
         throw bad_value("--maps", no_maps, "--mesh or --events with it, or some maps");
     if (const auto& grid = typed("flipbook")) {

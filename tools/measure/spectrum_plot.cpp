@@ -99,11 +99,11 @@ std::string panel_as_svg(const SpectrumPanel& panel) {
         if (up.holds(point.found) || up.holds(point.model)) places.push_back(point.at);
     const Axis across = axis_over(places, 300, width);
     const std::string found = line("stroke=\"%s\" stroke-width=\"2\"", found_colour);
-    const std::string asked = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", model_colour);
-    return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::model, asked.c_str()) +
+    const std::string expected = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", model_colour);
+    return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::model, expected.c_str()) +
            curve_as_svg(across, up, panel, &PlottedPoint::found, found.c_str()) +
            line("<text x=\"%g\" y=\"25\" text-anchor=\"end\" fill=\"%s\">found</text>\n", width - 10, found_colour) +
-           line("<text x=\"%g\" y=\"47\" text-anchor=\"end\" fill=\"%s\">asked for</text>\n", width - 10,
+           line("<text x=\"%g\" y=\"47\" text-anchor=\"end\" fill=\"%s\">expected</text>\n", width - 10,
                 model_colour);
 }
 

@@ -33,7 +33,7 @@ FolderLock::FolderLock(const OutputFolder& folder, const std::string& option, co
                      "a folder of its own: another export is at work there")) {
     if (shard)
         shard_ = locked(folder, option, lock_name_of(*shard), LOCK_EX,
-                        "a folder where nobody makes shard " + text_of(*shard) + ": another export is at it");
+                        "a folder where no other process exports shard " + text_of(*shard));
 }
 
 }  // namespace pelagic::tools
