@@ -120,7 +120,7 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
         if (is_mapped) renderer.map_textures();  // of which the frame knows nothing
         ocean.schedule(0, {&elsewhere, 1});
         EXPECT_EQ(invalid_value_of(renderer, ocean.complete()),
-                  "the frame's textures are in memory of the application's; map() gives such that upload() knows");
+                  "the frame's textures are in memory that FrameTextures::map() did not return");
     }
 }
 

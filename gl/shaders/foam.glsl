@@ -3,8 +3,8 @@
 // The cascades' maps give the amount of foam (foam_maps.glsl), and a texture gives its structure at
 // three scales (gl/water/foam_image.hpp). Each scale redistributes its amount to the next finer
 // scale without a change of the mean, so the mean coverage equals that of the maps at any distance.
-// A value of a map is also an age: foam of value 1 is breaking now, and foam of value 0.5 broke 1.4
-// s ago and opens into threads.
+// A value of a map is also an age: foam of value 1 is breaking now. Foam of value 0.5 broke 1.4 s
+// ago and opens into threads.
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength
 // for remote sensing of ocean aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".

@@ -41,8 +41,8 @@ SeenFacets seen_facets(float mu, float s) {
 }
 
 // Returns the mean Fresnel reflectance of the visible facets. It is that of one facet slightly more
-// grazing than the mean facet, because the curve is convex. Facets of slope x have 1 / sqrt(1 +
-// x^2) of the cosine. The error is at most 4 % of the integral for s up to 0.2.
+// grazing than the mean facet, because the curve is convex. Facets of slope x have
+// 1 / sqrt(1 + x^2) of the cosine. The error is at most 4 % of the integral for s up to 0.2.
 float mean_fresnel(float cosine, float s) {
     SeenFacets seen = seen_facets(cosine, s);
     return fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0));

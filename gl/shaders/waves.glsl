@@ -12,8 +12,8 @@ uniform sampler2D detail;              // ripple slopes, noise, resolved fractio
 // It is therefore sampled at four points of a rotated square over 1.33 of its sides. Unlike
 // anisotropic filters this is identical on every driver.
 //
-// Each sample takes a mip half as wide as the footprint. A mip as wide as the footprint averages 2
-// x 2 texels, which aliases waves of three texels with half their height; a glint would show them
+// Each sample takes a mip half as wide as the footprint. A mip as wide as the footprint averages
+// 2 x 2 texels, which aliases waves of three texels with half their height; a glint would show them
 // as a woven pattern.
 struct Footprint {
     vec2 dx, dy;   // along the image's row and column

@@ -43,7 +43,7 @@ std::string invalid_value_of(const Frame& frame, int resolution, std::size_t cas
         const bool is_elsewhere = cascade.displacement_rgba16f.empty();
         const bool is_torn = is_elsewhere && !(cascade.slopes_rgba8.empty() && cascade.moments_rgba8.empty());
         if (is_elsewhere && (!is_mapped || is_torn))
-            return "the frame's textures are in memory of the application's; map() gives such that upload() knows";
+            return "the frame's textures are in memory that FrameTextures::map() did not return";
         if (cascade.slopes_rgba8.empty() && !is_elsewhere)
             return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
     }

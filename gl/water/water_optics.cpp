@@ -124,8 +124,8 @@ WaterOptics water_optics(std::string_view jerlov_type) {
     const auto is_it = [jerlov_type](const JerlovType& type) { return type.name == jerlov_type; };
     const auto type = std::find_if(types.begin(), types.end(), is_it);
     if (type == types.end())
-        throw std::invalid_argument("no water is of the type " + std::string(jerlov_type) +
-                                    ", needs one of I, IA, IB, II, III, 1C, " + "3C, 5C, 7C, 9C");
+        throw std::invalid_argument("water type is " + std::string(jerlov_type) +
+                                    ", needs one of I, IA, IB, II, III, 1C, 3C, 5C, 7C, 9C");
     WaterOptics water;
     for (int c = 0; c < 3; ++c) {
         const float nm = channels_nm[static_cast<std::size_t>(c)];
