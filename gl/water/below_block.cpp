@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Deepest even floor that is visible from above. At the clearest wavelength exp(-2 k d) is then
-/// about 1e-4 in Jerlov type IB (k = 0.031 1/m) and less in more turbid water.
+/// Deepest even floor that is visible from above. In Jerlov type IB (k = 0.034 1/m at the clearest
+/// wavelength) and in more turbid water exp(-2 k d) is then below 1e-4.
 constexpr double deepest_seen_m = 150;
 /// Period of the patterns on sand.
 constexpr double sand_tile_m = 64;
