@@ -43,7 +43,7 @@ void ContractionMap::find(const Cascade& cascade, const Kernels& kernels, std::s
 
 double ContractionMap::largest_m() const {
     float squared = 0;
-    for (const ContractionExtremes& part : extremes_) squared = std::max(squared, part.displacement_squared);
+    for (const ContractionExtremes& piece : extremes_) squared = std::max(squared, piece.displacement_squared);
     return std::sqrt(static_cast<double>(squared)) * rounding;
 }
 
@@ -75,9 +75,9 @@ void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* co
         std::fill_n(around_.data(), around_.size(), *from);
 
     float stretch = 0, steepness_squared = 0;
-    for (const ContractionExtremes& part : extremes_) {
-        stretch = std::max(stretch, part.stretch);
-        steepness_squared = std::max(steepness_squared, part.steepness_squared);
+    for (const ContractionExtremes& piece : extremes_) {
+        stretch = std::max(stretch, piece.stretch);
+        steepness_squared = std::max(steepness_squared, piece.steepness_squared);
     }
     cascade.contraction = {
         .blocks = {blocks_.data(), blocks_.size()},

@@ -39,8 +39,8 @@ void FoldMap::mark(const Cascade& cascade) {
     const double texels_per_m = resolution_ / cascade.grid.side_m;
     std::fill_n(squares_.data(), squares_.size(), std::uint8_t{0});
     for (std::size_t byte = 0; byte < cells_.size(); ++byte) {
-        for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {
-            const int cell = static_cast<int>(byte) * 8 + std::countr_zero(rest);
+        for (unsigned remaining = cells_[byte]; remaining != 0; remaining &= remaining - 1) {
+            const int cell = static_cast<int>(byte) * 8 + std::countr_zero(remaining);
             const int i = cell % resolution_, j = cell / resolution_;
             double min_x = 1e300, max_x = -1e300, min_z = 1e300, max_z = -1e300;
             for (const auto& [x, z] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {

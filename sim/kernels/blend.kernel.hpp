@@ -34,23 +34,25 @@ PELAGIC_INLINE UnpackedWaves<Arch> unpacked(const float* packed, const xsimd::ba
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> between(const xsimd::batch<float, Arch>& before,
                                                  const xsimd::batch<float, Arch>& after,
-                                                 const xsimd::batch<float, Arch>& rest,
-                                                 const xsimd::batch<float, Arch>& part) {
+                                                 const xsimd::batch<float, Arch>& weight_before,
+                                                 const xsimd::batch<float, Arch>& weight) {
     using V = xsimd::batch<float, Arch>;
-    const V energy = rest * (before * before) + part * (after * after);
-    const V through_zero = rest * before + part * after;
+    const V energy = weight_before * (before * before) + weight * (after * after);
+    const V through_zero = weight_before * before + weight * after;
     return xsimd::select(before * after < V(0.f), through_zero,
                          xsimd::copysign(square_root<Arch>(energy), before + after));
 }
 
 template <class Arch>
-PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xsimd::batch<float, Arch>& part,
+PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xsimd::batch<float, Arch>& weight,
                                float* out) {
     using V = xsimd::batch<float, Arch>;
-    const V scale(BlendWavesJob::scale), unscale(0.5f / BlendWavesJob::scale), rest = V(1.f) - part;
+    const V scale(BlendWavesJob::scale), unscale(0.5f / BlendWavesJob::scale), weight_before = V(1.f) - weight;
     const UnpackedWaves<Arch> from = unpacked<Arch>(before, scale), to = unpacked<Arch>(after, scale);
-    const V a = between<Arch>(from.a, to.a, rest, part), b = between<Arch>(from.b, to.b, rest, part);
-    const V c = between<Arch>(from.c, to.c, rest, part), d = between<Arch>(from.d, to.d, rest, part);
+    const V a = between<Arch>(from.a, to.a, weight_before, weight),
+            b = between<Arch>(from.b, to.b, weight_before, weight);
+    const V c = between<Arch>(from.c, to.c, weight_before, weight),
+            d = between<Arch>(from.d, to.d, weight_before, weight);
     const auto put = [&](std::size_t i, const V& value) { (value * unscale).store_aligned(out + i * V::size); };
     put(0, a + c);
     put(1, b + d);
@@ -58,20 +60,20 @@ PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xs
     put(3, c - a);
 }
 
-/// Blends one block of both spectra. \param part_of  returns s of a wave pair, given its index in
+/// Blends one block of both spectra. \param weight_of  returns s of a wave pair, given its index in
 /// the block
-template <class Arch, class Job, class PartOf>
-PELAGIC_INLINE void blend_block(const Job& job, PartOf part_of) {
+template <class Arch, class Job, class WeightOf>
+PELAGIC_INLINE void blend_block(const Job& job, WeightOf weight_of) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t pair_floats = wave_quantities * V::size;
     const float* before = job.before;
     const float* after = job.after;
     float* out = job.out;
     for (std::size_t i = 0; i < job.pairs; ++i, before += pair_floats, after += pair_floats, out += pair_floats) {
-        const V part = part_of(i);
-        blend_wave<Arch>(before + plus_cos_re * V::size, after + plus_cos_re * V::size, part,
+        const V weight = weight_of(i);
+        blend_wave<Arch>(before + plus_cos_re * V::size, after + plus_cos_re * V::size, weight,
                          out + plus_cos_re * V::size);
-        blend_wave<Arch>(before + minus_cos_re * V::size, after + minus_cos_re * V::size, part,
+        blend_wave<Arch>(before + minus_cos_re * V::size, after + minus_cos_re * V::size, weight,
                          out + minus_cos_re * V::size);
         V::load_aligned(before + direction_x * V::size).store_aligned(out + direction_x * V::size);
         V::load_aligned(before + direction_z * V::size).store_aligned(out + direction_z * V::size);
@@ -81,8 +83,8 @@ PELAGIC_INLINE void blend_block(const Job& job, PartOf part_of) {
 template <class Arch>
 void blend_waves(const BlendWavesJob& job) {
     using V = xsimd::batch<float, Arch>;
-    const V part(job.part);
-    blend_block<Arch>(job, [&](std::size_t) { return part; });
+    const V weight(job.part);
+    blend_block<Arch>(job, [&](std::size_t) { return weight; });
 }
 
 template <class Arch>

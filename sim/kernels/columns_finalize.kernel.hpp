@@ -75,8 +75,9 @@ inline Finish transform_columns(const FftTables& fft, float* data, HalfPlane hal
     // first-level cache. A single middle step processes all data at once.
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
     const std::size_t size = static_cast<std::size_t>(fft.size);
-    const std::size_t part = fft.step_count > 3 ? static_cast<std::size_t>(fft.last_step().span) : size;
-    for (std::size_t first = 0; first < size; first += part) middle_steps<Arch, 1>(data + first * element, part, fft);
+    const std::size_t block_size = fft.step_count > 3 ? static_cast<std::size_t>(fft.last_step().span) : size;
+    for (std::size_t first = 0; first < size; first += block_size)
+        middle_steps<Arch, 1>(data + first * element, block_size, fft);
 
     if (fft.last_step().radix == 8) return finish_columns<Arch, 8>(data, fft, finish);
     return finish_columns<Arch, 4>(data, fft, finish);

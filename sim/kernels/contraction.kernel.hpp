@@ -32,7 +32,8 @@ struct ContractionOfCells {
     using V = xsimd::batch<float, Arch>;
     V min_even = V(1e30f), max_apart_squared = V(0.f);
 
-    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& max_even, V& max_turn) {
+    PELAGIC_INLINE void add_corner(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& max_even,
+                                   V& max_turn) {
         const V even = edge.along + side.across, difference = edge.along - side.across;
         const V shear = edge.across + side.along, turn = edge.across - side.along;
         min_even = xsimd::min(min_even, even);
@@ -108,8 +109,8 @@ void find_contraction(const FindContractionJob& job) {
                 const Vectors next_side{lanes_behind<1, Arch>(side.along, behind_side.along),
                                         lanes_behind<1, Arch>(side.across, behind_side.across)};
                 for (int e = r; e < r + 2; ++e) {
-                    cells.look(edges[e], side, even, turn);
-                    cells.look(edges[e], next_side, even, turn);
+                    cells.add_corner(edges[e], side, even, turn);
+                    cells.add_corner(edges[e], next_side, even, turn);
                 }
                 const V fall = here.height[r + 1] - here.height[r];
                 const V next_fall = lanes_behind<1, Arch>(fall, behind.height[r + 1] - behind.height[r]);

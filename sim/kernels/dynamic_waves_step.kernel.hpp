@@ -45,8 +45,8 @@ struct BorderColumns {
         : left_x(V::load_aligned(border.left_x + first_column)), left_z(border.left_z) {}
 
     PELAGIC_INLINE V operator()(V value, std::size_t z) const {
-        const V left = value * (left_x * V(left_z[z]));
-        return xsimd::select(xsimd::abs(left) < V(BorderDamping::smallest), V(0.f), left);
+        const V damped = value * (left_x * V(left_z[z]));
+        return xsimd::select(xsimd::abs(damped) < V(BorderDamping::smallest), V(0.f), damped);
     }
 };
 
@@ -81,10 +81,10 @@ void dynamic_columns(const DynamicColumnsJob& job) {
         *job.fft, data);
     for (std::size_t line = 0; line < size; line += lanes) {
         float* const to = job.lines + line / lanes * job.block_stride + job.first_column * element;
-        for (std::size_t part = 0; part < 2; ++part) {
-            V turned[lanes];
-            load_transposed<Arch>(data + line * element + part * lanes, element, turned);
-            for (std::size_t x = 0; x < lanes; ++x) turned[x].store_aligned(to + x * element + part * lanes);
+        for (std::size_t component = 0; component < 2; ++component) {
+            V transposed[lanes];
+            load_transposed<Arch>(data + line * element + component * lanes, element, transposed);
+            for (std::size_t x = 0; x < lanes; ++x) transposed[x].store_aligned(to + x * element + component * lanes);
         }
     }
 }
@@ -119,11 +119,11 @@ void dynamic_columns_back(const DynamicColumnsJob& job) {
     float* const columns = data + size * element;
     for (std::size_t line = 0; line < size; line += lanes) {
         const float* const from = job.lines + line / lanes * job.block_stride + job.first_column * element;
-        for (std::size_t part = 0; part < 2; ++part) {
-            V turned[lanes];
-            load_transposed<Arch>(from + part * lanes, element, turned);
+        for (std::size_t component = 0; component < 2; ++component) {
+            V transposed[lanes];
+            load_transposed<Arch>(from + component * lanes, element, transposed);
             for (std::size_t k = 0; k < lanes; ++k)
-                turned[k].store_aligned(columns + (line + k) * element + part * lanes);
+                transposed[k].store_aligned(columns + (line + k) * element + component * lanes);
         }
     }
     transform_from<Arch>([=](std::size_t kz) { return Complex<Arch>::load(columns + kz * element); }, fft, data);
@@ -140,7 +140,7 @@ template <class Arch>
 void verlet_rows(const VerletRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution, stride = dynamic_row_stride(n);
-    const V coupling(job.coupling), left(job.left), four(4.f);
+    const V coupling(job.coupling), damping(job.left), four(4.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const row = job.now + z * stride;
         const float* const above = job.now + (z + n - 1) % n * stride;
@@ -150,7 +150,7 @@ void verlet_rows(const VerletRowsJob& job) {
             const V sides = V::load_unaligned(row + x - 1) + V::load_unaligned(row + x + 1);
             const V ends = V::load_aligned(above + x) + V::load_aligned(below + x);
             const V here = V::load_aligned(row + x);
-            const V moved = left * (here - V::load_aligned(to + x));
+            const V moved = damping * (here - V::load_aligned(to + x));
             const V pulled = coupling * ((sides + ends) - four * here);
             (here + (moved + pulled)).store_aligned(to + x);
         }
@@ -176,7 +176,7 @@ void dynamic_foam(const DynamicFoamJob& job) {
         std::uint8_t* const foam = job.foam + z * job.resolution;
         std::uint8_t all = 0;
         for (std::size_t x = 0; x < job.resolution; ++x) {
-            const int left = foam[x] - job.fade, more = fresh[x] > left ? fresh[x] : left;
+            const int remaining = foam[x] - job.fade, more = fresh[x] > remaining ? fresh[x] : remaining;
             foam[x] = static_cast<std::uint8_t>(more);
             all = static_cast<std::uint8_t>(all | foam[x]);
         }
@@ -188,7 +188,7 @@ template <class Arch>
 void interpolate_ticks(const TickInterpolationJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution;
-    const V part(job.part), from_middle(job.part - 0.5f), ticks_per_s(job.ticks_per_s);
+    const V fraction(job.part), from_middle(job.part - 0.5f), ticks_per_s(job.ticks_per_s);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const before = job.before + z * dynamic_row_stride(n);
         const float* const now = job.now + z * dynamic_row_stride(n);
@@ -196,11 +196,11 @@ void interpolate_ticks(const TickInterpolationJob& job) {
         const V shown_z(job.shown_z[z]);
         V low(0.f), high(0.f);
         for (std::size_t x = 0; x < n; x += V::size) {
-            const V from = V::load_aligned(before + x), way = V::load_aligned(now + x) - from;
+            const V from = V::load_aligned(before + x), difference = V::load_aligned(now + x) - from;
             const V shown = V::load_aligned(job.shown_x + x) * shown_z;
-            const V height = (from + part * way) * shown;
+            const V height = (from + fraction * difference) * shown;
             height.store_aligned(job.height + z * n + x);
-            const V vertical_velocity = way + from_middle * (way - V::load_aligned(way_before + x));
+            const V vertical_velocity = difference + from_middle * (difference - V::load_aligned(way_before + x));
             ((vertical_velocity * ticks_per_s) * shown).store_aligned(job.vertical_velocity + z * n + x);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);

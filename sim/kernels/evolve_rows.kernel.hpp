@@ -96,9 +96,10 @@ PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& 
 
     Complex<Arch> plus[Radix], minus[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
-        const Rotation<Arch> turned = of_waves(U::load_aligned(harmonics + s * V::size));
-        plus[s] = height_of_wave<Arch>(plus_wave(s) + plus_cos_re * V::size, turned);
-        if (HasNegatives) minus[Radix - 1 - s] = height_of_wave<Arch>(plus_wave(s) + minus_cos_re * V::size, turned);
+        const Rotation<Arch> rotation = of_waves(U::load_aligned(harmonics + s * V::size));
+        plus[s] = height_of_wave<Arch>(plus_wave(s) + plus_cos_re * V::size, rotation);
+        if (HasNegatives)
+            minus[Radix - 1 - s] = height_of_wave<Arch>(plus_wave(s) + minus_cos_re * V::size, rotation);
     }
     const GroupPair pair = job.fft->pairs[number];
     first_step<Arch>(plus, plus_wave, false, data + job.fft->positions[pair.plus] * element);
@@ -109,46 +110,46 @@ PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& 
 /// A subtransform and its negative are evaluated and transformed together, while their data is in
 /// the first-level cache.
 template <class Arch, std::size_t FirstRadix, class OfWaves>
-inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* data) {
+inline void evolve_and_transform_blocks(const EvolveRowsJob& job, float* data) {
     constexpr std::size_t element = fields * 2 * xsimd::batch<float, Arch>::size;
     const FftTables& fft = *job.fft;
-    const std::size_t parts = static_cast<std::size_t>(fft.last_step().radix);
-    const std::size_t part_size = static_cast<std::size_t>(fft.last_step().span);
+    const std::size_t blocks = static_cast<std::size_t>(fft.last_step().radix);
+    const std::size_t block_size = static_cast<std::size_t>(fft.last_step().span);
     const OfWaves of_waves(job);
 
-    for (std::size_t part = 0; part <= parts / 2; ++part) {
-        for (std::size_t number = fft.first_pair[part]; number < fft.first_pair[part + 1]; ++number) {
+    for (std::size_t block = 0; block <= blocks / 2; ++block) {
+        for (std::size_t number = fft.first_pair[block]; number < fft.first_pair[block + 1]; ++number) {
             if (fft.pairs[number].is_own_negative())
                 evolve_group_pair<Arch, FirstRadix, false>(job, of_waves, number, data);
             else
                 evolve_group_pair<Arch, FirstRadix, true>(job, of_waves, number, data);
         }
-        const std::size_t negative = (parts - part) % parts;
-        middle_steps<Arch, fields>(data + part * part_size * element, part_size, fft);
-        if (negative != part) middle_steps<Arch, fields>(data + negative * part_size * element, part_size, fft);
+        const std::size_t negative = (blocks - block) % blocks;
+        middle_steps<Arch, fields>(data + block * block_size * element, block_size, fft);
+        if (negative != block) middle_steps<Arch, fields>(data + negative * block_size * element, block_size, fft);
     }
 }
 
 /// Transposes W elements of the first `Lines` transformed lines, starting at `data`, into the
 /// column blocks: x becomes the lane.
 template <class Arch, std::size_t Lines>
-PELAGIC_INLINE void turn_lines(const float* data, float* lines) {
+PELAGIC_INLINE void transpose_lines(const float* data, float* lines) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t element = line_components * V::size;
-    const auto turn = [=](std::size_t part, LineComponent component) {
+    const auto transpose = [=](std::size_t offset, LineComponent component) {
         V block[V::size];
-        load_transposed<Arch>(data + part * V::size, element, block);
+        load_transposed<Arch>(data + offset * V::size, element, block);
         for (std::size_t i = 0; i < Lines; ++i) block[i].store_aligned(lines + i * element + component * V::size);
     };
-    turn(0, height_re), turn(1, height_im);
-    turn(2, p_re), turn(3, p_im);
-    turn(4, r_re), turn(5, r_im);
+    transpose(0, height_re), transpose(1, height_im);
+    transpose(2, p_re), transpose(3, p_im);
+    transpose(4, r_re), transpose(5, r_im);
 }
 
 /// Executes the last step of the three fields. As soon as W adjacent elements along x are complete,
 /// they are transposed, so that each row of lines is written once and as a whole.
 template <class Arch, std::size_t Radix, std::size_t Lines>
-PELAGIC_FLATTEN void last_step_turned(const EvolveRowsJob& job, float* data) {
+PELAGIC_FLATTEN void last_step_transposed(const EvolveRowsJob& job, float* data) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     constexpr std::size_t point = 2 * lanes, element = fields * point;
     const FftTables& fft = *job.fft;
@@ -157,8 +158,8 @@ PELAGIC_FLATTEN void last_step_turned(const EvolveRowsJob& job, float* data) {
     const std::size_t chunk = span < lanes ? span : lanes;
     const std::size_t column_block = column_block_floats(fft.size, lanes);
     float* const lines = job.lines + job.first_line * line_components * lanes;
-    const auto turn = [=](std::size_t x) {
-        turn_lines<Arch, Lines>(data + x * element, lines + x / lanes * column_block);
+    const auto transpose = [=](std::size_t x) {
+        transpose_lines<Arch, Lines>(data + x * element, lines + x / lanes * column_block);
     };
     const float* roots = fft.twiddles + step.first_twiddle;
     for (std::size_t first = 0; first < span; first += chunk) {
@@ -166,10 +167,10 @@ PELAGIC_FLATTEN void last_step_turned(const EvolveRowsJob& job, float* data) {
             for (std::size_t field = 0; field < fields; ++field)
                 join<Arch, Radix>(data + j * element + field * point, span * element, roots);
         if (chunk == lanes)
-            for (std::size_t k = 0; k < Radix; ++k) turn(k * span + first);
+            for (std::size_t k = 0; k < Radix; ++k) transpose(k * span + first);
     }
     if (chunk < lanes)
-        for (std::size_t x = 0; x < Radix * span; x += lanes) turn(x);
+        for (std::size_t x = 0; x < Radix * span; x += lanes) transpose(x);
 }
 
 template <class Arch, class OfWaves>
@@ -179,16 +180,16 @@ inline void evolve_lines(const EvolveRowsJob& job) {
     float* const data = PELAGIC_STACK_FLOATS(fields * workspace_floats<Arch>(fft));
 
     if (fft.first_step().radix == 8)
-        evolve_and_transform_parts<Arch, 8, OfWaves>(job, data);
+        evolve_and_transform_blocks<Arch, 8, OfWaves>(job, data);
     else
-        evolve_and_transform_parts<Arch, 4, OfWaves>(job, data);
+        evolve_and_transform_blocks<Arch, 4, OfWaves>(job, data);
 
     if (fft.last_step().radix == 8)
-        last_step_turned<Arch, 8, lanes>(job, data);
+        last_step_transposed<Arch, 8, lanes>(job, data);
     else if (job.line_count == lanes)
-        last_step_turned<Arch, 4, lanes>(job, data);
+        last_step_transposed<Arch, 4, lanes>(job, data);
     else  // N = 16 has 8 lines in 16 lanes
-        last_step_turned<Arch, 4, lanes / 2>(job, data);
+        last_step_transposed<Arch, 4, lanes / 2>(job, data);
 }
 
 template <class Arch>

@@ -23,7 +23,7 @@ Radices radices_of(int size) {
     const int fours = total_bits % 3 == 0 ? 0 : (3 - total_bits % 3);
     Radices radices;
     for (int i = 0; i < fours; ++i) radices.bits[radices.count++] = 2;
-    for (int left = total_bits - 2 * fours; left > 0; left -= 3) radices.bits[radices.count++] = 3;
+    for (int remaining = total_bits - 2 * fours; remaining > 0; remaining -= 3) radices.bits[radices.count++] = 3;
     return radices;
 }
 
@@ -58,13 +58,13 @@ FftPlan::FftPlan(int size) : size_(size) {
 void FftPlan::place_inputs() {
     positions_.resize(static_cast<std::size_t>(size_));
     for (int i = 0; i < size_; ++i) {
-        int rest = i;
+        int digits = i;
         int block = size_;
         int position = 0;
         for (std::size_t step = step_count_; step-- > 0;) {
             block /= steps_[step].radix;
-            position += rest % steps_[step].radix * block;
-            rest /= steps_[step].radix;
+            position += digits % steps_[step].radix * block;
+            digits /= steps_[step].radix;
         }
         positions_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(position);
     }
@@ -72,15 +72,15 @@ void FftPlan::place_inputs() {
 
 void FftPlan::pair_groups() {
     const int groups = size_ / steps_[0].radix;
-    const int parts = steps_[step_count_ - 1].radix;
-    for (int part = 0; part <= parts / 2; ++part) {
-        const bool is_own_negative = part == 0 || part == parts / 2;
-        for (int plus = part; plus < groups; plus += parts) {
+    const int blocks = steps_[step_count_ - 1].radix;
+    for (int block = 0; block <= blocks / 2; ++block) {
+        const bool is_own_negative = block == 0 || block == blocks / 2;
+        for (int plus = block; plus < groups; plus += blocks) {
             const int minus = (groups - plus) % groups;
             if (is_own_negative && minus < plus) continue;  // already stored as (minus, plus)
             pairs_.push_back({static_cast<std::uint16_t>(plus), static_cast<std::uint16_t>(minus)});
         }
-        first_pair_[static_cast<std::size_t>(part) + 1] = static_cast<std::uint16_t>(pairs_.size());
+        first_pair_[static_cast<std::size_t>(block) + 1] = static_cast<std::uint16_t>(pairs_.size());
     }
 }
 

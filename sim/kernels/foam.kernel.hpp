@@ -30,8 +30,8 @@ class FoamRow {
     /// Loads the accumulated foam and subtracts `fade`. \param from  bytes of the row
     PELAGIC_INLINE void remember(const std::uint8_t* from, std::size_t columns, int fade) {
         for (std::size_t x = 0; x < columns; ++x) {
-            const int left = from[x] - fade;
-            remembered_[x] = static_cast<float>(left > 0 ? left : 0);
+            const int remaining = from[x] - fade;
+            remembered_[x] = static_cast<float>(remaining > 0 ? remaining : 0);
         }
     }
 

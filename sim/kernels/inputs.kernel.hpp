@@ -46,8 +46,8 @@ void add_ripple(const AddRippleJob& job) {
         const V waves = (slant - half) * V(job.waves_per_m);
         // The fraction of a turn is exact and below 1, so its product with 2^31 fits a signed
         // integer.
-        const V left = waves - xsimd::to_float(xsimd::to_int(waves));
-        const I half_turns = xsimd::to_int(left * V(0x1p31f));
+        const V fraction = waves - xsimd::to_float(xsimd::to_int(waves));
+        const I half_turns = xsimd::to_int(fraction * V(0x1p31f));
         const Rotation<Arch> at = rotation_of_turns<Arch>(same_bits<U>(half_turns + half_turns) + U(job.start));
         (V::load_aligned(job.heights + column) + V(job.amplitude) * (envelope * at.cosine))
             .store_aligned(job.heights + column);

@@ -54,16 +54,17 @@ void shore_rows(const ShoreRowsJob& job) {
             const V envelope = square_root<Arch>(squared);
             const V max = V::load_aligned(job.highest_envelope + at);
             const auto breaks = envelope > max;
-            const V left = xsimd::select(breaks, divided<Arch>(max, envelope), one);
-            const V left_t =
-                xsimd::select(breaks, none - left * divided<Arch>(sum.h * sum.h_t + sum.q * sum.q_t, squared), none);
-            const V h = left * sum.h, q = left * sum.q;
-            const V h_t = left * sum.h_t + left_t * sum.h, q_t = left * sum.q_t + left_t * sum.q;
-            const V sharpness = V::load_aligned(job.sharpness + at), stands = left * envelope;
+            const V attenuation = xsimd::select(breaks, divided<Arch>(max, envelope), one);
+            const V attenuation_t = xsimd::select(
+                breaks, none - attenuation * divided<Arch>(sum.h * sum.h_t + sum.q * sum.q_t, squared), none);
+            const V h = attenuation * sum.h, q = attenuation * sum.q;
+            const V h_t = attenuation * sum.h_t + attenuation_t * sum.h,
+                    q_t = attenuation * sum.q_t + attenuation_t * sum.q;
+            const V sharpness = V::load_aligned(job.sharpness + at), stands = attenuation * envelope;
             const V height = h + sharpness * (h * h - q * q);
             height.store_aligned(job.height + at);
             (h_t + (sharpness + sharpness) * (h * h_t - q * q_t)).store_aligned(job.vertical_velocity + at);
-            (left * sum.potential).store_aligned(job.potential + at);
+            (attenuation * sum.potential).store_aligned(job.potential + at);
             (stands + sharpness * (stands * stands)).store_aligned(job.reach + at);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);

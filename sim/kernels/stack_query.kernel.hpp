@@ -38,18 +38,18 @@ struct StackPlaces {
 };
 
 /// The weight of a cascade at W points. Without weights no multiplication is executed.
-template <class Arch, bool HasParts>
-struct CountedPart {
+template <class Arch, bool HasWeights>
+struct CascadeWeight {
     using V = xsimd::batch<float, Arch>;
-    V part;
+    V weight;
 
-    PELAGIC_INLINE CountedPart(const StackCascade& cascade, std::size_t at)
-        : part(HasParts ? V::load_aligned(cascade.part + at) : V(1.f)) {}
-    PELAGIC_INLINE V of(V value) const { return HasParts ? part * value : value; }
+    PELAGIC_INLINE CascadeWeight(const StackCascade& cascade, std::size_t at)
+        : weight(HasWeights ? V::load_aligned(cascade.part + at) : V(1.f)) {}
+    PELAGIC_INLINE V of(V value) const { return HasWeights ? weight * value : value; }
 };
 
 /// W searches for a reference position.
-template <class Arch, class Interpolation, bool HasParts>
+template <class Arch, class Interpolation, bool HasWeights>
 class StackSearch {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
@@ -60,7 +60,7 @@ class StackSearch {
         x_ = V::load_aligned(job.offset_x + at);
         z_ = V::load_aligned(job.offset_z + at);
     }
-    PELAGIC_INLINE void look(const InvertStackJob& job, std::size_t cascades, std::size_t at) {
+    PELAGIC_INLINE void evaluate(const InvertStackJob& job, std::size_t cascades, std::size_t at) {
         V off_x = x_, off_z = z_;
         V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
         for (std::size_t t = 0; t < cascades; ++t) {
@@ -73,10 +73,10 @@ class StackSearch {
                 cells_[t].follow(cascade.surface, texels, place.x, place.z);
             const Horizontal<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
                                    dz = cells_[t].dz(place.u, place.v, V(1.f));
-            const CountedPart<Arch, HasParts> counted(cascade, at);
-            const V along = counted.of(V(cascade.along)), across = counted.of(V(cascade.across));
-            off_x = off_x + counted.of(dx.value);
-            off_z = off_z + counted.of(dz.value);
+            const CascadeWeight<Arch, HasWeights> weight(cascade, at);
+            const V along = weight.of(V(cascade.along)), across = weight.of(V(cascade.across));
+            off_x = off_x + weight.of(dx.value);
+            off_z = off_z + weight.of(dz.value);
             x_x = x_x + (along * dx.along_u - across * dx.along_v);
             x_z = x_z + (across * dx.along_u + along * dx.along_v);
             z_x = z_x + (along * dz.along_u - across * dz.along_v);
@@ -126,19 +126,19 @@ class StackSearch {
     V squared_, step_x_, step_z_;
 };
 
-template <class Arch, class Interpolation, bool HasParts, std::size_t Registers>
+template <class Arch, class Interpolation, bool HasWeights, std::size_t Registers>
 PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target), reach(job.reach);
-    StackSearch<Arch, Interpolation, HasParts> searches[Registers];
+    StackSearch<Arch, Interpolation, HasWeights> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
     if (Interpolation::begins_at_the_point && job.cascade_count > InvertStackJob::first_cascades) {
         for (std::size_t r = 0; r < Registers; ++r)
-            searches[r].look(job, InvertStackJob::first_cascades, at + r * V::size);
+            searches[r].evaluate(job, InvertStackJob::first_cascades, at + r * V::size);
         for (auto& search : searches) search.step(reach);
     }
     for (int step = 0;; ++step) {
-        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.cascade_count, at + r * V::size);
+        for (std::size_t r = 0; r < Registers; ++r) searches[r].evaluate(job, job.cascade_count, at + r * V::size);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertStackJob::max_steps || !xsimd::any(open)) break;
@@ -147,13 +147,13 @@ PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
 }
 
-template <class Arch, class Interpolation, bool HasParts>
+template <class Arch, class Interpolation, bool HasWeights>
 void invert_stack_points(const InvertStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     std::size_t at = 0;
     for (; at + 2 * lanes <= job.count; at += 2 * lanes)
-        invert_stack_registers<Arch, Interpolation, HasParts, 2>(job, at);
-    if (at < job.count) invert_stack_registers<Arch, Interpolation, HasParts, 1>(job, at);
+        invert_stack_registers<Arch, Interpolation, HasWeights, 2>(job, at);
+    if (at < job.count) invert_stack_registers<Arch, Interpolation, HasWeights, 1>(job, at);
 }
 
 template <class Arch, class Interpolation>
@@ -170,16 +170,16 @@ struct SlopeSum {
     using V = xsimd::batch<float, Arch>;
     V value = V(0.f), x = V(0.f), z = V(0.f);
 
-    template <bool HasParts>
-    PELAGIC_INLINE void add(const CellSlopes<Arch>& cascade, const CountedPart<Arch, HasParts>& counted, V half_along,
-                            V half_across) {
-        value = value + counted.of(cascade.value);
+    template <bool HasWeights>
+    PELAGIC_INLINE void add(const CellSlopes<Arch>& cascade, const CascadeWeight<Arch, HasWeights>& weight,
+                            V half_along, V half_across) {
+        value = value + weight.of(cascade.value);
         x = x + (half_along * cascade.x - half_across * cascade.z);
         z = z + (half_across * cascade.x + half_along * cascade.z);
     }
 };
 
-template <class Arch, class Interpolation, bool HasParts>
+template <class Arch, class Interpolation, bool HasWeights>
 PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V offset_x = V::load_aligned(job.offset_x + at), offset_z = V::load_aligned(job.offset_z + at);
@@ -191,29 +191,29 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const TexelPlaces<Arch> texels(cascade.surface);
         const StackPlaces<Arch> place(cascade, at, offset_x, offset_z);
         const typename Interpolation::template Place<Arch> at_place(place.u, place.v);
-        const CountedPart<Arch, HasParts> counted(cascade, at);
+        const CascadeWeight<Arch, HasWeights> weight(cascade, at);
         if (out.normal_x) {
-            const V half_along = counted.of(V(0.5f * cascade.along)),
-                    half_across = counted.of(V(0.5f * cascade.across));
+            const V half_along = weight.of(V(0.5f * cascade.along)),
+                    half_across = weight.of(V(0.5f * cascade.across));
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
                 .read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
-            dx.add(at_place.slopes(around[0]), counted, half_along, half_across);
-            height.add(at_place.slopes(around[1]), counted, half_along, half_across);
-            dz.add(at_place.slopes(around[2]), counted, half_along, half_across);
+            dx.add(at_place.slopes(around[0]), weight, half_along, half_across);
+            height.add(at_place.slopes(around[1]), weight, half_along, half_across);
+            dz.add(at_place.slopes(around[2]), weight, half_along, half_across);
         } else if (out.height) {
             V values[1];
             at_place.read(texels, place.x, place.z, {cascade.surface.height}, values);
-            height.value = height.value + counted.of(values[0]);
+            height.value = height.value + weight.of(values[0]);
         }
         if (out.velocity_x) {
             V values[3];
             at_place.read(texels, place.x, place.z,
                           {cascade.surface.velocity_x, cascade.surface.velocity_y, cascade.surface.velocity_z},
                           values);
-            velocity_x = velocity_x + counted.of(values[0]);
-            velocity_y = velocity_y + counted.of(values[1]);
-            velocity_z = velocity_z + counted.of(values[2]);
+            velocity_x = velocity_x + weight.of(values[0]);
+            velocity_y = velocity_y + weight.of(values[1]);
+            velocity_z = velocity_z + weight.of(values[2]);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);

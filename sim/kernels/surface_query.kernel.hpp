@@ -318,9 +318,9 @@ class FollowedCells : public Cells {
     I x_, z_;
 };
 
-/// Interpolation policies of the query kernels: the interpolation between texels, the texels that a
-/// search for a reference position loads, and whether the search starts at the world position or at
-/// the result of an earlier search.
+/// Interpolation policies of the query kernels. A policy defines the interpolation between texels and
+/// the texels that a search for a reference position loads. It also defines whether the search starts
+/// at the world position or at the result of an earlier search.
 struct Linear {
     template <class Arch>
     using Place = LinearPlace<Arch>;
@@ -355,7 +355,7 @@ class Inversion {
         v_ = V::load_aligned(from.v + at);
     }
 
-    PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
+    PELAGIC_INLINE void evaluate(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
         if (is_first)
             cells_.load(job.surface, places, x_, z_);
         else
@@ -418,7 +418,7 @@ PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPla
     Inversion<Arch, Interpolation> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
     for (int step = 0;; ++step) {
-        for (auto& search : searches) search.look(job, places, step == 0);
+        for (auto& search : searches) search.evaluate(job, places, step == 0);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertSurfaceJob::max_steps || !xsimd::any(open)) break;

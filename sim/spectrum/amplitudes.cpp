@@ -69,9 +69,9 @@ CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const
     const int points = is_cut ? points_of_cut_cell : steps < steps_of_wide_cells ? points_of_wide_cell : 1;
 
     MirroredVariances sum{};
-    const auto add = [](OppositeDensities& to, const OppositeDensities& part) {
-        to.along += part.along;
-        to.against += part.against;
+    const auto add = [](OppositeDensities& to, const OppositeDensities& from) {
+        to.along += from.along;
+        to.against += from.against;
     };
     for (int row = 0; row < points; ++row) {
         for (int column = 0; column < points; ++column) {

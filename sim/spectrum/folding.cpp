@@ -23,16 +23,16 @@ double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
 
 void FoldMoments::add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
                            double difference_z) {
-    const double of_square = 1 / (wave_x * wave_x + wave_z * wave_z), part = mean_square * of_square;
+    const double of_square = 1 / (wave_x * wave_x + wave_z * wave_z), square_over_k2 = mean_square * of_square;
     const double xx = wave_x * difference_x, zz = wave_z * difference_z;
     const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
-    const double uu_of_wave = part * u * u;
+    const double uu_of_wave = square_over_k2 * u * u;
     *this += {uu_of_wave,
-              part * v * v,
-              part * w * w,
-              part * u * v,
-              part * u * w,
-              part * v * w,
+              square_over_k2 * v * v,
+              square_over_k2 * w * w,
+              square_over_k2 * u * v,
+              square_over_k2 * u * w,
+              square_over_k2 * v * w,
               square_rate * of_square * u * u,
               uu_of_wave * uu_of_wave};
 }

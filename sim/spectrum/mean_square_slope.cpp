@@ -42,12 +42,12 @@ SlopeVariance SlopeMoments::around(double wind_direction_rad) const {
 
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps) {
     const SlopeVariance all = measured_slopes(wind_speed_mps);
-    const double left = all.total() - resolved.total();
-    if (!(left > 0)) return {};
+    const double unresolved = all.total() - resolved.total();
+    if (!(unresolved > 0)) return {};
     const double upwind = std::max(0.0, all.upwind - resolved.upwind);
     const double crosswind = std::max(0.0, all.crosswind - resolved.crosswind);
-    const double part = left / (upwind + crosswind);
-    return {upwind * part, crosswind * part};
+    const double scale = unresolved / (upwind + crosswind);
+    return {upwind * scale, crosswind * scale};
 }
 
 SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved) {

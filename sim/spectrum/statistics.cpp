@@ -78,9 +78,9 @@ SeaState without_swell(SeaState sea) {
 }
 
 /// The wind sea of a sea with a swell. Breaking attenuates wind sea and swell by the same factor.
-class WindPart {
+class WindSea {
    public:
-    WindPart(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
+    WindSea(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
         : waves_(without_swell(sea), cascade),
           kept_(all.spectrum().kept_after_breaking() / waves_.spectrum().kept_after_breaking()) {}
 
@@ -109,8 +109,8 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
     const Water& water = waves.water();
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     const bool has_swell = draws == Draws::yes && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
-    std::optional<WindPart> wind_part;
-    if (has_swell) wind_part.emplace(sea, cascade, waves);
+    std::optional<WindSea> wind_sea_waves;
+    if (has_swell) wind_sea_waves.emplace(sea, cascade, waves);
     SlopeVariance slopes;
 
     struct Variances {
@@ -144,7 +144,7 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
             const double k = cascade.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const CascadeWaves::MirroredVariances variances = waves.variances(m, n);
             CascadeWaves::MirroredVariances of_wind{};
-            if (wind_part) of_wind = wind_part->variances(m, n);
+            if (wind_sea_waves) of_wind = wind_sea_waves->variances(m, n);
             Variances here;
             add_pair(variances.plus, of_wind.plus, m, n, k, here);
             if (m > 0 && n > 0) add_pair(variances.minus, of_wind.minus, -m, n, k, here);
@@ -201,7 +201,7 @@ struct ModelWaves {
     SpectralPeak peak;
     std::optional<double> significant_wave_height_m;  ///< empty for phillips-paper
     double kept_after_breaking = 1;
-    int left_out = 0;  ///< number of listed waves that no cascade holds
+    int omitted = 0;  ///< number of listed waves that no cascade holds
 };
 
 ModelWaves model_waves_of_list(const SeaState& sea) {
@@ -219,7 +219,7 @@ ModelWaves model_waves_of_list(const SeaState& sea) {
                          [](const PlaneWave& a, const PlaneWave& b) { return a.amplitude_m < b.amplitude_m; });
     return {.peak = {two_pi * highest->turns_per_m(), two_pi * highest->frequency_hz},
             .significant_wave_height_m = significant_height_m(asked),
-            .left_out = static_cast<int>(asked.waves.size() - waves_of_cascades(sea).waves.size())};
+            .omitted = static_cast<int>(asked.waves.size() - waves_of_cascades(sea).waves.size())};
 }
 
 ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan) {
@@ -271,8 +271,9 @@ MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
 
 /// Adds the statistics of wind sea and swell. The drawn peak period of the whole sea is that of the
 /// component which has the model's peak.
-void add_parts(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
-    const auto part = [&](double expected, double drawn, double peak_period_s, const std::vector<double>& bands) {
+void add_components(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
+    const auto component = [&](double expected, double drawn, double peak_period_s,
+                               const std::vector<double>& bands) {
         return WavePart{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
                         .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
                         .peak_period_s = peak_period_s,
@@ -282,11 +283,11 @@ void add_parts(const SeaState& sea, std::span<const CascadePlan> plan, const Gri
     for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];
     const SeaState wind = without_swell(sea);
     const double wind_peak_s = two_pi / peak_of(WaveSpectrum(wind, plan.front()), wind).omega;
-    report.wind_sea = part(sums.expected.variance - sums.expected_swell, sums.drawn.variance - sums.drawn_swell,
-                           wind_peak_s, wind_bands);
+    report.wind_sea = component(sums.expected.variance - sums.expected_swell, sums.drawn.variance - sums.drawn_swell,
+                                wind_peak_s, wind_bands);
     // The peak of Ochi and Hubble's spectrum is at swell_period_s at any depth, because it is a
     // spectrum over frequency.
-    report.swell = part(sums.expected_swell, sums.drawn_swell, sea.swell_period_s, sums.swell_bands);
+    report.swell = component(sums.expected_swell, sums.drawn_swell, sea.swell_period_s, sums.swell_bands);
     const double peak_s = report.expected.peak_period_s;
     const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
     report.drawn_peak_period_s = (is_swells ? report.swell : report.wind_sea)->drawn_peak_period_s;
@@ -347,8 +348,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
                            short_text(height) + " m (0.6 of the depth) instead of " +
                            short_text(height / std::sqrt(kept)) + " m");
     }
-    if (asked.left_out > 0)
-        warnings.push_back(number_text(asked.left_out) +
+    if (asked.omitted > 0)
+        warnings.push_back(number_text(asked.omitted) +
                            " of the sea's waves are too short for the cascades and are omitted; Hs is " +
                            short_text(waves.significant_wave_height_m) + " m instead of " +
                            short_text(*waves.model_significant_wave_height_m) + " m: raise the resolution");
@@ -390,7 +391,7 @@ SeaReport report_on(const SeaState& sea) {
     report.expected = expected_from(asked, sums);
     report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
     report.drawn_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
-    if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_parts(sea, plan, sums, report);
+    if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_components(sea, plan, sums, report);
     report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
     report.drawn_periods = drawn_periods_from(sums, sea.loop_period_s);
     report.expected_convergence_variance = sums.expected_convergence;

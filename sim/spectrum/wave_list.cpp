@@ -197,10 +197,10 @@ SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> oct
     SlopeVariance hidden;
     for (const GridOctave& moved : octaves) {
         const PondOctave& octave = moved.octave;
-        const double part = (1 - moved.shown * moved.shown) * moved.slope_variance();
+        const double hidden_variance = (1 - moved.shown * moved.shown) * moved.slope_variance();
         const double along = (octave.turns_per_m_x * cosine + octave.turns_per_m_z * sine) / octave.turns_per_m();
-        hidden.upwind += part * (along * along);
-        hidden.crosswind += part * (1 - along * along);
+        hidden.upwind += hidden_variance * (along * along);
+        hidden.crosswind += hidden_variance * (1 - along * along);
     }
     return hidden;
 }

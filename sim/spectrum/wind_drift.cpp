@@ -5,16 +5,16 @@
 namespace pelagic {
 namespace {
 
-WindDrift part_of_wind(const SeaState& sea, double part) {
+WindDrift fraction_of_wind(const SeaState& sea, double fraction) {
     constexpr double two_pi = 6.28318530717958647693;
     const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    return {part * sea.wind_speed_mps * cosine, part * sea.wind_speed_mps * sine};
+    return {fraction * sea.wind_speed_mps * cosine, fraction * sea.wind_speed_mps * sine};
 }
 
 }  // namespace
 
-WindDrift wind_drift(const SeaState& sea) { return part_of_wind(sea, 0.02); }
+WindDrift wind_drift(const SeaState& sea) { return fraction_of_wind(sea, 0.02); }
 
-WindDrift usual_foam_drift(const SeaState& sea) { return part_of_wind(sea, 0.033); }
+WindDrift usual_foam_drift(const SeaState& sea) { return fraction_of_wind(sea, 0.033); }
 
 }  // namespace pelagic

@@ -26,10 +26,10 @@ Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
 Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
     Displacement sum;
     for (const Cascade& cascade : frame.cascades) {
-        const Displacement part = displacement_of(cascade, x_m, z_m);
-        sum.dx += part.dx;
-        sum.height += part.height;
-        sum.dz += part.dz;
+        const Displacement one = displacement_of(cascade, x_m, z_m);
+        sum.dx += one.dx;
+        sum.height += one.height;
+        sum.dz += one.dz;
     }
     return sum;
 }
