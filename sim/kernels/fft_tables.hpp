@@ -16,9 +16,9 @@ struct FftStep {
     std::size_t first_twiddle;
 };
 
-/// A pair of input groups of the first step (radix R). The group `plus` has the inputs i = plus + s
-/// N/R, s = 0, ..., R - 1. Their negatives N - i are the group `minus`, in which N - i has index R
-/// - 1 - s. Two groups are their own negatives, element by element.
+/// A pair of input groups of the first step (radix R). The group `plus` has the inputs
+/// i = plus + s N/R, s = 0, ..., R - 1. Their negatives N - i are the group `minus`, in which N - i
+/// has index R - 1 - s. Two groups are their own negatives, element by element.
 struct GroupPair {
     std::uint16_t plus, minus;
     bool is_own_negative() const { return plus == minus; }

@@ -12,10 +12,11 @@
 //
 // Lines hold three complex fields: the height h and the horizontal pair P = -(Dx + i Dz), R = -i
 // (Dx - i Dz). These signs save negations. The column of P for kz >= 0 and of conj(R / i) for kz <
-// 0 is the whole spectrum of -(Dx + i Dz). conj(R / i) is R with real and imaginary part exchanged.
-// One complex transform therefore yields both components, and the factor of choppiness includes the
-// minus sign. The heights of two columns share another transform. The choice of the two columns
-// affects the last bits, so they are always x and x + 16, for any number of lanes per block.
+// 0 is the whole spectrum of -(Dx + i Dz). Here conj(R / i) is R with real and imaginary part
+// exchanged. One complex transform therefore yields both components, and the factor of choppiness
+// includes the minus sign. The heights of two columns share another transform. The choice of the
+// two columns affects the last bits, so they are always x and x + 16, for any number of lanes per
+// block.
 //
 // A column block of lines and one of the surface have equal length, and heights have the same
 // offsets in both. The second transform therefore works in place, one field after the other.
