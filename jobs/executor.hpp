@@ -66,20 +66,18 @@ std::shared_ptr<Executor> make_serial_executor();
 /// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0: one per
 ///                 core; 1: starts no thread, and complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
-/// \throws std::system_error      if the system does not create the threads:
-///                                "8 threads are wanted, and the system gives 3: ..."
+/// \throws std::system_error      if the system does not create the threads: "8 threads are wanted,
+///                                and the system gives 3: ..."
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 
 /// Creates a thread pool, see make_thread_executor(), whose threads run on chosen CPUs only. Use it
 /// on processors with large and small cores, where a job on a small core delays the frame, or to
 /// reserve cores for the application. Linux, Android and Windows only.
 /// \param cpu_mask  bit i allows CPU i; 0 allows all. The thread that calls complete() belongs to
-///                  the
-///                  application and is not restricted.
+///                  the application and is not restricted.
 /// \param threads   as for make_thread_executor(), except that 0 means one per CPU in the mask
 /// \throws std::invalid_argument  if the system does not support masks, or the process may use no
-/// CPU
-///                                of the mask
+///                                CPU of the mask
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
 
 /// Thrown by complete() if a function of the application violated its contract. All jobs of the run
@@ -119,8 +117,7 @@ std::shared_ptr<Executor> make_callback_executor(const ApplicationJobs& jobs);
 /// schedule() and complete(). All graphs share oneTBB's workers, so a graph may not start before
 /// its complete() while another graph uses them.
 /// \param threads  0 to 1024. 0: oneTBB's default, one per core that the process may use; 1:
-///                 complete()
-///                 does all work.
+///                 complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
 /// \throws std::system_error      if the system does not create the threads
 std::shared_ptr<Executor> make_tbb_executor(int threads = 0);

@@ -31,8 +31,7 @@ class JobGraph {
    public:
     /// Appends a stage and returns its identifier.
     /// \throws std::invalid_argument  if the batch is 0, the body is empty, or `waits_for` holds a
-    /// stage that
-    ///                                has not been added
+    ///                                stage that has not been added
     StageId add(Stage stage);
     std::span<const Stage> stages() const { return stages_; }
 

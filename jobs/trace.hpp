@@ -68,8 +68,7 @@ class TraceScope {
 /// of complete(), with category "flight". Works with any executor; stages, dependencies and blocks
 /// are those of `graph`.
 /// \param run_name  a string literal for the result of a run, for instance "frame": name of the
-///                  span in
-///                  flight and of the argument that counts runs from 0
+///                  span in flight and of the argument that counts runs from 0
 /// \param runs      counter of runs. Several graphs may share it if only one of them runs at a
 ///                  time.
 std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,

@@ -64,8 +64,7 @@ inline glm::ivec2 coarser_offset(const PatchInstance& patch, int i, int j) {
 
 /// Returns the displaced position of a vertex in metres.
 /// \param displacement  function from a reference position to glm::dvec3(Dx, height, Dz), the sum
-///                      of all
-///                      cascades
+///                      of all cascades
 template <class Displacement>
 glm::dvec3 patch_vertex(const QuadtreeGrid& grid, const PatchInstance& patch, int i, int j,
                         const Displacement& displacement) {

@@ -68,10 +68,10 @@ class Selection {
     /// keeps its position. The step of equation 69, S/(2V), keeps vertices but changes the patches,
     /// which is visible as popping (errata). The waves fade out between 5/16 S and 3/8 S from the
     /// centre, which is inside the grid for every snapped position.
-    /// \throws std::invalid_argument  if a number is not finite, the viewer or the centre is further
-    ///                                than 1e8 m from the origin, a view is singular, there are more
-    ///                                than 32 views, or a minimum exceeds its maximum; list() then
-    ///                                stays unchanged
+    /// \throws std::invalid_argument  if a number is not finite, the viewer or the centre is
+    ///                                further than 1e8 m from the origin, a view is singular, there
+    ///                                are more than 32 views, or a minimum exceeds its maximum;
+    ///                                list() then stays unchanged
     const DrawList& select(const SelectionInput& input);
 
     const DrawList& list() const { return list_; }

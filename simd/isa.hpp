@@ -27,7 +27,7 @@ std::vector<Isa> isas_here();
 /// Chooses the instruction set: `wanted` if set, else the environment variable PELAGIC_ISA, else
 /// the strongest one for which runs_here() is true.
 /// \throws std::invalid_argument  if this CPU does not support the chosen one; the message is one
-/// line
+///                                line
 Isa choose_isa(std::optional<Isa> wanted = {});
 
 }  // namespace pelagic

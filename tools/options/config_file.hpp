@@ -23,8 +23,8 @@ struct ConfigEntry {
 /// \param file   the file's name, for messages
 /// \param known  the accepted keys, which the message about an unknown key lists
 /// \throws InputError  on one line with file and line number, for malformed TOML, more than 1 MiB,
-/// more than
-///                     4096 bytes or 16 dots on a line, duplicate keys, tables, arrays and unknown keys
+///                     more than 4096 bytes or 16 dots on a line, duplicate keys, tables, arrays
+///                     and unknown keys
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 

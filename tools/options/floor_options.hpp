@@ -24,8 +24,7 @@ class FloorFlags {
     /// Checks the options and reads the image. Rows of the image are along x; the upper row has the
     /// lowest z.
     /// \throws InputError  on one line with option, value and accepted values, also if this sea
-    /// cannot have a
-    ///                     shore
+    ///                     cannot have a shore
     FloorOptions resolve(const ResolvedSea& sea) const;
     bool has_floor() const { return file_.has_value(); }
     bool has_shore() const { return shore_; }
