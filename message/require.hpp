@@ -1,4 +1,4 @@
-// Throws for options that a check() rejects.
+// Conversion of the result of check() to an exception.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,8 @@
 
 namespace pelagic {
 
-/// Throws std::invalid_argument(reason) unless `reason` is empty, which is what check() returns for usable options.
+/// Does nothing if `reason` is empty, the result of check() for valid options.
+/// \throws std::invalid_argument(reason)  otherwise
 inline void require(const std::string& reason) {
     if (!reason.empty()) throw std::invalid_argument(reason);
 }

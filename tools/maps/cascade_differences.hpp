@@ -1,4 +1,5 @@
-// How a cascade's surface changes from texel to texel, in plain C++ with the bits of sim/kernels/gradients.kernel.hpp.
+// Central differences of a cascade's surface in plain C++, bit-identical to
+// sim/kernels/gradients.kernel.hpp.
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,8 @@
 
 namespace pelagic::tools {
 
-/// Of Dx, height or Dz between the neighbours on both sides, two texels apart, along the world's x and z; metres.
+/// Central difference of Dx, height or Dz: between the neighbours on both sides, two texels apart,
+/// in metres.
 struct Difference {
     float x, z;
 };
@@ -19,18 +21,20 @@ struct WorldVector {
     float x, y, z;
 };
 
+/// Central differences at a texel along the world's x and z.
 struct TexelDifferences {
     Difference dx, height, dz;
 
-    /// The surface's normal, upright where it isn't overturned; its y is the Jacobian. VR Ocean, equations 45 to 48, times
-    /// (2 L/N)^2. \param two_texels_m  2 L/N
+    /// Returns the surface's normal, which points up unless the surface is overturned; its y is the
+    /// Jacobian. The vector is that of VR Ocean, equations 45 to 48, times (2 L/N)^2. \param
+    /// two_texels_m  2 L/N
     WorldVector normal(float two_texels_m) const {
         const float j_xx = two_texels_m + dx.x, j_zz = two_texels_m + dz.z;
         return {height.z * dz.x - height.x * j_zz, j_xx * j_zz - dx.z * dz.x, height.x * dx.z - height.z * j_xx};
     }
 };
 
-/// Three rows of a plane, around one.
+/// A row of a plane and its two neighbours.
 class NeighbourRows {
    public:
     explicit NeighbourRows(const PlaneView& plane) : plane_(plane), rows_(3 * side()) {}
@@ -41,9 +45,9 @@ class NeighbourRows {
         plane_.copy_row(row, rows_.data() + side());
         plane_.copy_row((row + 1) % n, rows_.data() + 2 * side());
     }
-    /// Along the cascade's own axes.
+    /// Returns the difference along the cascade's own axes.
     Difference at(std::size_t column) const {
-        const std::size_t n = side(), last = n - 1;  // a power of two, less one
+        const std::size_t n = side(), last = n - 1;  // n is a power of two, so last is a bit mask
         const float *above = rows_.data(), *here = above + n, *below = here + n;
         return {here[(column + 1) & last] - here[(column - 1) & last], below[column] - above[column]};
     }
@@ -55,7 +59,8 @@ class NeighbourRows {
     std::vector<float> rows_;
 };
 
-/// Calls take(differences) for each texel, row by row from row 0. The cascade repeats, so its edges have neighbours.
+/// Calls take(differences) for each texel, row by row from row 0. Neighbours wrap around at the
+/// edges, because the cascade is periodic.
 template <class Take>
 void for_each_difference(const Cascade& cascade, Take take) {
     const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);

@@ -35,12 +35,13 @@ Pixels converted(const std::vector<float>& values, Convert convert) {
     return pixels;
 }
 
-/// The nearest of `most` parts of 1; of two equally near ones the larger, so that a flat normal map is 128, 128, 255.
+/// Quantises [0, 1] or [-1, 1] to [0, max]. Halves are rounded up, so that a flat normal map is
+/// 128, 128, 255.
 template <class Stored>
-Pixels in_parts(const std::vector<float>& values, float max, bool from_minus_one) {
+Pixels quantised(const std::vector<float>& values, float max, bool from_minus_one) {
     return converted<Stored>(values, [=](float value) {
-        const float part = from_minus_one ? 0.5f * value + 0.5f : value;
-        return static_cast<Stored>(part * max + 0.5f);
+        const float fraction = from_minus_one ? 0.5f * value + 0.5f : value;
+        return static_cast<Stored>(fraction * max + 0.5f);
     });
 }
 
@@ -52,30 +53,30 @@ Pixels in_halves(const std::vector<float>& values) {
 
 Pixels stored(const MapValues& of, MapKind map, Sample sample) {
     switch (sample) {
-        case Sample::uint8: return in_parts<std::uint8_t>(of.values, 255, map == MapKind::normal);
-        case Sample::uint16: return in_parts<std::uint16_t>(of.values, 65535, map == MapKind::normal);
+        case Sample::uint8: return quantised<std::uint8_t>(of.values, 255, map == MapKind::normal);
+        case Sample::uint16: return quantised<std::uint16_t>(of.values, 65535, map == MapKind::normal);
         case Sample::half: return in_halves(of.values);
         case Sample::float32: return pixels_of(std::span<const float>(of.values));
     }
     return {};
 }
 
-/// The normal's z, green, is that along the other horizontal axis, which points the other way: 255 - b stands for the exact
-/// opposite of what b stands for.
-void turn_green(Pixels& gradient) {
+/// Negates the green channel, the normal's z, for files with z up, whose horizontal axis has the
+/// opposite direction. Byte 255 - b represents the exact negative of byte b.
+void negate_green(Pixels& gradient) {
     for (std::size_t green = 1; green < gradient.size(); green += 4) gradient[green] = ~gradient[green];
 }
 
-/// A level of which the cascade has the bytes.
+/// Returns a level that the cascade stores as bytes.
 Pixels own_bytes(const Cascade& cascade, MapKind map, int level, const MapOptions& options) {
     if (map == MapKind::foam) return pixels_of(cascade.level_of(cascade.foam_r8, level));
-    Pixels pixels =
-        pixels_of(cascade.gradient_level(level));  // a texel's lowest byte is its red one, in memory the first
-    if (options.up_axis == UpAxis::z) turn_green(pixels);
+    Pixels pixels = pixels_of(cascade.gradient_level(level));  // a texel's lowest byte is red
+    if (options.up_axis == UpAxis::z) negate_green(pixels);
     return pixels;
 }
 
-void overturn_rows(MapImage& image) {
+/// Reverses the order of the rows.
+void flip_rows(MapImage& image) {
     const auto side = static_cast<std::ptrdiff_t>(image.side);
     const auto row = static_cast<std::ptrdiff_t>(image.pixels.size()) / side;
     for (std::ptrdiff_t above = 0, below = side - 1; above < below; ++above, --below)
@@ -105,7 +106,7 @@ std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_
             image.pixels = own_bytes(cascade, map, level, options);
         else
             image.pixels = stored(map == MapKind::normal && level > 0 ? normalised(values) : values, map, sample);
-        if (options.rows == FirstRow::bottom) overturn_rows(image);
+        if (options.rows == FirstRow::bottom) flip_rows(image);
         images.push_back(std::move(image));
     }
     return images;
@@ -128,7 +129,7 @@ MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions
         }
     const Sample sample = options.sample_of(MapKind::dynamic_waves);
     MapImage image{values.side, values.channels, sample, stored(values, MapKind::dynamic_waves, sample)};
-    if (options.rows == FirstRow::bottom) overturn_rows(image);
+    if (options.rows == FirstRow::bottom) flip_rows(image);
     return image;
 }
 

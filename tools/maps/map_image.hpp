@@ -1,4 +1,5 @@
-// The pixels of one map of one cascade, for any container: interleaved, rows from the top.
+// The pixels of one map of one cascade for any file format: interleaved channels, rows from the
+// top.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +15,25 @@ struct MapImage {
     int side = 0;
     int channels = 0;
     Sample sample = Sample::float32;
-    std::vector<std::byte> pixels;  ///< side^2 channels values, no gaps, in this machine's byte order
+    std::vector<std::byte> pixels;  ///< side^2 * channels values without padding, native byte order
 };
 
-/// One level of a map: pixels as channels_as_json() says, in rows as layout_as_json() says (pixel_meaning.hpp). Levels of any map
-/// are means of 2 x 2 texels; normals are unit vectors at every level, which is what shaders expect.
+/// Returns one mip level of a map. channels_as_json() and layout_as_json() describe its pixels and
+/// rows (pixel_meaning.hpp). Levels are means of 2 x 2 texels; normals are unit vectors at every
+/// level.
 /// \pre the cascade has the map's views (asserted)
 MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOptions& options);
 
-/// So many levels of a map, the largest first; cheaper than one after the other.
+/// Returns several levels of a map, the largest first. Faster than separate calls of map_image().
 std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
 
-/// Dynamic waves: heights, vertical velocity, foam; rows and columns from the grid's lowest texel on, along z and x.
+/// Returns the map of dynamic waves: height, vertical velocity and foam. Rows are along z and
+/// columns along x, from the grid's lowest texel on.
 MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions& options);
 
-/// Whether any image of this process holds +-65504, the largest half, for a value beyond that. Any thread.
+/// Returns true if a value in any image of this process was clamped to +-65504, the largest half.
+/// Thread safety: any thread may call it.
 bool clamped_halves();
 
 }  // namespace pelagic::tools

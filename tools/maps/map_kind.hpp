@@ -1,4 +1,4 @@
-// The maps that an export can have of each cascade.
+// The kinds of maps of an export.
 #pragma once
 
 #include <array>
@@ -7,25 +7,27 @@
 
 namespace pelagic::tools {
 
-/// `dynamic_waves` is no cascade's: a dynamic-wave grid, which is there with --events alone.
+/// `dynamic_waves` is the map of the dynamic-wave grid, which exists with --events only. All others
+/// are maps of a cascade.
 enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, dynamic_waves };
 
-/// Those of cascades, in the order in which records and files list them.
+/// The maps of cascades, in the order of records and files.
 inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
                                         MapKind::velocity,     MapKind::jacobian, MapKind::slope};
 
-/// As --maps, records and file names have it.
+/// Returns the name in --maps, records and file names.
 std::string_view name_of(MapKind map);
 
-/// Its smaller levels, down to one texel, have files of their own: those of what moves vertices are rarely asked for.
+/// Returns true if --mips writes the map's smaller levels, down to one texel. Maps that displace
+/// vertices have none.
 constexpr bool has_chain(MapKind map) {
     return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::dynamic_waves;
 }
 
-/// Its values lie in [-1, 1], so that --bit-depth can store them as 8 or 16 bits.
+/// Returns true if the values lie in [-1, 1], so that --bit-depth can store them as 8 or 16 bits.
 constexpr bool has_bit_depth(MapKind map) { return map == MapKind::normal || map == MapKind::foam; }
 
-/// How many values a texel of the map has.
+/// Returns the number of values per texel.
 constexpr int channels_of(MapKind map) {
     switch (map) {
         case MapKind::gradient: return 4;

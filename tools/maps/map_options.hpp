@@ -1,4 +1,4 @@
-// Which maps an export has, and what becomes of their pixels.
+// Options of exported maps: kinds, pixel formats and file formats.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace pelagic::tools {
 
-/// What files an image becomes.
+/// File format of images.
 enum class ImageFormat {
-    exr_and_png,  ///< floats as EXR, bytes and words as PNG
+    exr_and_png,  ///< floats as EXR, 8-bit and 16-bit integers as PNG
     tiff,
-    ktx2,  ///< a map's levels in one file; floats are halves
-    dds,   ///< likewise, for Direct3D
+    ktx2,  ///< all levels of a map in one file; floats are stored as halves
+    dds,   ///< all levels of a map in one file, for Direct3D
 };
 
 inline constexpr std::array all_formats = {ImageFormat::exr_and_png, ImageFormat::tiff, ImageFormat::ktx2,
                                            ImageFormat::dds};
 
-/// As --format and records have it.
+/// Returns the name in --format and in records.
 constexpr const char* name_of(ImageFormat format) {
     switch (format) {
         case ImageFormat::exr_and_png: return "exr";
@@ -37,31 +37,31 @@ constexpr const char* name_of(ImageFormat format) {
     return "";
 }
 
-/// How finely normal and foam are stored.
+/// Sample type of normal and foam maps.
 enum class BitDepth { bits_8, bits_16, floats };
 inline constexpr NamedValues<BitDepth, 3> bit_depth_names = {
     {{BitDepth::bits_8, "8"}, {BitDepth::bits_16, "16"}, {BitDepth::floats, "float"}}};
 
-/// Where a normal map's green grows to in the image.
+/// Direction of increasing green of a normal map in the image.
 enum class NormalY {
-    up,    ///< OpenGL's way
-    down,  ///< DirectX's
+    up,    ///< OpenGL's convention
+    down,  ///< DirectX's convention
 };
 inline constexpr NamedValues<NormalY, 2> normal_y_names = {{{NormalY::up, "up"}, {NormalY::down, "down"}}};
 
-/// At which edge of the image the cascade's row 0 is, the one of z = 0.
+/// Edge of the image at which the cascade's row 0 (z = 0) is.
 enum class FirstRow { top, bottom };
 inline constexpr NamedValues<FirstRow, 2> first_row_names = {{{FirstRow::top, "top"}, {FirstRow::bottom, "bottom"}}};
 
-/// What is in one file.
+/// Content of one file.
 enum class Pack {
-    files,   ///< a map of a cascade
-    layers,  ///< all of a frame, as layers of one EXR image
-    parts,   ///< all of a frame, as parts of one EXR file
+    files,   ///< one map of one cascade
+    layers,  ///< all maps of a frame, as layers of one EXR image
+    parts,   ///< all maps of a frame, as parts of one multi-part EXR file
 };
 inline constexpr std::array all_packs = {Pack::files, Pack::layers, Pack::parts};
 
-/// As --pack and records have it.
+/// Returns the name in --pack and in records.
 constexpr const char* name_of(Pack pack) {
     switch (pack) {
         case Pack::files: return "files";
@@ -71,30 +71,31 @@ constexpr const char* name_of(Pack pack) {
     return "";
 }
 
-/// Its files are what graphics interfaces sample, with all levels inside.
+/// Returns true for GPU texture formats, whose files hold all levels.
 constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
 
 struct MapOptions {
-    std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};  ///< each once, in the order of all_maps
+    /// Each map at most once, in the order of all_maps.
+    std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};
     bool mips = false;
-    bool half = false;                      ///< floats as 16 bits
-    BitDepth bit_depth = BitDepth::bits_8;  ///< of normal and foam
+    bool half = false;                      ///< store floats as 16 bits
+    BitDepth bit_depth = BitDepth::bits_8;  ///< of normal and foam maps
     NormalY normal_y = NormalY::up;
     UpAxis up_axis = UpAxis::y;
-    LengthUnit unit = LengthUnit::metre;  ///< of displacement, and of velocity a second
+    LengthUnit unit = LengthUnit::metre;  ///< unit of displacement, and per second of velocity
     FirstRow rows = FirstRow::top;
     ImageFormat format = ImageFormat::exr_and_png;
-    Compression compression = Compression::zip;  ///< of EXR, TIFF and KTX2
+    Compression compression = Compression::zip;  ///< of EXR, TIFF and KTX2 files
     Pack pack = Pack::files;
-    bool tiled = false;                ///< EXR in tiles, with the levels within
-    std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
+    bool tiled = false;                ///< tiled EXR files that contain the levels
+    std::optional<NamePattern> names;  ///< unset: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
-    /// The map is stored as EXR.
+    /// Returns true if the map is stored as EXR.
     bool is_exr(MapKind map) const {
         return pack != Pack::files || (format == ImageFormat::exr_and_png && is_floating(sample_of(map)));
     }
-    /// In what type the map's values are stored.
+    /// Returns the type of the map's stored values.
     Sample sample_of(MapKind map) const {
         if (map == MapKind::gradient || (has_bit_depth(map) && bit_depth == BitDepth::bits_8)) return Sample::uint8;
         if (has_bit_depth(map) && bit_depth == BitDepth::bits_16) return Sample::uint16;

@@ -13,7 +13,8 @@ namespace {
 
 using Vector = std::array<float, 3>;
 
-/// Along the cascade's columns, its rows, and up. Less than the least normal of waves that anybody can see counts as none.
+/// Normalises a vector along the cascade's columns, its rows, and up. Returns up for a squared
+/// length of at most 1e-30, far below the normals of visible waves.
 Vector unit_vector(const Vector& of) {
     const float squared = of[0] * of[0] + of[1] * of[1] + of[2] * of[2];
     if (!(squared > 1e-30f)) return {0, 0, 1};
@@ -21,7 +22,7 @@ Vector unit_vector(const Vector& of) {
     return {of[0] / length, of[1] / length, of[2] / length};
 }
 
-/// Three planes that are a vector along the world's axes.
+/// Interleaves three planes that hold a vector along the world's axes.
 std::vector<float> vectors(const std::array<PlaneView, 3>& planes, const MapOptions& options) {
     assert(planes[0].data);
     const auto side = static_cast<std::size_t>(planes[0].resolution);
@@ -41,8 +42,8 @@ std::vector<float> vectors(const std::array<PlaneView, 3>& planes, const MapOpti
 
 float two_texels_m(const Cascade& cascade) { return static_cast<float>(2 * cascade.texel_m()); }
 
-/// Unit vectors along the columns, up or down the image, and up out of the water. Where the surface is overturned they lie flat:
-/// a normal map can't point down.
+/// Returns unit vectors: along the columns, up or down the image, and out of the water. Vectors of
+/// an overturned surface are horizontal, because a normal map cannot point down.
 std::vector<float> normals(const Cascade& cascade, const MapOptions& options) {
     const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);
     const bool rows_go_up = options.rows == FirstRow::bottom, green_grows_up = options.normal_y == NormalY::up;
@@ -67,7 +68,8 @@ std::vector<float> jacobians(const Cascade& cascade) {
     return values;
 }
 
-/// Of the heights over the rest places: these add to other cascades'.
+/// Returns slopes of the heights over reference positions. They can be added to those of other
+/// cascades.
 std::vector<float> slopes(const Cascade& cascade, UpAxis up_axis) {
     const auto per_metre = static_cast<float>(1 / (2 * cascade.texel_m()));
     const float z_sign = up_axis == UpAxis::z ? -1.f : 1.f;

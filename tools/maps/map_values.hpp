@@ -1,5 +1,5 @@
-// What the pixels of a map stand for, before they are rounded to the type that stores them. The same bits everywhere: floats, and
-// only + - * / and square roots.
+// Values of maps before quantisation. They are floats computed with + - * / and square roots only,
+// and bit-identical on every machine.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,22 @@
 
 namespace pelagic::tools {
 
-/// A square of texels from row 0 of the cascade on, whatever the image's first row is.
+/// A square of texels from row 0 of the cascade on, independent of the image's first row.
 struct MapValues {
     int side = 0;
     int channels = 0;
-    std::vector<float> values;  ///< interleaved, side^2 channels
+    std::vector<float> values;  ///< interleaved, side^2 * channels
 };
 
-/// Level 0 of any map but gradient, whose bytes the cascade has. Along the options' axes and in their unit; normals along the cascade's
-/// own. \pre the cascade has the map's views (asserted)
+/// Returns level 0 of any map but gradient, which the cascade stores as bytes. Vectors are along
+/// the options' axes and in their unit; normals are along the cascade's own axes.
+/// \pre the cascade has the map's views (asserted)
 MapValues map_values(const Cascade& cascade, MapKind map, const MapOptions& options);
 
-/// The means of 2 x 2 texels.
+/// Returns the next mip level, the means of 2 x 2 texels.
 MapValues halved(const MapValues& finer);
 
-/// Vectors of length 1, straight up where there is none.
+/// Returns unit vectors; zero vectors become vertical.
 MapValues normalised(MapValues normals);
 
 }  // namespace pelagic::tools

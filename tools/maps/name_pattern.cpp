@@ -11,14 +11,15 @@ constexpr std::size_t longest = 100, max_digits = 9;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter_or_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// What stands between a name's own part and a mark or a number: "wave." and "wave_" have one.
+/// Returns true for a character that separates a name from a mark or a number, as in "wave." and
+/// "wave_".
 bool is_separator(char c) { return c == '.' || c == '_' || c == '-'; }
 
 struct Field {
     std::size_t begin = 0, end = 0, digits = 0;
 };
 
-/// The number field, which is the only one.
+/// Returns the number field if the text has exactly one.
 std::optional<Field> field_of(std::string_view text) {
     const std::size_t begin = text.find_first_of("#%");
     if (begin == std::string_view::npos) return {};
@@ -65,7 +66,8 @@ std::optional<NamePattern> NamePattern::parse(std::string_view text) {
 std::string NamePattern::name(std::string_view mark, int frame, std::string_view extension) const {
     std::string name = before_;
     if (!mark.empty()) {
-        // "wave.####" has a separator already, "wave####" gets one, and "####" needs one behind the mark only.
+        // "wave.####" has a separator; "wave####" needs one before the mark; "####" needs one after
+        // the mark only.
         const char separator = !before_.empty() && is_separator(before_.back()) ? before_.back() : '.';
         if (!name.empty() && name.back() != separator) name += separator;
         name.append(mark) += separator;
@@ -86,7 +88,7 @@ std::optional<NamePattern::Parts> NamePattern::parts_of(std::string_view text) c
                 .extension = text.substr(dot + 1)};
     while (!parts.mark.empty() && is_separator(parts.mark.front())) parts.mark.remove_prefix(1);
     while (!parts.mark.empty() && is_separator(parts.mark.back())) parts.mark.remove_suffix(1);
-    // What was taken to pieces leniently has to come together again.
+    // The parsing above is lenient, so the name is composed again and compared.
     if (name(parts.mark, frame, parts.extension) != text) return {};
     return parts;
 }

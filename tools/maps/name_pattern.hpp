@@ -1,4 +1,4 @@
-// Names of image sequences as other programs have them: "wave.####.exr", "wave.%04d.exr".
+// Name patterns of image sequences: "wave.####.exr", "wave.%04d.exr".
 #pragma once
 
 #include <cstddef>
@@ -8,32 +8,35 @@
 
 namespace pelagic::tools {
 
-/// A plain file name around a frame's number: "wave." 0007 ".exr".
+/// A file name with a frame number: "wave." 0007 ".exr".
 class NamePattern {
    public:
-    /// None unless the text has exactly one number field, `#`s or `%0Nd` or `%d`, right before an extension of letters and
-    /// digits, and is a name that a file may have: of printable ASCII, not hidden, no folder, at most 100 letters.
+    /// Parses a pattern. The text must have exactly one number field, `#`s or `%0Nd` or `%d`,
+    /// directly before an extension of letters and digits. It must be a valid file name: printable
+    /// ASCII, not hidden, without a folder, at most 100 characters. Otherwise returns no pattern.
     static std::optional<NamePattern> parse(std::string_view text);
 
-    /// Whether a text has such a field at all, so that it is meant as a pattern and not as a folder.
+    /// Returns true if a text contains # or %, so that it is a pattern and not a folder.
     static bool is_meant(std::string_view text);
 
-    /// "wave.0007.exr", or with the mark "foam_c1" "wave.foam_c1.0007.exr": what tells apart the images of a frame.
+    /// Returns "wave.0007.exr", or with the mark "foam_c1" "wave.foam_c1.0007.exr".
+    /// \param mark  identifies one of several images of a frame; may be empty
     std::string name(std::string_view mark, int frame, std::string_view extension) const;
 
-    /// For the mark and the frame number of a name that it can have given, with any extension; else nothing.
     struct Parts {
         std::string_view mark, extension;
     };
+    /// Returns the mark and the extension of a name that name() can return for some frame; else
+    /// nothing.
     std::optional<Parts> parts_of(std::string_view name) const;
 
     const std::string& extension() const { return extension_; }
-    /// As it is recorded: "wave.####.exr".
+    /// Returns the pattern for records: "wave.####.exr".
     std::string text() const;
 
    private:
     std::string before_;      ///< "wave."
-    std::size_t digits_ = 4;  ///< at least
+    std::size_t digits_ = 4;  ///< minimum number of digits
     std::string extension_;   ///< "exr"
 };
 

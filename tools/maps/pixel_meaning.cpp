@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// What a pixel's number c becomes: scale c + offset.
+/// Linear conversion of a pixel's number c: scale c + offset.
 struct Line {
     double scale = 1, offset = 0;
 };
@@ -22,11 +22,11 @@ struct Line {
 struct Channel {
     std::string_view name, unit;
     Line line;
-    std::array<double, 2> range = {};  ///< of values, {0, 0} where there is no limit
+    std::array<double, 2> range = {};  ///< range of values; {0, 0}: unlimited
 };
 
-/// Equations 50 and 51 with rounding: a byte b stands for (b - 128) / 127.5 up to (b - 127) / 127.5, and 2 b / 255 - 1 is
-/// the middle of that.
+/// Equations 50 and 51 with rounding: byte b represents values from (b - 128) / 127.5 to (b - 127)
+/// / 127.5, whose middle is 2 b / 255 - 1.
 constexpr Line from_minus_one = {2, -1};
 constexpr std::array<double, 2> both_signs = {-1, 1}, one_sign = {0, 1};
 
@@ -70,7 +70,8 @@ std::string_view type_name(Sample sample) {
     return "";
 }
 
-/// As files have it: EXR has no bytes, and halves instead.
+/// Returns the sample type in files. EXR has no 8-bit and 16-bit integers, so they are stored as
+/// halves.
 Sample stored_sample(MapKind map, const MapOptions& options) {
     const Sample sample = options.sample_of(map);
     return options.is_exr(map) && !is_floating(sample) ? Sample::half : sample;
@@ -90,7 +91,8 @@ Json list_of(MapKind map, const MapOptions& options) {
 
 Json as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
 
-/// What an image's row adds to a texel's place, from what a row of the cascade adds.
+/// Offset of a texel's position per row of the image, computed from the offset per row of the
+/// cascade.
 struct RowPlaces {
     double a_row, offset;
 
@@ -99,17 +101,19 @@ struct RowPlaces {
           offset(first == FirstRow::top ? 0 : a_row_of_the_cascade * (resolution - 1)) {}
 };
 
-/// The horizontal axis beside x, and its direction along Pelagic's z.
+/// The second horizontal axis of a file, and its sign relative to Pelagic's z.
 const char* other_axis(UpAxis up) { return up == UpAxis::z ? "y" : "z"; }
 double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
 
-/// Where the texels of a cascade rest: x and the other axis are sums of what a column and a row give.
+/// Returns the reference positions of a cascade's texels: x and the second axis as linear functions
+/// of column and row.
 Json cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
     const CascadeGrid& grid = cascade.grid;
     const double texel_m = grid.side_m / cascade.resolution, sign = sign_of_z(options.up_axis);
     const auto place = [&](double column_m, double row_m) -> Json {
         const RowPlaces rows(row_m, cascade.resolution, options.rows);
-        return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};  // not -0
+        // + 0.0 converts -0 to 0.
+        return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};
     };
     const std::string other = other_axis(options.up_axis);
     Json json = {{"in_file_names", cascade.number == 0 ? "" : "c" + std::to_string(cascade.number)},
@@ -183,31 +187,34 @@ Json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& opti
 }
 
 std::string pixel_meaning() {
-    return R"(What a pixel means (sea.json has it as numbers, for whatever options):
-  displacement  R, G, B = Dx, height, Dz in metres, as they are; with --axes z-up Dx, Dy, height
-  gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1, which
-                was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y is
-                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is overturned
-  normal        an ordinary normal map, of the cascade's own axes: right, up the image (--normal-y down: down it) and out
-                of the water are 2R - 1, 2G - 1, 2B - 1; floats are the values themselves. Unit vectors at every level;
-                where the surface is overturned they lie flat, B = 0 out of the water
-  foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 seconds before
-  velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
-  jacobian      one channel: J, not clamped; below 1 pressed together, below 0 overturned
-  slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
-  dynamic_waves         with --events: R, G, B = height, vertical velocity (m/s), foam (1 covered) of the dynamic waves, floats;
-                its height adds to the cascades' where water is drawn. sea.json says where the grid lies (dynamic_waves)
-  place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
-                (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is
-                z = 0). The rest place is the texel's corner, its number stands at the centre: u = (i + 0.5)/N,
-                v = (j + 0.5)/N from the upper edge. The cascade repeats after L, so column N is column 0 again
-  several cascades what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their sides
-                differ, and their columns and rows are turned in the world, about x = z = 0: sea.json says how
-                (layout, cascades). All but normal is along the world's axes in all of them. Displacements, velocities and
-                slopes add; normals and Jacobians don't, so take them from the sum, or add slopes for a start.
-                Foam at a place is the largest of the cascades'; a cascade whose waves make none has black images
+    return R"(Pixel values (sea.json holds the exact conversions for the chosen options):
+  displacement  R, G, B = Dx, height, Dz in metres; with --axes z-up: Dx, Dy, height
+  gradient      8 bits, scaled to [0, 1]: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1,
+                clamped to [-1, 1], each within 1/255; smoothness = A, which is not opacity. The normal's y is
+                sqrt(1 - x^2 - z^2), negative if J < 0, where the surface is overturned
+  normal        tangent-space normal map along the cascade's own axes: right = 2R - 1, up the image = 2G - 1
+                (--normal-y down: down the image), out of the water = 2B - 1; floats are stored unscaled. Unit
+                vectors at every level. Normals of an overturned surface are horizontal
+  foam          one channel: 0 no foam, 1 covered; breaking now, plus foam of earlier breaking, which decays in
+                2.9 seconds
+  velocity      velocity of the displaced point along x, y, z in m/s; for motion blur
+  jacobian      one channel: J, not clamped; below 1 the surface is compressed, below 0 overturned
+  slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over reference positions
+  dynamic-waves with --events: R, G, B = height, vertical velocity (m/s), foam (1 covered) as floats. Add the height
+                to the displaced surface. sea.json holds the position of the grid (dynamic_waves)
+  position      N texels per side of L metres: column i, row j has the reference position x = i L/N, z = j L/N and
+                the displaced position (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0
+                (--rows bottom: the last row is z = 0). A texel's value belongs to its corner in the world and to
+                its centre in the image: u = (i + 0.5)/N, v = (j + 0.5)/N from the upper edge. The cascade repeats
+                after L, so column N equals column 0
+  cascades      files of the coarsest cascade have no mark, those of the next have c1, c2, c3. The cascades' sides
+                differ, and their grids are rotated about x = z = 0; sea.json holds the rotations (layout, cascades).
+                All maps but normal are along the world's axes. Displacements, velocities and slopes are added.
+                Normals and Jacobians are not additive: compute them from the summed displacement, or approximate
+                them from summed slopes. Foam is the maximum over the cascades; a cascade without foam has black
+                images
   axes          right-handed: +x east, +y up, +z south, so north is -z; z-up: +x east, +y north, +z up
-  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression)";
+  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or lossy compression)";
 }
 
 }  // namespace pelagic::tools

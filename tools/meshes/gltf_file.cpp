@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The numbers that glTF borrows from OpenGL.
+// OpenGL's constants, which glTF uses.
 constexpr int a_byte = 5120, an_unsigned_byte = 5121, an_unsigned_int = 5125, a_float = 5126;
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 
@@ -24,7 +24,7 @@ const char* type_of(std::size_t width) {
 
 void append(std::vector<float>& numbers, const glm::vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
 
-/// How far one is from the other.
+/// Returns the components of `to` - `from`.
 template <class Vector>
 std::vector<float> differences(const std::vector<Vector>& from, const std::vector<Vector>& to) {
     std::vector<float> numbers;
@@ -32,14 +32,15 @@ std::vector<float> differences(const std::vector<Vector>& from, const std::vecto
     return numbers;
 }
 
-/// The share of a number from -1 to 1 in a byte, the nearest.
+/// Quantises a number from [-1, 1] to a signed byte, rounded to nearest.
 std::int8_t signed_byte_of(float number) {
     const float scaled = number * 127;
     return static_cast<std::int8_t>(scaled < 0 ? scaled - 0.5f : scaled + 0.5f);
 }
 
-/// A dielectric with the roughness of water that is seen from near by. With foam the base colour is foam's, since colours of vertices
-/// can only darken it; without it is the dark blue of deep water.
+/// Returns a dielectric material with the roughness of water seen from near. With foam, the base
+/// colour is foam's, because vertex colours can only darken it. Without foam, it is the dark blue
+/// of deep water.
 Json water(bool has_foam) {
     const Json colour = has_foam ? Json{0.85, 0.88, 0.9, 1} : Json{0.004, 0.022, 0.035, 1};
     return {{"name", "water"},
@@ -62,8 +63,8 @@ GlbFile::GlbFile(const Mesh& first, std::size_t frames) : first_(first) {
     for (const glm::vec3 position : first.positions) append(positions, position);
     for (const glm::vec3& normal : first.normals) append(normals, normal);
     for (const glm::vec2& uv : first.texture_coordinates)
-        texture_coordinates.insert(texture_coordinates.end(),
-                                   {uv.x, 1 - uv.y});  // glTF's v counts from the upper edge
+        // glTF's v starts at the upper edge.
+        texture_coordinates.insert(texture_coordinates.end(), {uv.x, 1 - uv.y});
     attributes_ = {{"POSITION", add_floats(positions, 3, Bounds::min_and_max)},
                    {"NORMAL", add_floats(normals, 3, Bounds::none)},
                    {"TEXCOORD_0", add_floats(texture_coordinates, 2, Bounds::none)}};
@@ -124,11 +125,13 @@ Json GlbFile::animation(double fps, bool closes) {
     std::vector<float> times_s, weights(keys * targets, 0);
     for (std::size_t key = 0; key < keys; ++key) {
         times_s.push_back(static_cast<float>(static_cast<double>(key) / fps));
-        if (key > 0 && key <= targets) weights[key * targets + key - 1] = 1;  // the first frame has no target
+        // The first frame has no target.
+        if (key > 0 && key <= targets) weights[key * targets + key - 1] = 1;
     }
     const std::size_t input = add_floats(times_s, 1, Bounds::min_and_max);
     const std::size_t output = add_floats(weights, 1, Bounds::none);
-    for (const std::size_t accessor : {input, output}) views_[accessor].erase("target");  // they are no vertices
+    // Times and weights are not vertex data.
+    for (const std::size_t accessor : {input, output}) views_[accessor].erase("target");
     return {{"name", "waves"},
             {"samplers", {{{"input", input}, {"interpolation", "LINEAR"}, {"output", output}}}},
             {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}};

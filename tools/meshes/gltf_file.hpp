@@ -1,7 +1,9 @@
-// A mesh as binary glTF 2.0 (Khronos, ISO/IEC 12113), alone or as an animation of morph targets. glTF is in metres with y up.
+// Binary glTF 2.0 files (Khronos, ISO/IEC 12113): a mesh, optionally animated by morph targets.
+// glTF is in metres with y up.
 //
-// Attributes: POSITION, NORMAL, TEXCOORD_0 and, with foam, COLOR_0, a grey by which viewers multiply the base colour, so that foam is
-// white and water dark, and _FOAM, the same as a float. Squares become two triangles.
+// Attributes are POSITION, NORMAL, TEXCOORD_0 and, with foam, COLOR_0 and _FOAM. COLOR_0 is a grey
+// by which viewers multiply the base colour, so that foam is white and water dark. _FOAM is the
+// foam as a float. Squares are split into two triangles.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,31 +14,34 @@
 
 namespace pelagic::tools {
 
-/// Frames of one mesh, at equal distances in time. The first is the mesh itself; each other one is a morph target, which holds how far
-/// its positions, normals and colours are from the first's. Their weights are animated so that frame k is shown exactly at k / fps,
-/// and blended between two frames.
+/// Frames of one mesh at equal time steps. The first frame is the mesh. Every other frame is a
+/// morph target with the differences of positions, normals and colours to the first frame. The
+/// animated weights show frame k exactly at k / fps and blend between frames.
 class GlbFile {
    public:
-    /// WebGL 2 has 256 layers of a texture for certain, and three.js keeps a target in each.
+    /// WebGL 2 guarantees 256 layers of a texture, and three.js stores one target per layer.
     static constexpr std::size_t max_frames = 256;
 
-    /// \param frames  how many there will be, for memory
+    /// \param frames  number of frames, for the reservation of memory
     explicit GlbFile(const Mesh& first, std::size_t frames = 1);
 
-    /// The next frame, a vertex for each of the first's and foam where that has it (asserted).
+    /// Adds the next frame.
+    /// \pre the frame has as many vertices and foam values as the first (asserted)
     void add(const Mesh& mesh);
 
-    /// The file, without an animation if it has one frame.
-    /// \param closes  whether the first frame follows after the last one
+    /// Returns the file. A file with one frame has no animation.
+    /// \param closes  true if the first frame follows the last, so that the animation loops
     Bytes finish(double fps, bool closes);
 
-    /// How large a buffer so many frames with foam take. The JSON before it takes some kilobytes.
+    /// Returns the size of the binary buffer for frames with foam. The JSON chunk adds some
+    /// kilobytes.
     static std::size_t buffer_bytes(std::size_t vertices, std::size_t triangles, std::size_t frames);
 
    private:
     enum class Bounds { none, min_and_max };
 
-    /// These add an accessor and its part of the buffer, and return its number.
+    /// The add functions append an accessor and its data to the buffer, and return the accessor's
+    /// index.
     std::size_t add_floats(std::span<const float> numbers, std::size_t width, Bounds bounds);
     std::size_t add_triangles();
     template <class Byte>

@@ -18,7 +18,7 @@ void append_position(std::string& text, const glm::dvec3& position, ObjDigits di
     }
 }
 
-/// Each behind a space, with so many decimals.
+/// Appends each number after a space, with a fixed number of decimals.
 void append_rounded(std::string& text, int decimals, std::initializer_list<float> numbers) {
     char digits[64];
     for (const float number : numbers) {

@@ -1,4 +1,4 @@
-// A mesh as Wavefront OBJ: text, read by nearly everything.
+// Wavefront OBJ files, a text format that most programs read.
 #pragma once
 
 #include <string>
@@ -7,11 +7,13 @@
 
 namespace pelagic::tools {
 
-/// How many digits a position has: as many as a 32-bit float needs, which is what programs keep it in, or all of them.
+/// Digits of positions: those of a 32-bit float, the type that most programs store, or all digits
+/// of a double.
 enum class ObjDigits { of_floats, all };
 
-/// Vertices with texture coordinates and normals under the same number. Foam is a grey of 0 to 1 behind each place, "v x y z r g b",
-/// which is no part of the format, but what Blender, MeshLab and Houdini read as vertex colours.
+/// Returns the OBJ text. A vertex, its texture coordinates and its normal have equal indices. Foam
+/// is a grey of 0 to 1 after each position, "v x y z r g b", an extension that Blender, MeshLab and
+/// Houdini read as vertex colours.
 std::string mesh_as_obj(const Mesh& mesh, ObjDigits digits);
 
 }  // namespace pelagic::tools

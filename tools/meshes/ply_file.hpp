@@ -1,4 +1,4 @@
-// A mesh as PLY (Turk 1994), binary, little-endian.
+// Binary little-endian PLY files (Turk 1994).
 #pragma once
 
 #include "pelagic/tools/files/byte_order.hpp"
@@ -6,8 +6,9 @@
 
 namespace pelagic::tools {
 
-/// Properties of a vertex by the names that Blender and MeshLab look for: x y z nx ny nz s t, and with foam `foam` as a float and
-/// the same as grey in red, green and blue, for programs that skip names they don't know.
+/// Returns the PLY file. Vertex properties have the names that Blender and MeshLab read: x y z nx
+/// ny nz s t. With foam, the file also has `foam` as a float, and red, green and blue as grey for
+/// programs that ignore unknown properties.
 Bytes mesh_as_ply(const Mesh& mesh);
 
 }  // namespace pelagic::tools

@@ -17,11 +17,12 @@
 namespace pelagic::tools {
 namespace {
 
-/// From the coarsest level to the finest: dark blue to yellow, as in viridis, which prints and reads in grey too.
+/// From the coarsest level to the finest: dark blue to yellow, as in the colour map viridis, which
+/// is also legible in grey.
 constexpr std::array<const char*, 9> level_colours = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187",
                                                       "#4ac16d", "#a0da39", "#d0e11c", "#fde725"};
 
-constexpr double plan_side = 1000;  ///< of the square, in SVG units
+constexpr double plan_side = 1000;  ///< side of the square in SVG units
 
 template <class... Values>
 std::string line(const char* format, Values... values) {
@@ -33,7 +34,8 @@ std::string line(const char* format, Values... values) {
 using PatchKey = std::tuple<int, int, int>;
 PatchKey key(const PatchInstance& patch) { return {patch.level, patch.corner_x, patch.corner_z}; }
 
-/// What a view sees of the plane y = 0 inside of the square: the square cut by its planes.
+/// Returns the polygon of the plane y = 0 that a view sees in the square: the square clipped by the
+/// view's planes.
 std::vector<glm::dvec2> footprint(const Frustum& view, glm::dvec2 low, glm::dvec2 high) {
     std::vector<glm::dvec2> polygon = {low, {high.x, low.y}, high, {low.x, high.y}}, cut;
     for (const glm::dvec4& plane : view.planes) {
@@ -59,7 +61,9 @@ Mesh mesh_of(const DrawList& list, const Frame& frame) {
         const Displacement d = displacement_of(frame, rest.x, rest.y);
         return glm::dvec3(d.dx, d.height, d.dz);
     };
-    const auto drawn = [&](glm::dvec2 rest) {  // but for the morph: the same for every patch that has the vertex
+    // The displaced position without morphing, which is equal for every patch that shares the
+    // vertex.
+    const auto drawn = [&](glm::dvec2 rest) {
         const double fade = border_fade(grid, rest);
         return glm::dvec3(rest.x, 0, rest.y) + (fade > 0 ? displacement(rest) * fade : glm::dvec3(0));
     };
@@ -69,7 +73,7 @@ Mesh mesh_of(const DrawList& list, const Frame& frame) {
     for (const DrawBatch& batch : list.batches) {
         const PatchMesh::Range range = patch_mesh.ranges[batch.stitches];
         const auto first = patch_mesh.indices.begin() + range.first;
-        std::vector<bool> is_used(patch_mesh.positions.size(), false);  // a stitched side leaves some out
+        std::vector<bool> is_used(patch_mesh.positions.size(), false);  // stitching skips vertices
         std::for_each(first, first + range.count, [&](std::uint16_t index) { is_used[index] = true; });
         for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
             const PatchInstance& patch = list.instances[i];

@@ -1,4 +1,4 @@
-// What `pelagic quadtree` writes: the mesh, the plan as SVG.
+// Output of `pelagic quadtree`: the mesh, and a plan of the patches as SVG.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,15 +11,17 @@
 
 namespace pelagic::tools {
 
-/// The displaced and morphed patches, each with vertices of its own: what is a crack on the GPU is one here. Normals are those of
-/// the sea at the rest place, whatever the patch's level; displacement, normals and foam fade out towards the border.
+/// Returns the displaced and morphed patches. Patches do not share vertices, so that cracks of the
+/// rendered mesh appear in the file. Normals are those of the sea at the reference position,
+/// independent of the patch's level. Displacement, normals and foam fade out towards the border.
 Mesh mesh_of(const DrawList& list, const Frame& frame);
 
-/// The grid from above, x to the right and z down: patches coloured by level, drawn ones full and culled ones pale;
-/// what each view sees of the rest level; the viewer.
+/// Returns a plan of the grid from above, x to the right and z down. Patches are coloured by level,
+/// culled patches are pale. The plan also shows the area at y = 0 that each view sees, and the
+/// viewer.
 ///
-/// \param drawn  the list in question
-/// \param all    the same selection without views
+/// \param drawn  the draw list
+/// \param all    the draw list of an equal selection without views
 std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<const Frustum> views,
                         glm::dvec3 viewer_m);
 

@@ -1,4 +1,4 @@
-// A square of a frame's sea as a mesh, and the normals of meshes of the sea.
+// Meshes of a square of a frame's sea, and normals of sea meshes.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -10,29 +10,34 @@
 
 namespace pelagic::tools {
 
-/// From the origin along +x and +z.
+/// A square from the origin along +x and +z.
 struct SeaPatch {
     double side_m = 0;
-    int steps = 0;  ///< a side, so that (steps + 1)^2 points rest on it; the last row and column lie on its far edges
-    std::size_t cascades = 1;  ///< that move it, from the coarsest on
+    int steps = 0;             ///< steps per side; the patch has (steps + 1)^2 vertices
+    std::size_t cascades = 1;  ///< number of cascades that displace it, from the coarsest on
 };
 
-/// How many cascades have waves that a mesh with such steps can show: the coarsest, and those whose shortest waves, three texels, have
-/// two steps or more. The waves of others would not be seen as waves but as noise.
+/// Returns the number of cascades that a mesh with this step resolves: the coarsest, and those
+/// whose shortest waves, three texels, are at least two steps long. The waves of other cascades
+/// would appear as noise.
 std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans);
 
-/// Vertex i + j (steps + 1) rests at i steps along x and j along z, and is drawn where the patch's cascades move it, bilinear between
-/// their texels. Normals are those of that surface; foam, if the frame has any, is that of all cascades. Faces are squares.
+/// Returns the mesh of a patch. Vertex i + j (steps + 1) has its reference position i steps along x
+/// and j along z. The patch's cascades displace it, interpolated bilinearly. Normals are those of
+/// that surface. Foam, if the frame has foam, is that of all cascades. Faces are squares.
 Mesh mesh_of(const Frame& frame, const SeaPatch& patch);
 
-/// Texture coordinates as Mesh has them of what rests there.
+/// Returns the texture coordinates (see Mesh) of a reference position.
 glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest);
 
-/// The largest of the cascades' foam at a rest place, as a query has it, 0 to 1. \pre the frame has foam
+/// Returns the maximum of the cascades' foam at a reference position, 0 to 1, as queries do.
+/// \pre the frame has foam
 double foam_of(const Frame& frame, glm::dvec2 rest);
 
-/// The unit normal of what rests at `rest`, from the differences of the neighbours on both sides, `reach_m` away (VR Ocean, equations
-/// 45 to 47). `drawn` maps a rest place to where it is drawn. Water that is crushed to a point has none and gets (0, 1, 0).
+/// Returns the unit normal at a reference position from central differences (VR Ocean, equations 45
+/// to 47). Returns (0, 1, 0) where the surface is compressed to a point.
+/// \param reach_m  distance of the neighbours
+/// \param drawn    function from a reference position to the displaced position
 template <class Drawn>
 glm::dvec3 normal_at(glm::dvec2 rest, double reach_m, const Drawn& drawn) {
     const glm::dvec2 east(reach_m, 0), south(0, reach_m);
