@@ -26,8 +26,8 @@ struct TexelDifferences {
     Difference dx, height, dz;
 
     /// Returns the surface's normal, which points up unless the surface is overturned; its y is the
-    /// Jacobian. The vector is that of VR Ocean, equations 45 to 48, times (2 L/N)^2. \param
-    /// two_texels_m  2 L/N
+    /// Jacobian. The vector is that of VR Ocean, equations 45 to 48, times (2 L/N)^2.
+    /// \param two_texels_m  2 L/N
     WorldVector normal(float two_texels_m) const {
         const float j_xx = two_texels_m + dx.x, j_zz = two_texels_m + dz.z;
         return {height.z * dz.x - height.x * j_zz, j_xx * j_zz - dx.z * dz.x, height.x * dx.z - height.z * j_xx};

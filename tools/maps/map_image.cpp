@@ -35,7 +35,7 @@ Pixels converted(const std::vector<float>& values, Convert convert) {
     return pixels;
 }
 
-/// Quantises [0, 1] or [-1, 1] to [0, max]. Halves are rounded up, so that a flat normal map is
+/// Quantises [0, 1] or [-1, 1] to [0, max]. Ties are rounded up, so that a flat normal map is
 /// 128, 128, 255.
 template <class Stored>
 Pixels quantised(const std::vector<float>& values, float max, bool from_minus_one) {

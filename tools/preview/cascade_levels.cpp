@@ -10,7 +10,8 @@ namespace {
 
 using Level = std::vector<glm::vec4>;
 
-/// log2 with straight lines between whole numbers, which is all that it takes to blend two levels; 0 below 1.
+/// Approximates log2 linearly between integers, which suffices to blend two levels. Returns 0 below
+/// 1.
 float level_of(float texels) {
     const auto bits = std::bit_cast<std::uint32_t>(std::max(texels, 1.f));
     const int exponent = static_cast<int>(bits >> 23) - 127;
@@ -32,7 +33,7 @@ Level level_0(const Cascade& cascade) {
     return texels;
 }
 
-/// Means of 2 x 2. \param side  of the result
+/// Returns the means of 2 x 2 texels. \param side  side of the result
 Level reduced(const Level& fine, std::size_t side) {
     Level coarse(side * side);
     for (std::size_t j = 0; j < side; ++j)
@@ -44,14 +45,14 @@ Level reduced(const Level& fine, std::size_t side) {
     return coarse;
 }
 
-void add(SurfaceSlopes& sum, const SurfaceSlopes& slopes, double part) {
-    sum.h_x += part * slopes.h_x;
-    sum.h_z += part * slopes.h_z;
-    sum.d_xx += part * slopes.d_xx;
-    sum.d_zz += part * slopes.d_zz;
-    sum.d_xz += part * slopes.d_xz;
-    sum.var_xx += part * slopes.var_xx;
-    sum.var_zz += part * slopes.var_zz;
+void add(SurfaceSlopes& sum, const SurfaceSlopes& slopes, double weight) {
+    sum.h_x += weight * slopes.h_x;
+    sum.h_z += weight * slopes.h_z;
+    sum.d_xx += weight * slopes.d_xx;
+    sum.d_zz += weight * slopes.d_zz;
+    sum.d_xz += weight * slopes.d_xz;
+    sum.var_xx += weight * slopes.var_xx;
+    sum.var_zz += weight * slopes.var_zz;
 }
 
 }  // namespace
@@ -66,18 +67,19 @@ void CascadeLevels::take(const Cascade& cascade) {
 CascadeSample CascadeLevels::at(double x_m, double z_m, float footprint_m) const {
     const CascadeGrid::Place place = cascade_.grid.in_cascade(x_m, z_m);
     const double u = place.along / cascade_.grid.side_m, v = place.across / cascade_.grid.side_m;
-    const auto part_u = static_cast<float>(u - std::floor(u)), part_v = static_cast<float>(v - std::floor(v));
+    const auto fraction_u = static_cast<float>(u - std::floor(u)), fraction_v = static_cast<float>(v - std::floor(v));
     const float level = std::min(level_of(footprint_m / static_cast<float>(cascade_.texel_m())),
                                  static_cast<float>(levels_.size() - 1));
     const int finer = static_cast<int>(level);
-    const float coarser_part = level - static_cast<float>(finer);
+    const float coarser_weight = level - static_cast<float>(finer);
     CascadeSample sample;
-    add_level(sample, part_u, part_v, finer, 1 - coarser_part);
-    if (coarser_part > 0) add_level(sample, part_u, part_v, finer + 1, coarser_part);
+    add_level(sample, fraction_u, fraction_v, finer, 1 - coarser_weight);
+    if (coarser_weight > 0) add_level(sample, fraction_u, fraction_v, finer + 1, coarser_weight);
     return sample;
 }
 
-// Texels rest at whole numbers of level 0, and in the middle of their four in each next one.
+// Texels of level 0 are at integer positions. A texel of a coarser level is in the middle of its
+// four finer texels.
 void CascadeLevels::add_level(CascadeSample& sum, float u, float v, int level, float weight) const {
     const int side = cascade_.resolution() >> level;
     const float first = 0.5f - 0.5f / static_cast<float>(1 << level);
@@ -90,12 +92,12 @@ void CascadeLevels::add_level(CascadeSample& sum, float u, float v, int level, f
     glm::vec4 mean(0);
     for (const int j : {0, 1})
         for (const int i : {0, 1}) {
-            const float part = weight * (i ? right : 1 - right) * (j ? lower : 1 - lower);
+            const float texel_weight = weight * (i ? right : 1 - right) * (j ? lower : 1 - lower);
             const int wrapped = ((row + j) & (side - 1)) * side + ((column + i) & (side - 1));
             const auto texel = static_cast<std::size_t>(wrapped);
-            mean += part * texels[texel];
+            mean += texel_weight * texels[texel];
             add(sum.slopes, slopes_of_texel(slopes[texel], moments[texel], cascade_.slope_ranges),
-                static_cast<double>(part));
+                static_cast<double>(texel_weight));
         }
     sum.displacement += glm::vec3(mean);
     sum.foam += mean.w;

@@ -1,4 +1,4 @@
-// A cascade's displacement, slopes and foam at any place and any fineness, for images: levels like a texture's, read trilinearly.
+// Mip levels of a cascade's displacement, slopes and foam, sampled trilinearly, for preview images.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,10 +17,12 @@ struct CascadeSample {
 
 class CascadeLevels {
    public:
-    /// Copies what it needs but for the slopes: the cascade's views stay valid until the last at(). \pre it has slopes and foam
+    /// Stores a cascade. Slopes are not copied, so the cascade's views must stay valid until the
+    /// last at().
+    /// \pre the cascade has slopes and foam
     void take(const Cascade& cascade);
 
-    /// The mean around a reference point. \param footprint_m  the width of what is asked about
+    /// Returns the mean around a reference position. \param footprint_m  width of the averaged area
     CascadeSample at(double x_m, double z_m, float footprint_m) const;
 
    private:

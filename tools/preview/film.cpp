@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* program = "ffmpeg";
 
-/// A file without a name, in memory: nothing is left behind, and no name can be taken by others.
+/// Creates an anonymous file in memory, which needs no name and no cleanup.
 Descriptor unnamed_file() {
     Descriptor file(::memfd_create("pelagic", MFD_CLOEXEC));
     if (!file.is_open()) throw FileError(std::string("can't keep a film: ") + std::strerror(errno));
@@ -54,8 +54,8 @@ std::vector<unsigned char> content_of(const Descriptor& file) {
     return bytes;
 }
 
-/// Runs a program that is looked for in PATH, with these files as its standard ones. 0 if it ended well, an errno if it
-/// could not be started, -1 if it said that it failed.
+/// Runs a program in PATH with these files as standard input, output and error. Returns 0 on
+/// success, an errno if the program could not be started, and -1 if it failed.
 int run(const std::vector<std::string>& arguments, const std::array<const Descriptor*, 3>& standard) {
     std::vector<char*> texts;
     for (const std::string& argument : arguments) texts.push_back(const_cast<char*>(argument.c_str()));
@@ -94,8 +94,9 @@ void Film::add(std::span<const std::uint8_t> rgba) {
 }
 
 Film::Encoded Film::encode() const {
-    const Descriptor film = unnamed_file(), said = unnamed_file();
-    // ffmpeg opens the standard files anew by these names, so that it may go back in what it writes, as MP4 wants.
+    const Descriptor film = unnamed_file(), errors = unnamed_file();
+    // ffmpeg reopens the standard files by these names, so that it can seek in its output, as MP4
+    // requires.
     const std::vector<std::string> arguments = {program,
                                                 "-nostdin",
                                                 "-v",
@@ -126,14 +127,14 @@ Film::Encoded Film::encode() const {
                                                 "-f",
                                                 "mp4",
                                                 "/proc/self/fd/1"};
-    const int failure = run(arguments, {&frames_, &film, &said});
+    const int failure = run(arguments, {&frames_, &film, &errors});
     if (failure > 0) return {{}, std::string("can't run ffmpeg: ") + std::strerror(failure)};
     Encoded encoded{content_of(film), ""};
     if (failure == 0 && !encoded.mp4.empty()) return encoded;
-    const std::vector<unsigned char> content = content_of(said);
-    std::string words(content.begin(), content.end());
-    words.resize(words.find_last_not_of(" \n") + 1);
-    return {{}, "ffmpeg failed: " + one_line(words)};
+    const std::vector<unsigned char> content = content_of(errors);
+    std::string message(content.begin(), content.end());
+    message.resize(message.find_last_not_of(" \n") + 1);
+    return {{}, "ffmpeg failed: " + one_line(message)};
 }
 
 }  // namespace pelagic::tools

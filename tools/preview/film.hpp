@@ -1,4 +1,4 @@
-// A short film for people, by the program ffmpeg, which is looked for when it is needed.
+// Preview films, encoded by the program ffmpeg, which must be in PATH.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,24 @@
 
 namespace pelagic::tools {
 
-/// The program ffmpeg is in PATH.
+/// Returns true if the program ffmpeg is in PATH.
 bool can_make_films();
 
-/// Images of one size, kept without compression until the end.
+/// A sequence of images of equal size, stored uncompressed until encode().
 class Film {
    public:
-    /// Throws FileError if the system has no memory for it. \param width, height  even, as video wants them
+    /// \param width, height  size of the images; even, as the video format requires
+    /// \throws FileError     if memory cannot be allocated
     Film(int width, int height, double frames_per_second);
 
-    /// \param rgba  8 bits a channel, the upper row first; alpha is left out
+    /// Appends an image. \param rgba  8 bits per channel, the upper row first; alpha is ignored
     void add(std::span<const std::uint8_t> rgba);
 
     struct Encoded {
-        std::vector<unsigned char> mp4;  ///< H.264, empty if there is none
-        std::string reason;              ///< why, in a line
+        std::vector<unsigned char> mp4;  ///< H.264; empty after a failure
+        std::string reason;              ///< one line with the cause of the failure
     };
-    /// Not the same bytes with another ffmpeg.
+    /// Encodes the images. The bytes depend on the version of ffmpeg.
     Encoded encode() const;
 
    private:

@@ -15,7 +15,7 @@ Stored stored_at(const MapImage& map, std::size_t index) {
     return stored;
 }
 
-/// Exact, of finite halves: their exponents count from 2^-15, those of floats from 2^-127.
+/// Converts a finite half exactly. Exponents of halves have a bias of 15, those of floats of 127.
 float float_of_half(std::uint16_t half) {
     const auto magnitude = static_cast<std::uint32_t>(half & 0x7FFF) << 13;
     const float value = std::bit_cast<float>(magnitude) * 0x1p112f;
@@ -32,7 +32,7 @@ float value_at(const MapImage& map, std::size_t index) {
     return 0;
 }
 
-/// Texels that a pixel of the image shows, at least one.
+/// The texels of a pixel of the image, at least one.
 struct Span {
     std::size_t begin, end;
 };
@@ -57,8 +57,8 @@ MapPreview preview_of(const MapImage& map, int side) {
     const bool is_signed = is_floating(map.sample) && result.min < 0;
     const float range = is_floating(map.sample) ? std::max({-result.min, result.max, 1e-30f}) : 1.f;
     const auto shade = [&](float value) {
-        const float part = is_signed ? 0.5f + 0.5f * value / range : value / range;
-        return static_cast<std::uint8_t>(std::clamp(255 * part + 0.5f, 0.f, 255.f));
+        const float fraction = is_signed ? 0.5f + 0.5f * value / range : value / range;
+        return static_cast<std::uint8_t>(std::clamp(255 * fraction + 0.5f, 0.f, 255.f));
     };
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {

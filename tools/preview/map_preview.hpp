@@ -1,4 +1,4 @@
-// A map as people see it: colours for its channels, in a square of any size.
+// Preview images of maps, with colours for channels.
 #pragma once
 
 #include "pelagic/tools/maps/map_image.hpp"
@@ -8,11 +8,13 @@ namespace pelagic::tools {
 
 struct MapPreview {
     RgbaImage image;
-    float min, max;  ///< of the values, all channels together
+    float min, max;  ///< range of the values over all channels
 };
 
-/// Bytes and words as they are; floats from black, their largest magnitude below 0, to white, where some are below 0, else from 0.
-/// One channel is grey. A fourth is left out. \param side  of the image; pixels are means, or repeated
+/// Draws a map as a square image. Integers are shown unscaled. Floats are scaled by their largest
+/// magnitude m: black to white is [-m, m] if some are negative, else [0, m]. One channel is shown
+/// as grey; a fourth is ignored.
+/// \param side  side of the image in pixels; pixels are means of texels, or texels are repeated
 MapPreview preview_of(const MapImage& map, int side);
 
 }  // namespace pelagic::tools

@@ -51,7 +51,8 @@ void RgbaImage::write(int left, int top, const std::string& text, Colour colour,
         std::array<Corner, 4> corners;
     };
     std::string letters = printable(text);
-    std::vector<Bar> bars(letters.size() * 20);  // stb says that a letter takes 270 bytes, four bars, in the mean
+    // According to stb's documentation a letter needs 270 bytes on average, about four bars.
+    std::vector<Bar> bars(letters.size() * 20);
     const int count =
         stb_easy_font_print(0, 0, letters.data(), nullptr, bars.data(), static_cast<int>(bars.size() * sizeof(Bar)));
     for (int i = 0; i < count; ++i) {

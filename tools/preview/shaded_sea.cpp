@@ -20,26 +20,31 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 /// Samples of a pixel along each axis.
 constexpr int fineness = 2;
-/// How much wider and lower than the image the grid of reference points is, for waves move points out of it and into it.
+/// Extension of the grid of reference points beyond the image, because displacement moves points
+/// across its edges.
 constexpr float margin_aside = 1.3f, margin_below = 1.5f;
 // 40 and 12 degrees.
 constexpr double vertical_view_turns = 40. / 360, down_turns = 12. / 360;
-/// The view against the wind, and the sun against the view, both to the right: 25, 20 and 30 degrees.
+/// Angle of the view to the wind's origin (25 degrees) and of the sun to the view (20 degrees),
+/// both to the right; the sun's elevation (30 degrees).
 constexpr double view_aside_turns = 25. / 360, sun_aside_turns = 20. / 360, sun_up_turns = 30. / 360;
-/// In wavelengths of the peak: the last row of reference points, and where haze has taken half of the contrast.
+/// Distances in peak wavelengths: of the last row of reference points, and at which haze halves the
+/// contrast.
 constexpr float farthest = 120, hazy = 50;
 
-/// Unit vectors and what they are turned by, with the bits of every machine.
+/// Returns the horizontal unit vector of an azimuth. det::SineCosine keeps it bit-identical on
+/// every machine.
 glm::vec3 horizontal(const det::SineCosine& azimuth) {
     return {static_cast<float>(azimuth.cosine), 0, static_cast<float>(azimuth.sine)};
 }
 
 struct View {
     glm::vec3 eye{0}, forward{0}, right{0}, up{0};
-    float tangent = 0;  ///< of half the vertical angle
+    float tangent = 0;  ///< tangent of half the vertical field of view
     float aspect = 1;
 
-    /// Not of unit length: 1 along `forward`. \param at  -1 to 1 in the image, x to the right, y up
+    /// Returns the direction of an image position, of length 1 along `forward`.
+    /// \param at  -1 to 1 in the image, x to the right, y up
     glm::vec3 ray(glm::vec2 at) const { return forward + tangent * (aspect * at.x * right + at.y * up); }
 
     struct Seen {
@@ -54,14 +59,16 @@ struct View {
     }
 };
 
-/// A reference point where it is drawn.
+/// A reference point at its displaced position.
 struct GridPoint {
-    glm::vec2 pixel{0};                                    ///< in samples from the upper left corner
-    float depth = std::numeric_limits<float>::infinity();  ///< infinite: behind the eye, and not drawn
+    glm::vec2 pixel{0};  ///< in samples from the upper left corner
+    /// Infinite for points behind the eye, which are not drawn.
+    float depth = std::numeric_limits<float>::infinity();
     glm::vec3 light{0};
 };
 
-/// What the reference points of one row cover, so that a band of the image looks at few rows.
+/// Vertical extent of one row of reference points in the image. A band of the image skips rows
+/// outside of it.
 struct Extent {
     float top = std::numeric_limits<float>::infinity(), bottom = -std::numeric_limits<float>::infinity();
 };
@@ -83,7 +90,7 @@ struct ShadedSea::State {
     float wavelength_m, wave_height_m;
     View view;
     glm::vec3 to_sun{0};
-    float horizon_at = 0;  ///< where the farthest row is, as View::ray() has it
+    float horizon_at = 0;  ///< vertical image position of the farthest row, see View::ray()
 
     Frame frame;
     float hidden_slope_variance = 0;
@@ -176,7 +183,8 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
     const glm::vec3 rest = view.eye + view.eye.y / -ray.y * ray;
     const float distance = glm::length(rest - view.eye);
     const float pixel_m = 2 * view.tangent / static_cast<float>(height) * distance;
-    // A pixel is longer than wide where it lies; between the two neither flickers nor blurs.
+    // The footprint of a pixel is longer than wide. The geometric mean of both balances aliasing
+    // and blur.
     const float footprint_m = pixel_m * std::sqrt(distance / view.eye.y);
 
     glm::vec3 place = rest;
@@ -196,7 +204,7 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
                    0.5f * (1 - seen.at.y) * static_cast<float>(fineness * height)};
     point.depth = seen.depth;
     const SurfaceNormal normal = normal_of(slopes);
-    // Where the sheet is overturned one sees its other side, in foam.
+    // An overturned surface shows its lower side, with foam.
     const glm::vec3 upward(normal.x, std::max(normal.y, 0.05), normal.z);
     point.light = water_light(
         {.normal = glm::normalize(upward),
@@ -230,7 +238,8 @@ void ShadedSea::State::draw_band(std::size_t band) {
     }
 }
 
-/// Two triangles; a sample is covered if its middle is inside of one, edges included, so no gaps are left between them.
+/// Draws two triangles. A sample is covered if its centre is inside a triangle or on its edge, so
+/// that no gaps occur.
 void ShadedSea::State::draw_quad(std::size_t row, std::size_t column, int first_line, int end_line) {
     const GridPoint* const upper = &grid[row * static_cast<std::size_t>(columns) + column];
     const GridPoint* const lower = upper + columns;
@@ -247,12 +256,12 @@ void ShadedSea::State::draw_quad(std::size_t row, std::size_t column, int first_
         for (int line = top; line <= bottom; ++line)
             for (int i = left; i <= right; ++i) {
                 const glm::vec2 at(static_cast<float>(i) + 0.5f, static_cast<float>(line) + 0.5f);
-                const auto part = [&](const GridPoint& from, const GridPoint& to) {
+                const auto weight = [&](const GridPoint& from, const GridPoint& to) {
                     return ((to.pixel.x - from.pixel.x) * (at.y - from.pixel.y) -
                             (to.pixel.y - from.pixel.y) * (at.x - from.pixel.x)) /
                            doubled_area;
                 };
-                const float of_a = part(b, c), of_b = part(c, a), of_c = part(a, b);
+                const float of_a = weight(b, c), of_b = weight(c, a), of_c = weight(a, b);
                 if (of_a < 0 || of_b < 0 || of_c < 0) continue;
                 const float depth = of_a * a.depth + of_b * b.depth + of_c * c.depth;
                 const auto sample = static_cast<std::size_t>(line * samples_a_line + i);

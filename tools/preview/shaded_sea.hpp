@@ -1,8 +1,9 @@
-// An image of the sea for who wants to know what an export holds: drawn on the CPU, without GL, in a fraction of a second.
+// Preview images of a sea, rendered on the CPU without OpenGL in less than a second.
 //
-// A grid of reference points, about one for each pixel of the image, is moved by the sum of the cascades and drawn with a depth
-// buffer. Light: what a smooth sky and a sun leave on a rough water surface (GGX, Walter et al. 2007; Schlick 1994), whose
-// roughness is the variance of the slopes that a pixel does not show (LEAN mapping, Olano and Baker 2010), and white foam.
+// A grid of reference points, about one per pixel, is displaced by the sum of the cascades and
+// rasterised with a depth buffer. A smooth sky and a sun light a rough water surface (GGX, Walter
+// et al. 2007; Schlick 1994) and white foam. The roughness is the variance of slopes that a pixel
+// does not resolve (LEAN mapping, Olano and Baker 2010).
 #pragma once
 
 #include <cstdint>
@@ -16,16 +17,17 @@ namespace pelagic::tools {
 
 class ShadedSea {
    public:
-    /// The camera stands over the origin, higher over longer and higher waves, and looks towards where the wind comes from.
-    /// \param width, height  of the image, at least 2
+    /// The camera is above the origin, higher for longer and higher waves, and looks into the wind.
+    /// \param width, height  size of the image, at least 2
     ShadedSea(const SeaState& sea, int width, int height, std::shared_ptr<Executor> executor);
     ~ShadedSea();
 
     int width() const;
     int height() const;
 
-    /// RGBA8 for a screen (sRGB), the upper row first; the same bits for any thread count and instruction set. Valid until the
-    /// next call. \pre the frame has slopes and foam
+    /// Renders a frame. Returns RGBA8 pixels in sRGB, the upper row first, valid until the next
+    /// call. The pixels are bit-identical for every thread count and instruction set. \pre the
+    /// frame has slopes and foam
     const std::vector<std::uint8_t>& draw(const Frame& frame);
 
    private:

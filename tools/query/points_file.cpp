@@ -12,11 +12,11 @@
 namespace pelagic::tools {
 namespace {
 
-// Beyond any ocean, and where doubles still tell metres apart.
+// Larger than any ocean; doubles still resolve metres here.
 constexpr double farthest_m = 1e15;
 constexpr const char* a_point = "x,z: two numbers of metres in [-1e15, 1e15]";
 
-// What is in memory at once, whatever the file's length: more bytes in a line are no points.
+// Limits of the memory use, independent of the file's length. Longer lines are rejected.
 constexpr std::size_t max_line_length = std::size_t{1} << 16;
 constexpr std::size_t max_block_text = std::size_t{4} << 20;
 constexpr std::size_t buffer_size = 2 * max_line_length;
@@ -33,7 +33,7 @@ std::optional<double> coordinate(std::string_view text) {
     return value && std::fabs(*value) <= farthest_m ? value : std::nullopt;
 }
 
-/// Where the cell that begins at `at` ends: at a comma that stands in no quotes.
+/// Returns the end of the cell that begins at `at`: the next comma outside of quotes.
 std::size_t cell_end(std::string_view line, std::size_t at) {
     bool is_quoted = false;
     for (; at < line.size() && (is_quoted || line[at] != ','); ++at)
@@ -99,7 +99,7 @@ bool PointReader::next_line(std::string_view& line) {
         end_ += got;
         if (got > 0) continue;
         if (end_ == 0) return false;
-        line = {buffer_.data(), end_};  // the last one, which nothing ends
+        line = {buffer_.data(), end_};  // the last line has no newline
         begin_ = end_;
         ++line_number_;
         return true;

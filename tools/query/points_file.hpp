@@ -1,8 +1,9 @@
-// Points as people keep them: a CSV file with columns x and z in metres, as long as it likes, read block by block.
+// CSV files of points with columns x and z in metres, of any length, read in blocks.
 //
-// The first line may name columns; then x and z are found by name, and further columns are kept as they are. Without it each
-// line is x,z and nothing else: a third number could as well mean that the second is a height. Cells may stand in double
-// quotes (RFC 4180, but no line ends in them). Empty lines, blanks around cells and Windows' line ends don't matter.
+// The first line may name columns. Then x and z are found by name, and further columns are copied
+// unchanged. Without names, each line is x,z only, because with a third number the second could be
+// a height. Cells may be in double quotes (RFC 4180, but without line ends). Empty lines, blanks
+// around cells and Windows line ends are ignored.
 #pragma once
 
 #include <cstddef>
@@ -14,33 +15,35 @@
 
 namespace pelagic::tools {
 
-/// Some of the file's points, in its order.
+/// A block of consecutive points of the file.
 struct PointBlock {
     std::vector<double> x, z;
-    std::string text;                   ///< every column of every point, as written, with commas between
-    std::vector<std::size_t> row_ends;  ///< where each point's part of the text ends
+    std::string text;                   ///< all columns of all points, unchanged, with commas
+    std::vector<std::size_t> row_ends;  ///< end of each point's row in the text
 
     std::size_t size() const { return x.size(); }
     std::string_view row(std::size_t i) const;
 };
 
-/// The cells of a line, blanks around them left out, quotes left in.
+/// Splits a line into cells without surrounding blanks. Quotes are kept.
 void split_cells(std::string_view line, std::vector<std::string_view>& cells);
 
-/// What a cell says, without its quotes.
+/// Returns the value of a cell without its quotes.
 std::string cell_value(std::string_view cell);
 
 class PointReader {
    public:
-    /// \param name  of the file, for messages
-    /// \param read  fills the bytes, returns how many, 0 at the end; may throw
+    /// \param name  name of the file, for messages
+    /// \param read  fills a buffer and returns the number of bytes, 0 at the end; may throw
     PointReader(std::string name, std::function<std::size_t(std::span<char>)> read);
 
-    /// Reads on: at most `max_points`. False if no point is left. Throws InputError, one line that names the file, for a
-    /// bad line its number and its text too; a file without any point is bad.
+    /// Reads the next block of at most `max_points`. Returns false if no points remain.
+    /// \throws InputError  on one line with the file's name, for an invalid line (with its number
+    ///                     and text) and for a file without points
     bool read_block(PointBlock& block, std::size_t max_points);
 
-    /// As the first line names them, as written; x and z without such a line. Known after the first block.
+    /// Returns the column names of the first line, unchanged, or x and z if it names none. Valid
+    /// after the first block.
     const std::vector<std::string>& columns() const { return columns_; }
     bool is_x(std::size_t column) const { return column == x_column_; }
     bool is_z(std::size_t column) const { return column == z_column_; }
@@ -54,7 +57,7 @@ class PointReader {
     std::string name_;
     std::function<std::size_t(std::span<char>)> read_;
     std::vector<char> buffer_;
-    std::size_t begin_ = 0, end_ = 0;  ///< of what is read and not yet used
+    std::size_t begin_ = 0, end_ = 0;  ///< range of unprocessed bytes in the buffer
     std::size_t line_number_ = 0;
     bool has_begun_ = false, has_points_ = false;
     std::vector<std::string_view> cells_;

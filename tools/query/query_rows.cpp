@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t pieces = 32;
 
-/// Room for the longest row beside the file's own columns, so that a job allocates nothing: a job must not throw. A number
-/// takes 25 characters at most, its JSON key 12.
+/// Maximum length of a row without the file's columns. Memory is reserved in advance, because a job
+/// must not throw. A number has at most 25 characters, its JSON key 12.
 constexpr std::size_t max_answer_length = (Answers::max_values + 5) * (25 + 12);
-/// JSON writes a control character as \u001f.
-constexpr std::size_t most_escaped_length = 6;
+/// Length of an escaped control character in JSON, \u001f.
+constexpr std::size_t max_escaped_length = 6;
 
 void put(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
@@ -33,7 +33,7 @@ void append_json_escaped(std::string& out, std::string_view text) {
         const std::size_t bytes = utf8_character_bytes(text, at);
         const auto code = static_cast<unsigned char>(text[at]);
         if (bytes == 0)
-            out += "\xEF\xBF\xBD";  // U+FFFD stands for what is no letter
+            out += "\xEF\xBF\xBD";  // U+FFFD replaces invalid bytes
         else if (code < 0x20)
             out.append("\\u00").append({digits[code >> 4], digits[code & 15]});
         else if (code == '"' || code == '\\')
@@ -44,7 +44,7 @@ void append_json_escaped(std::string& out, std::string_view text) {
     }
 }
 
-/// What a cell says, as a JSON text: in a quoted one, two quotes stand for one.
+/// Appends the value of a cell as a JSON string. In a quoted cell, two quotes represent one.
 void append_json_cell(std::string& out, std::string_view cell) {
     const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
     if (is_quoted) cell = cell.substr(1, cell.size() - 2);
@@ -56,7 +56,8 @@ void append_json_cell(std::string& out, std::string_view cell) {
     out += '"';
 }
 
-/// JSON has no infinity: how far off a point is that has no place.
+/// Appends a number, or null if it is not finite, which JSON cannot represent. The error of a point
+/// without a solution is infinite.
 void append_json_number(std::string& out, auto value) {
     if (std::isfinite(value))
         append_number(out, value);
@@ -187,7 +188,7 @@ void RowWriter::write(const PointBlock& block, double time_s) {
         pieces_[piece].text.clear();
         pieces_[piece].text.reserve((end - begin) *
                                         (max_answer_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
-                                    own * (as_json_ ? most_escaped_length : 1));
+                                    own * (as_json_ ? max_escaped_length : 1));
         pieces_[piece].cells.reserve(json_keys_.size());
     }
     run_->schedule();

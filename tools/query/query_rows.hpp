@@ -1,4 +1,4 @@
-// What `pelagic query` prints: a row for each point, as CSV or as JSON.
+// Output of `pelagic query`: one row per point, as CSV or as JSON.
 #pragma once
 
 #include <array>
@@ -14,19 +14,20 @@
 
 namespace pelagic::tools {
 
-/// Answers for a block of points.
+/// Results of the queries of a block of points.
 class Answers {
    public:
     static constexpr std::size_t max_values = 11;
 
     Answers(bool has_foam, bool has_depth);
 
-    /// Of the values, in the order of the columns; `converged` follows.
+    /// Returns the names of the values in the order of the columns. The column `converged` follows
+    /// them.
     std::span<const char* const> names() const { return std::span(names_).first(values_there_); }
 
     void resize(std::size_t points);
     SurfaceSamples samples();
-    /// Of still water over a shore, metres; empty without the column.
+    /// Returns the still-water depths over a shore in metres; empty without that column.
     std::span<float> depths() { return values_[depth_at]; }
     float value(std::size_t column, std::size_t point) const { return values_[columns_[column]][point]; }
     bool converged(std::size_t point) const { return converged_[point] != 0; }
@@ -37,26 +38,27 @@ class Answers {
     static constexpr std::size_t foam_at = 9, depth_at = 10;
 
     std::array<const char*, max_values> names_;
-    std::array<std::size_t, max_values> columns_;  ///< of the names
+    std::array<std::size_t, max_values> columns_;  ///< index of the value of each column
     std::size_t values_there_ = 0;
     std::array<std::vector<float>, max_values> values_;
     std::vector<std::uint8_t> converged_;
 };
 
-/// Turns blocks into text, in pieces side by side, and writes them to standard output in order.
+/// Formats blocks as text, several pieces in parallel, and writes them to standard output in order.
 class RowWriter {
    public:
-    /// \param interpolation  of the answers, which JSON names
-    /// \param answers    to the block that is written, whenever one is; outlives the writer
-    /// \param has_times  rows begin with the moment
+    /// \param answers        results of the block that write() receives; must outlive the writer
+    /// \param interpolation  interpolation of the queries, which JSON rows contain
+    /// \param has_times      true if rows begin with the time
     RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, Interpolation interpolation, bool as_json,
               bool has_times);
 
-    /// The header or the opening bracket. Throws InputError if a column of the file has the name of an answer's, or, for
-    /// JSON, of another one.
+    /// Writes the header or the opening bracket.
+    /// \throws InputError  if a column of the file has the name of a result or of another column
     void begin(const PointReader& reader);
-    /// Throws FileError if standard output takes no more.
+    /// Writes the rows of a block. \throws FileError  if standard output cannot be written
     void write(const PointBlock& block, double time_s);
+    /// Writes the closing bracket of JSON.
     void end();
 
    private:
@@ -73,7 +75,7 @@ class RowWriter {
     Interpolation interpolation_;
     bool as_json_, has_times_;
     const PointReader* reader_ = nullptr;
-    std::vector<std::string> json_keys_;  ///< of the file's columns
+    std::vector<std::string> json_keys_;  ///< keys of the file's columns
     const PointBlock* block_ = nullptr;
     double time_s_ = 0;
     bool has_rows_ = false;
