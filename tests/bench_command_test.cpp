@@ -81,7 +81,7 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     for (const std::string& job : jobs_of_one_cascade) EXPECT_NE(run.out.find(job), std::string::npos) << job;
     for (const tools::MachineFrames& stored : tools::stored_frames())
         EXPECT_NE(run.out.find(stored.machine.substr(0, 39)), std::string::npos) << stored.machine;
-    EXPECT_EQ(run.out.find("more threads"), std::string::npos);
+    EXPECT_EQ(run.out.find("several threads"), std::string::npos);
     std::istringstream lines(run.out);
     std::string line;
     std::getline(lines, line);  // the processor's name may be any

@@ -15,7 +15,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// "0.00412", "0.149", "17.3": three digits that mean something, and columns that can be compared at a glance.
+/// Returns three significant digits without exponent: "0.00412", "0.149", "17.3".
 std::string three_digits(double value) {
     int decimals = 5;
     for (double bound = 0.01; decimals > 0 && value >= bound; bound *= 10) --decimals;
@@ -30,7 +30,7 @@ std::string one_decimal(double value) {
     return text;
 }
 
-/// Seas in the order of the timings: "4x128", "1x64", ...
+/// Returns the seas in the order of the timings: "4x128", "1x64", ...
 std::vector<std::string> seas_of(const Timings& timings) {
     std::vector<std::string> seas;
     for (const FrameTiming& frame : timings.frames)
@@ -50,7 +50,7 @@ void print_line(std::string line) {
     std::printf("%s\n", line.c_str());
 }
 
-/// At the left or the right end of `width` characters, and whole if it is longer.
+/// left() and right() pad a text with blanks to `width` characters. Longer texts are not truncated.
 std::string left(const std::string& text, std::size_t width) {
     return text + std::string(width - std::min(width, text.size()), ' ');
 }
@@ -62,14 +62,15 @@ std::string cells(const std::string& ms, const std::string& instructions, const 
     return "|" + right(ms, 8) + right(instructions, 8) + right(gb_per_s, 7);
 }
 
-/// Counted here, or by the project with an asterisk.
+/// Returns the instructions counted on this machine, or stored ones with an asterisk.
 std::string instructions_text(const FrameTiming& frame, const std::string& job, std::optional<double> counted) {
     if (counted) return one_decimal(*counted);
     const std::optional<double> stored = stored_instructions(frame.sea(), job, frame.isa);
     return stored ? one_decimal(*stored) + "*" : "-";
 }
 
-/// A sea's jobs and their frame, a column for each instruction set. True if instructions in it are stored ones.
+/// Prints a sea's jobs and its frame, with a column for each instruction set. Returns true if it
+/// printed stored instructions.
 bool print_sea(const std::vector<const FrameTiming*>& frames) {
     const std::vector<JobTiming>& jobs = frames.front()->jobs;
     std::vector<std::string> lines;
@@ -106,11 +107,10 @@ void print_jobs(const Timings& timings) {
     bool has_stored = false;
     for (const std::string& sea : seas) has_stored |= print_sea(on_one_thread(timings, sea));
     print_line(
-        "sea: cascades x N, several are the default sea; instr.: a texel; GB/s: inputs and outputs, each once");
-    if (!timings.no_counter.empty()) print_line("Instructions are not counted here: " + timings.no_counter + ".");
+        "sea: cascades x N, several are the default sea; instr.: per texel; GB/s: inputs and outputs, each once");
+    if (!timings.no_counter.empty()) print_line("Instructions are not counted: " + timings.no_counter + ".");
     if (has_stored)
-        print_line("* Counted by the project with valgrind or qemu, in a build by " + stored_instructions_compiler() +
-                   ".");
+        print_line("* Stored count, by valgrind or qemu with a build by " + stored_instructions_compiler() + ".");
 }
 
 void print_threads(const Timings& timings) {
@@ -123,8 +123,7 @@ void print_threads(const Timings& timings) {
         return 0.0;
     };
     print_line("");
-    print_line("Frames on more threads, " + std::string(name_of(last.isa)) +
-               ": ms, and how many times as fast as on one");
+    print_line("Frames on several threads, " + std::string(name_of(last.isa)) + ": ms, and speedup over one thread");
     std::string heading = "threads";
     for (const std::string& sea : seas) heading += "|" + right(sea, 14);
     print_line(heading);
@@ -155,27 +154,27 @@ void print_machines(const Timings& timings) {
         here[frame.isa].ms[frame.resolution] = frame.ms.median;
     }
     print_line("");
-    std::string heading = left("Beside other machines: ms a frame, N =", 48);
+    std::string heading = left("Comparison of machines: ms per frame, N =", 48);
     for (const int n : sizes) heading += right(number_text(n), 9);
     print_line(heading);
-    for (const auto& [isa, frames] : here) print_machine("here", std::string(name_of(isa)), frames.ms, sizes);
+    for (const auto& [isa, frames] : here) print_machine("this machine", std::string(name_of(isa)), frames.ms, sizes);
     for (const MachineFrames& stored : stored_frames()) {
         print_machine(stored.machine, stored.isa, stored.ms, sizes);
-        if (!stored.fftw_ms.empty()) print_machine("  the same frame on FFTW", "", stored.fftw_ms, sizes);
+        if (!stored.fftw_ms.empty()) print_machine("  equal frame with FFTW", "", stored.fftw_ms, sizes);
     }
 }
 
-/// How far the middle half of the turns lies from the median, as a part of it.
+/// Returns the larger distance of a quartile to the median, divided by the median.
 double spread_of(const Quartiles& ms) { return std::max(ms.high - ms.median, ms.median - ms.low) / ms.median; }
 
 void print_spread(const Timings& timings) {
-    constexpr double of_a_busy_machine = 0.1;
+    constexpr double spread_of_a_busy_machine = 0.1;
     std::vector<double> spreads;
     for (const FrameTiming& frame : timings.frames) spreads.push_back(spread_of(frame.ms));
     std::sort(spreads.begin(), spreads.end());
     const double typical = spreads[spreads.size() / 2];
-    std::printf("Medians of turns; half of these lie within %.0f %%, at worst %.0f %%%s\n", 100 * typical,
-                100 * spreads.back(), typical > of_a_busy_machine ? ": is the machine busy?" : "");
+    std::printf("Medians of turns; quartiles within %.0f %% of the median, at most %.0f %%%s\n", 100 * typical,
+                100 * spreads.back(), typical > spread_of_a_busy_machine ? ": the machine may be busy" : "");
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Long beside the clock's own 30 nanoseconds, and short beside the milliseconds for which others get the core: on a busy
-/// machine too most turns are undisturbed.
+/// Duration of a turn. It is long compared to a clock read (30 ns), and short compared to the time
+/// slices of other programs (milliseconds), so that most turns are undisturbed even on a busy
+/// machine.
 constexpr double turn_ms = 1;
 constexpr std::size_t min_turns = 5;
 
@@ -29,8 +30,8 @@ double ms_since(Clock::time_point start) {
 
 Quartiles quartiles_of(std::vector<double> values) {
     std::sort(values.begin(), values.end());
-    const auto at = [&](double part) {
-        return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5)];
+    const auto at = [&](double fraction) {
+        return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1) + 0.5)];
     };
     return {at(0.5), at(0.25), at(0.75)};
 }
@@ -42,7 +43,8 @@ std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa, int threads, std::
                           .trace = std::move(trace)});
 }
 
-/// Jobs of a graph, each once whatever the number of cascades, in the order in which they begin.
+/// Returns the jobs of a graph in the order of their stages. A job of several cascades appears
+/// once.
 std::vector<std::string> jobs_of(const JobGraph& graph) {
     std::vector<std::string> jobs;
     for (const Stage& stage : graph.stages())
@@ -51,7 +53,7 @@ std::vector<std::string> jobs_of(const JobGraph& graph) {
     return jobs;
 }
 
-/// Adds up the time of each job of frames on one thread.
+/// A trace sink that sums the time of each job of frames on one thread.
 class JobClock final : public TraceSink {
    public:
     explicit JobClock(std::vector<std::string> jobs) : jobs_(std::move(jobs)), ms_(jobs_.size()) {}
@@ -81,7 +83,8 @@ std::size_t texture_bytes(const Frame& frame) {
     return bytes;
 }
 
-/// A sea that is drawn again and again; on one thread beside a second one, whose jobs are timed, because that costs a little.
+/// An ocean whose frames are timed. On one thread, a second ocean with a trace sink times the jobs,
+/// because tracing costs time.
 class TimedSea {
    public:
     TimedSea(const SeaState& sea, Isa isa, int threads) : ocean_(ocean_of(sea, isa, threads)), threads_(threads) {
@@ -90,7 +93,7 @@ class TimedSea {
         draw(*ocean_, 1);
         frames_a_turn_ = std::max(1, static_cast<int>(turn_ms / ms_since(start)));
         if (threads > 1) {
-            frames_before_a_turn_ += frames_a_turn_;  // until workers that slept are there
+            frames_before_a_turn_ += frames_a_turn_;  // wakes sleeping workers
             return;
         }
         clock_ = std::make_shared<JobClock>(jobs_of(ocean_->graph()));
@@ -113,7 +116,8 @@ class TimedSea {
     std::string sea() const { return sea_name(static_cast<int>(ocean_->cascade_count()), ocean_->resolution()); }
     std::size_t turns() const { return turns_ms_.size(); }
 
-    /// A stage may be run again on what the last frame left: its work does not depend on the values.
+    /// Counts the instructions of a frame and of its jobs. Stages run again on the data of the last
+    /// frame, because their work does not depend on the values.
     void count_instructions(const InstructionCounter& counter) {
         instructions_ = min_count(counter, [&] { draw(*ocean_, 1); });
         for (std::size_t i = 0; i < jobs_.size(); ++i)
@@ -162,7 +166,8 @@ class TimedSea {
         for (int i = 0; i < frames; ++i) ocean.frame_at(time_s_ += 1.0 / 72);
     }
 
-    /// A texel's; the least of a few, for the first may touch memory that the system has yet to give.
+    /// Returns the minimum count per texel of three runs, because the first run may touch memory
+    /// for the first time.
     template <class Work>
     std::optional<double> min_count(const InstructionCounter& counter, const Work& work) const {
         std::optional<double> min;
@@ -180,7 +185,7 @@ class TimedSea {
     std::unique_ptr<Ocean> ocean_, traced_ocean_;
     std::shared_ptr<JobClock> clock_;
     int threads_, frames_a_turn_ = 1;
-    /// The turn before left the caches to somebody else, and frames alternate between two slots.
+    /// Warm-up frames: other oceans have used the caches, and frames alternate between two slots.
     int frames_before_a_turn_ = 2;
     double time_s_ = 0;
     std::vector<double> turns_ms_;
@@ -188,14 +193,14 @@ class TimedSea {
     std::vector<Job> jobs_;
 };
 
-/// What takes turns with one another.
+/// The configurations of one sea that are measured in turns.
 struct Round {
     SeaState sea;
     std::vector<std::pair<Isa, int>> isas_and_threads;
 };
 
-/// Frames on one thread are a round of their own: a pool's workers look for work for a while after each frame, and disturb
-/// who comes next.
+/// Returns the rounds. Frames on one thread are a separate round, because a pool's workers spin for
+/// a while after each frame and disturb the next measurement.
 std::vector<Round> rounds_of(const TimingPlan& plan) {
     std::vector<Round> rounds;
     for (const SeaState& sea : plan.seas) {
@@ -222,7 +227,7 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
     const InstructionCounter counter;
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return ms_since(start) / 1000; };
-    Timings timings{.frames = {}, .no_counter = counter.invalid_value_message()};
+    Timings timings{.frames = {}, .no_counter = counter.unavailable_reason()};
     const std::vector<Round> rounds = rounds_of(plan);
     for (std::size_t i = 0; i < rounds.size(); ++i) {
         const double until_s = seconds() + (plan.seconds - seconds()) / static_cast<double>(rounds.size() - i);
@@ -240,7 +245,7 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
     }
     const auto is_counted = [](const FrameTiming& frame) { return frame.instructions.has_value(); };
     if (timings.no_counter.empty() && std::none_of(timings.frames.begin(), timings.frames.end(), is_counted))
-        timings.no_counter = "the counter was lent to somebody else meanwhile";
+        timings.no_counter = "another program used the counter";
     return timings;
 }
 

@@ -1,4 +1,4 @@
-// Times frames and their jobs on this machine: what `pelagic bench` measures.
+// Measurement of frame and job times for `pelagic bench`.
 #pragma once
 
 #include <cstddef>
@@ -12,29 +12,29 @@
 
 namespace pelagic::tools {
 
-/// "1x256", "4x128".
+/// Returns the name of a sea in tables: "1x256", "4x128".
 inline std::string sea_name(int cascades, int resolution) {
     return std::to_string(cascades) + "x" + std::to_string(resolution);
 }
 
 struct TimingPlan {
     std::vector<SeaState> seas;
-    std::vector<Isa> isas;           ///< weakest first; the last one is also timed on more threads than one
-    std::vector<int> threads = {1};  ///< 1, and then others
-    double seconds = 30;             ///< for all; more on a machine that is too slow for a few turns of each
+    std::vector<Isa> isas;           ///< weakest first; the last is also timed on several threads
+    std::vector<int> threads = {1};  ///< numbers of threads, the first is 1
+    double seconds = 30;             ///< total time; longer on slow machines (minimum of turns)
 };
 
-/// Milliseconds: median and quartiles over the turns.
+/// Median and quartiles over the turns in milliseconds.
 struct Quartiles {
     double median, low, high;
 };
 
-/// A job of a frame, of all cascades together.
+/// Timing of a job of a frame, summed over all cascades.
 struct JobTiming {
     std::string job;
     Quartiles ms;
-    double gb_per_s;                     ///< compulsory bytes (stage_work.hpp) over the median
-    std::optional<double> instructions;  ///< a texel, by this processor's counter
+    double gb_per_s;                     ///< compulsory bytes (stage_work.hpp) / median
+    std::optional<double> instructions;  ///< per texel, from this processor's counter
 };
 
 struct FrameTiming {
@@ -43,26 +43,27 @@ struct FrameTiming {
     int threads;
     Quartiles ms;
     double gb_per_s;
-    std::optional<double> instructions;  ///< as a job's; on one thread only
+    std::optional<double> instructions;  ///< per texel; on one thread only
     std::vector<JobTiming> jobs;         ///< on one thread only
-    std::size_t memory_bytes;            ///< that the ocean holds: two frames and the spectrum
-    std::size_t upload_bytes;            ///< of a frame's textures, all levels
+    std::size_t memory_bytes;            ///< memory of the ocean: two frames and the spectrum
+    std::size_t upload_bytes;            ///< size of a frame's textures with all levels
 
     std::string sea() const { return sea_name(cascades, resolution); }
 };
 
 struct Timings {
-    std::vector<FrameTiming> frames;  ///< by sea, then instruction set, then threads
-    std::string no_counter;           ///< why instructions are not counted; empty if they are
+    std::vector<FrameTiming> frames;  ///< sorted by sea, instruction set and threads
+    std::string no_counter;           ///< reason why instructions are not counted; else empty
 };
 
-/// 1, 2, 4, ... and `most`.
+/// Returns 1, 2, 4, ... and `max`.
 std::vector<int> thread_counts(int max);
 
-/// All instruction sets take turns with a sea's frame on one thread, a direct call, so that what else the machine does meets
-/// all of them alike; then all numbers of threads. A turn is some frames of each, after two of warming up or more. On one thread as
-/// many frames follow whose jobs are timed, a clock reading before and after each block.
-/// \param progress  told after each turn: the sea, and what is done of all, 0 to 1
+/// Times frames. For each sea, all instruction sets take turns on one thread, so that other load
+/// affects them equally; then all numbers of threads take turns. A turn is two or more warm-up
+/// frames and some timed frames. On one thread, an equal number of frames with timed jobs follows,
+/// with clock reads before and after each block.
+/// \param progress  called after each turn with the sea and the completed fraction, 0 to 1
 Timings time_frames(const TimingPlan& plan, const std::function<void(const std::string&, double)>& progress);
 
 }  // namespace pelagic::tools

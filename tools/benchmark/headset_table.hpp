@@ -1,5 +1,5 @@
-// `pelagic bench --headset`: what a headset may choose, and what it takes here. docs/users/headset.md has the same rows for a
-// headset's cores, by a model.
+// The table of `pelagic bench --headset`: times of seas for headsets on this machine.
+// docs/users/headset.md lists modelled times of a headset's cores.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace pelagic::tools {
 
-/// More cores than that are slow ones, or the renderer's.
+/// Maximum number of threads. Further cores of a headset are slow or used by the renderer.
 inline constexpr int max_headset_threads = 3;
 
-/// One cascade of 128 and of 256, three of 64, three and four of 128.
+/// Returns the seas: 1x128, 1x256, 3x64, 3x128 and 4x128 (cascades x N).
 std::vector<SeaState> headset_seas();
 
-/// Prints, within 100 columns, a line for each sea and number of threads: milliseconds, the part of a headset's frame that
-/// they are, memory, and bytes to upload.
+/// Prints a table of at most 100 columns with a row for each sea and number of threads:
+/// milliseconds, percentage of a headset's frame, memory, and bytes to upload.
 void print_headset_timings(const Timings& timings);
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-// Instructions that the calling thread has executed, by the processor's own counter.
+// Hardware counter of the instructions of the calling thread.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,19 @@
 
 namespace pelagic::tools {
 
-/// Counts in user space alone, so that neither the kernel's work nor other programs are in it. Linux lends the counter where
-/// the machine has one (virtual ones seldom do) and /proc/sys/kernel/perf_event_paranoid allows it.
+/// Counts instructions in user space, without those of the kernel and of other programs. The
+/// counter is available on Linux if the machine has one (virtual machines rarely do) and
+/// /proc/sys/kernel/perf_event_paranoid permits it.
 class InstructionCounter {
    public:
     InstructionCounter();
 
-    /// Why there is no counter; empty if there is one.
-    const std::string& invalid_value_message() const { return message_; }
+    /// Returns the reason why there is no counter, or an empty string if there is one.
+    const std::string& unavailable_reason() const { return message_; }
 
-    /// What has been counted since construction. None without a counter, and none if the counter was lent to others for a part
-    /// of the time, or counted on some of the processor's cores only.
+    /// Returns the instructions since construction. Returns no value without a counter, if other
+    /// programs used the counter for a while, or if it counted on some of the processor's cores
+    /// only.
     std::optional<std::uint64_t> count() const;
 
    private:

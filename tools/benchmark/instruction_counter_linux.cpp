@@ -23,21 +23,21 @@ int open_event() {
         ::syscall(SYS_perf_event_open, &event, this_thread, any_cpu, no_group, PERF_FLAG_FD_CLOEXEC));
 }
 
-std::string invalid_value_text(int reason) {
-    switch (reason) {
+std::string reason_text(int error) {
+    switch (error) {
         case EACCES:
         case EPERM: return "/proc/sys/kernel/perf_event_paranoid forbids it";
         case ENOENT:
         case EOPNOTSUPP:
-        case ENODEV: return "this machine has no counter, as most virtual ones";
-        default: return std::string("perf_event_open: ") + std::strerror(reason);
+        case ENODEV: return "this machine has no counter; most virtual machines have none";
+        default: return std::string("perf_event_open: ") + std::strerror(error);
     }
 }
 
 }  // namespace
 
 InstructionCounter::InstructionCounter() : event_(open_event()) {
-    if (!event_.is_open()) message_ = invalid_value_text(errno);
+    if (!event_.is_open()) message_ = reason_text(errno);
 }
 
 std::optional<std::uint64_t> InstructionCounter::count() const {

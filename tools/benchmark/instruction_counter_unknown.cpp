@@ -1,9 +1,9 @@
-// Systems whose counter nobody here knows how to ask for.
+// Fallback for systems without an implementation.
 #include "pelagic/tools/benchmark/instruction_counter.hpp"
 
 namespace pelagic::tools {
 
-InstructionCounter::InstructionCounter() : message_("this system lends no counter") {}
+InstructionCounter::InstructionCounter() : message_("counters are not supported on this system") {}
 
 std::optional<std::uint64_t> InstructionCounter::count() const { return {}; }
 

@@ -1,13 +1,15 @@
-// What a figure was measured on.
+// Names of the processor and the compiler, for benchmark results.
 #pragma once
 
 #include <string>
 
 namespace pelagic::tools {
 
-/// As the operating system calls it: the processor, or the board where processors have no names, as on Arm.
+/// Returns the operating system's name of the processor, or of the board if processors have no
+/// names, as on Arm.
 std::string cpu_name();
 
-std::string compiler_name();  ///< that built this program
+/// Returns the name of the compiler of this program.
+std::string compiler_name();
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-// Linux, which says it in files.
+// Linux, which provides the names in files.
 #include "pelagic/tools/benchmark/machine.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace pelagic::tools {
 
 namespace {
 
-/// The first line of /proc/cpuinfo that says so; empty if none does.
+/// Returns the first value of a field in /proc/cpuinfo; empty if there is none.
 std::string cpu_info(std::string_view field) {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);)
@@ -25,7 +25,7 @@ std::string cpu_info(std::string_view field) {
 
 std::string cpu_name() {
     if (const std::string name = cpu_info("model name"); !name.empty()) {
-        // Some virtual machines call all processors of a maker alike, "AMD EPYC".
+        // Some virtual machines use one name for all processors of a vendor, "AMD EPYC".
         if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return name;
         return name + " (family " + cpu_info("cpu family") + ", model " + cpu_info("model") + ")";
     }

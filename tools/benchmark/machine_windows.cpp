@@ -1,4 +1,4 @@
-// Windows, where the processor itself is asked.
+// Windows, where the name is read with CPUID.
 #include <cpuid.h>
 
 #include <array>
@@ -9,7 +9,8 @@
 namespace pelagic::tools {
 
 std::string cpu_name() {
-    // 48 characters in the registers of three leaves, with blanks around in some processors.
+    // Three leaves return 48 characters in their registers, on some processors with surrounding
+    // blanks.
     constexpr unsigned first_leaf = 0x80000002, last_leaf = 0x80000004;
     std::string name;
     for (unsigned leaf = first_leaf; leaf <= last_leaf; ++leaf) {

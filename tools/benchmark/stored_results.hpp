@@ -1,4 +1,5 @@
-// Figures that the project keeps of other machines, and instructions that it has counted: in the program itself.
+// Benchmark results of other machines and stored instruction counts, which are embedded in the
+// program.
 #pragma once
 
 #include <map>
@@ -11,22 +12,24 @@
 
 namespace pelagic::tools {
 
-/// Frames of one cascade on one thread, with one instruction set of one machine: milliseconds by N.
+/// Times of frames of one cascade on one thread with one instruction set of one machine, in
+/// milliseconds by N.
 struct MachineFrames {
     std::string machine, isa;
     std::map<int, double> ms = {};
-    std::map<int, double> fftw_ms = {};  ///< the same frames on FFTW, in the same run, where that was run
+    std::map<int, double> fftw_ms = {};  ///< times with FFTW in the same run; empty if not measured
 };
 
-/// From bench/results.
+/// Returns the results in bench/results.
 std::vector<MachineFrames> stored_frames();
 
-/// Instructions a texel, from bench/budgets.json. None if they have not been counted.
-/// \param sea  "1x256", "3x128"
-/// \param job  or "frame"
+/// Returns instructions per texel from bench/budgets.json, or no value if they have not been
+/// counted.
+/// \param sea  name of the sea, such as "1x256" or "3x128"
+/// \param job  name of the job, or "frame"
 std::optional<double> stored_instructions(std::string_view sea, std::string_view job, Isa isa);
 
-/// The compiler whose instructions those are, "GNU 12.2.0".
+/// Returns the compiler of the stored instruction counts, such as "GNU 12.2.0".
 std::string stored_instructions_compiler();
 
 }  // namespace pelagic::tools

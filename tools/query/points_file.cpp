@@ -140,7 +140,8 @@ bool PointReader::read_block(PointBlock& block, std::size_t max_points) {
     std::string_view line;
     while (block.size() < max_points && block.text.size() < max_block_text && next_line(line)) {
         line = trimmed(line);
-        if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);  // a byte order mark
+        // Skips a byte order mark.
+        if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         if (line.empty()) continue;
         if (std::count(line.begin(), line.end(), '"') % 2 != 0) reject(line, "an end of its quotes");
         split_cells(line, cells_);
