@@ -1,8 +1,9 @@
-// An application of dynamic waves, without a window: a boat goes its way, stones fall beside it, and what they leave behind is drawn.
-// Writes wake.ppm, or the file that it is told.
+// Dynamic waves without a window: renders the wake of a boat and the ripples of stones, and writes
+// the image to wake.ppm or to the file of the first argument.
 //
-// A boat presses on the water as long as it is there and says where it goes; a stone adds to it once. The grid of such water follows the
-// boat. Where the boat lies it asks the waves of the wind alone: its own hollow is what carries it.
+// The boat is a pressure source with a velocity. A stone is one impulse. The dynamic-wave grid
+// follows the boat. The boat's own position is queried in the wind waves only, because the
+// depression under it is its own displacement.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -29,7 +30,7 @@ using namespace pelagic;
 constexpr int width = 960, height = 540, samples = 4;
 constexpr double frame_s = 1.0 / 60, voyage_s = 22;
 
-/// Straight on, then a bend to starboard.
+/// The boat's course: a straight line, then a turn to starboard.
 struct Course {
     static constexpr double speed_mps = 4.6, straight_s = 15, radius_m = 24;
 
@@ -59,7 +60,7 @@ Disturbance stone_at(double x_m, double z_m) {
     return {.mode = Disturbance::Mode::impulse, .x_m = x_m, .z_m = z_m, .radius_m = 0.8, .height_m = 0.7};
 }
 
-/// As it lies on the waves of the wind: by their heights at its bow, stern and sides.
+/// Returns the boat's pose on the wind waves, from their heights at its bow, stern and sides.
 glm::dmat4 boat_on(const Frame& frame, const Course& course) {
     Frame of_wind = frame;
     of_wind.dynamic_waves = {};
@@ -102,7 +103,7 @@ void draw_voyage(const char* name) {
         course.go(frame_s, time_s);
         ocean.dynamic_waves().set_source(boat, hull_on(course));
         ocean.dynamic_waves().set_center(course.place.x, course.place.y);
-        // So long before the image.
+        // Impulses at fixed times before the image.
         const auto passes = [&](double moment_s) { return time_s < moment_s && time_s + frame_s >= moment_s; };
         if (passes(voyage_s - 3)) ocean.dynamic_waves().add_impulse(stone_at(66, 24));
         if (passes(voyage_s - 2)) ocean.dynamic_waves().add_impulse(stone_at(72, 31));
@@ -133,7 +134,8 @@ void draw_voyage(const char* name) {
     target.bind();
     functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     renderer.upload(frame);
-    functions.Finish();  // a driver in software moves vertices at once, by mips that its other threads still make
+    // A software driver may read mip levels in the vertex shader that other threads still generate.
+    functions.Finish();
     const glm::dmat4 pose = boat_on(frame, course);
     const float exposure = gl::exposure_of_ev(13.4f, sky.luminance_of_unit());
     model.draw(eye, pose, exposure);
@@ -156,9 +158,9 @@ void draw_voyage(const char* name) {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
     try {
-        draw_voyage(count > 1 ? words[1] : "wake.ppm");
+        draw_voyage(count > 1 ? arguments[1] : "wake.ppm");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "boat_wake: %s\n", error.what());
         return 1;

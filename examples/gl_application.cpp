@@ -1,6 +1,6 @@
-// An application with an EGL context of its own: it makes the context and a framebuffer, Pelagic draws the sea into it. Writes
-// the last frame as sea.ppm. An engine or a headset's runtime would bring context and framebuffer along and leave out
-// everything before "The sea".
+// Rendering in an application's EGL context: the application creates a context and a framebuffer,
+// and Pelagic draws the sea into the framebuffer. Writes the last frame to sea.ppm. An engine or a
+// headset's runtime provides context and framebuffer, and needs only the code from "The sea" on.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -83,9 +83,10 @@ int main() {
 
     ocean.schedule(0, renderer.map_textures());
     for (int n = 1; n <= 3; ++n) {
-        const Frame& frame = ocean.complete();  // scheduled one frame ago
-        renderer.upload(frame);                 // copies nothing: its textures are in a pixel buffer already
-        ocean.schedule(n / 72.0, renderer.map_textures());  // computed by other threads while this one draws
+        const Frame& frame = ocean.complete();              // scheduled one frame ago
+        renderer.upload(frame);          // copies nothing: the textures are in a pixel buffer
+        // Other threads compute the next frame while this thread draws.
+        ocean.schedule(n / 72.0, renderer.map_textures());
 
         const Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
         const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});

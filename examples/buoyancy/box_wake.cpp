@@ -12,9 +12,10 @@ namespace pelagic::buoyancy {
 double heading_rad(const BoxState& state) {
     const glm::dvec3 forward = state.orientation * glm::dvec3(1, 0, 0);
     const double length = std::sqrt(forward.x * forward.x + forward.z * forward.z);
-    if (!(length > 0)) return 0;  // it stands on end
+    if (!(length > 0)) return 0;  // the box is vertical
     const double x = forward.x / length, z = forward.z / length;
-    // Within an eighth of a turn at first; then the sine of what is missing, whose error is the third power of the one before.
+    // The first estimate is within 1/8 turn. Each step adds the sine of the error, so the error is
+    // cubed.
     double turns = std::fabs(x) >= std::fabs(z) ? (x > 0 ? 0 : 0.5) : (z > 0 ? 0.25 : -0.25);
     for (int step = 0; step < 5; ++step) {
         const auto found = det::sine_cosine_of_turns(turns);
@@ -48,8 +49,8 @@ double BoxWake::launch_s(const BoxOptions& box) {
 
 Disturbance BoxWake::pressing(const FloatingBox& box) const {
     Disturbance press = pressure_of(box);
-    const double part = std::min(afloat_s_ / launch_s(box.options()), 1.0);
-    press.height_m *= part * part * (3 - 2 * part);
+    const double fraction = std::min(afloat_s_ / launch_s(box.options()), 1.0);
+    press.height_m *= fraction * fraction * (3 - 2 * fraction);
     press.x_m = pressure_m_.x;
     press.z_m = pressure_m_.z;
     return press;

@@ -1,12 +1,13 @@
-// A box's part in dynamic waves: it presses as much as it weighs, and feels the wakes of all others, and what its own sends
-// back, but not the hollow that it lies in, whose pressure is already its buoyancy.
+// Coupling of a box with dynamic waves. The box is a pressure source of its weight. It responds to
+// the wakes of other boxes and to reflections of its own, but not to the depression under it, whose
+// pressure is its buoyancy.
 //
-// The grid stands in the world and does not know that the waves of the wind carry its water to and fro, and a box with it. So a press
-// goes with its box only as that moves through the water (BoxWake::press).
+// The grid is fixed in the world, but wind waves move the water and the box horizontally. The
+// pressure source therefore follows only the box's motion relative to the water (BoxWake::press).
 //
 //   const Frame& frame = ocean.complete();
 //   for (...) wakes[i].press(ocean, boxes[i], tick_s);
-//   ocean.schedule(next_s);                            // a tick of the water later
+//   ocean.schedule(next_s);                            // one tick later
 //   step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
 #pragma once
 
@@ -20,30 +21,37 @@
 
 namespace pelagic::buoyancy {
 
-/// From +x towards +z, of the box's length; [-pi, pi]. Only + - * / and our own sine: the same bits everywhere.
+/// Returns the heading of the box's length axis, from +x towards +z, in [-pi, pi]. Uses + - * / and
+/// det::sine_cosine only, so the result is bit-identical on every machine.
 double heading_rad(const BoxState& state);
 
-/// An ellipsoid's lower half as long and broad as the box, of as much water as the box displaces at rest.
+/// Returns a pressure source: the lower half of an ellipsoid with the box's length and beam and the
+/// volume of water that the box displaces at rest.
 Disturbance pressure_of(const FloatingBox& box);
 
 class BoxWake {
    public:
-    /// The press follows a box so fast that the water carries to and fro: less, and it makes waves by a way that it goes with the
-    /// water; more, and it lags behind a box that drifts with it.
+    /// Time constant with which the pressure source returns to the box. With smaller values the
+    /// source follows the oscillation of the water and makes waves. With larger values it lags
+    /// behind a drifting box.
     static constexpr double return_s = 10;
 
-    /// A source of the ocean from its next frame on, which has dynamic waves (OceanOptions::dynamic_waves). It weighs nothing at first, and
-    /// all after launch_s(): put in at once, a barge of 4,000 t is a splash that rocks all others for a minute.
+    /// Adds a pressure source to the ocean from its next frame on. The pressure increases from zero
+    /// to the box's weight within launch_s(), because the sudden weight of a barge of 4,000 t makes
+    /// waves for a minute.
+    /// \pre the ocean has dynamic waves (OceanOptions::dynamic_waves)
     BoxWake(Ocean& ocean, const FloatingBox& box);
 
-    /// The box lies here now, `tick_s` after the press before. Between complete() and schedule(), whose frames are a tick of the water
-    /// apart.
+    /// Moves the pressure source to the box. Call it between complete() and schedule(), whose
+    /// frames are one tick of the dynamic waves apart. \param tick_s  time since the previous call
     void press(Ocean& ocean, const FloatingBox& box, double tick_s);
 
-    /// Four periods of waves as long as the box, which a slower change hardly makes.
+    /// Returns four periods of waves with the box's length. A change of this duration makes hardly
+    /// any waves.
     static double launch_s(const BoxOptions& box);
 
-    /// Takes the box's own hollow out of what its columns found in the frame completed last.
+    /// Subtracts the box's own depression from the samples of its columns in the last completed
+    /// frame.
     void leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const;
 
    private:
@@ -51,9 +59,10 @@ class BoxWake {
 
     std::uint32_t source_;
     double afloat_s_ = 0;
-    glm::dvec3 box_m_;       ///< at the press before
-    glm::dvec3 pressure_m_;  ///< of the press
-    /// As they were said: for the frame to come, for that completed last, which shows the tick before it, and for that one.
+    glm::dvec3 box_m_;       ///< position of the box at the previous press()
+    glm::dvec3 pressure_m_;  ///< position of the pressure source
+    /// The sources of the next frame, of the last completed frame, which shows the tick before it,
+    /// and of that tick.
     std::array<Disturbance, 3> pressures_;
 };
 

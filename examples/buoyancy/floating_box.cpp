@@ -15,8 +15,9 @@ namespace {
 
 constexpr glm::dvec3 up{0, 1, 0};
 
-/// Of a plate that moves across itself in unbounded water, sides a <= b: rho pi/4 a^2 b (Newman, Marine Hydrodynamics,
-/// 1977, table 4.3), times b / (b + 0.7 a) for its ends: within 3 % of the table of DNV-RP-C205, appendix D.
+/// Returns the added mass of a plate that moves along its normal in unbounded water, sides a <= b:
+/// rho pi/4 a^2 b (Newman, Marine Hydrodynamics, 1977, table 4.3), times b / (b + 0.7 a) for its
+/// ends. The result is within 3 % of the table of DNV-RP-C205, appendix D.
 double plate_added_mass_kg(double side_m, double other_m) {
     const double a = std::min(side_m, other_m), b = std::max(side_m, other_m);
     return water_density_kgpm3 * std::numbers::pi / 4 * a * a * b * b / (b + 0.7 * a);
@@ -70,7 +71,7 @@ double FloatingBox::heave_frequency_radps() const {
 
 void FloatingBox::cut_columns() {
     axes_ = glm::mat3_cast(state_.orientation);
-    along_ = 1;  // of equals, the box's own height
+    along_ = 1;  // the height axis has priority
     for (const int axis : {0, 2})
         if (std::fabs(axes_[axis].y) > std::fabs(axes_[along_].y)) along_ = axis;
     upward_ = axes_[along_] * (axes_[along_].y < 0 ? -1.0 : 1.0);
@@ -78,7 +79,7 @@ void FloatingBox::cut_columns() {
     across_b_ = columns_across[(along_ + 2) % 3];
 }
 
-/// Relative to the centre of mass.
+/// Returns the middle of a column relative to the centre of mass.
 glm::dvec3 FloatingBox::column_middle(std::size_t column) const {
     const int a = (along_ + 1) % 3, b = (along_ + 2) % 3;
     const double at_a = (static_cast<double>(column % across_a_) + 0.5) / static_cast<double>(across_a_) - 0.5;
@@ -87,7 +88,7 @@ glm::dvec3 FloatingBox::column_middle(std::size_t column) const {
 }
 
 void FloatingBox::append_places(HullWater& hull) const {
-    // Where a column crosses the surface: on average as far up as the box floats at rest.
+    // Columns cross the surface on average at the waterline of the box at rest.
     const glm::dvec3 waterline = upward_ * ((submerged_afloat_ - 0.5) * size_m_[along_]);
     for (std::size_t column = 0; column < column_count(); ++column) {
         const glm::dvec3 place = state_.position_m + column_middle(column) + waterline;
@@ -98,7 +99,7 @@ void FloatingBox::append_places(HullWater& hull) const {
 
 void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) {
     const std::size_t count = column_count();
-    const double share = 1 / static_cast<double>(count);  // of the box that a column is
+    const double share = 1 / static_cast<double>(count);  // a column's fraction of the box
     const auto water_velocity = [&](std::size_t column) {
         return glm::dvec3(hull.velocity_x_mps[first + column], hull.velocity_y_mps[first + column],
                           hull.velocity_z_mps[first + column]);
@@ -109,7 +110,7 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
     water_velocity_mps_ = mean_velocity;
 
     const double box_kg = water_density_kgpm3 * face_m2_.y * size_m_.y;  // full of water
-    const double rise = upward_.y * size_m_[along_];  // of a column from its lower end to its upper
+    const double rise = upward_.y * size_m_[along_];                     // height difference of a column's ends
     double submerged = 0;
     glm::dvec3 force = -options_.mass_kg * gravity_mps2 * up, torque{};
     for (std::size_t column = 0; column < count; ++column) {
@@ -118,9 +119,10 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
         const double wet = std::clamp(depth / rise, 0.0, 1.0);
         if (wet == 0) continue;
         submerged += share * wet;
-        const glm::dvec3 arm = middle + upward_ * ((wet - 1) / 2 * size_m_[along_]);  // to the middle of the wet part
+        // To the middle of the submerged section.
+        const glm::dvec3 arm = middle + upward_ * ((wet - 1) / 2 * size_m_[along_]);
         const glm::dvec3 relative = water_velocity(column) - state_.velocity_mps - glm::cross(state_.spin_radps, arm);
-        const glm::dvec3 in_box = relative * axes_;  // transposed times
+        const glm::dvec3 in_box = relative * axes_;  // multiplication by the transpose
         const glm::dvec3 drag =
             axes_ * (0.5 * water_density_kgpm3 * options_.drag_coefficient * face_m2_ * glm::abs(in_box) * in_box) +
             wave_damping_ / submerged_afloat_ * relative.y * up;
@@ -131,7 +133,8 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
     }
     displaced_kg_ = submerged * box_kg;
 
-    // A box in the surface has water on one side of each plate: half of what it has deep below; between, in proportion.
+    // A plate at the surface has water on one side only, which halves its added mass. Between the
+    // two cases the mass is proportional to the submerged fraction.
     const glm::dvec3 added = submerged * added_mass_kg_;
     const glm::dvec3 force_in_box = force * axes_ + added * (acceleration * axes_);
     state_.velocity_mps += step_s * (axes_ * (force_in_box / (options_.mass_kg + added)));
@@ -140,9 +143,9 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
     glm::dvec3 spin = state_.spin_radps * axes_;
     spin += step_s * (torque * axes_ - glm::cross(spin, inertia_kgm2_ * spin)) / inertia_kgm2_;
     state_.spin_radps = axes_ * spin;
-    const glm::dquat turned =
+    const glm::dquat rotated =
         state_.orientation + 0.5 * step_s * (glm::dquat(0, state_.spin_radps) * state_.orientation);
-    state_.orientation = turned / std::sqrt(glm::dot(turned, turned));
+    state_.orientation = rotated / std::sqrt(glm::dot(rotated, rotated));
 }
 
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull) {

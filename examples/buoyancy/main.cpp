@@ -1,4 +1,5 @@
-// Three boats in a storm, each in the wakes of the others: while they float on one frame, the next one is computed.
+// Three boats in a storm with each other's wakes. The next frame is computed while the boats query
+// the current one.
 //
 //   buoyancy [FOLDER [SECONDS]]     writes FOLDER/trace.csv and FOLDER/trace.svg
 #include <cmath>
@@ -22,10 +23,11 @@ using namespace pelagic;
 using namespace pelagic::buoyancy;
 
 constexpr double step_s = 1.0 / 60;
-constexpr double settling_s =
-    30;  // before the trace: the boats start at rest, the sea doesn't; and the barge's launch_s()
+// Time before the trace: the boats start at rest in a moving sea; covers the barge's launch_s()
+// too.
+constexpr double settling_s = 30;
 
-/// Half a metre a texel, so that the dinghy's hollow has some; broad enough for the barge and a border.
+/// Texels of 0.5 m resolve the dinghy; the side suffices for the barge and a border.
 const DynamicWavesOptions answering{.resolution = 512, .side_m = 256, .border_m = 48};
 
 struct Boat {
@@ -78,7 +80,8 @@ std::vector<BoatTrace> sail(double seconds) {
     std::vector<BoatTrace> traces;
     for (const Boat& boat : boats) {
         FloatingBox& box = boxes.emplace_back(boat.box);
-        box.state().position_m.z = 20 * static_cast<double>(traces.size());  // side by side, bows down the wind
+        // Side by side, with bows downwind.
+        box.state().position_m.z = 20 * static_cast<double>(traces.size());
         traces.push_back({boat.name, {}});
     }
 
@@ -94,7 +97,7 @@ std::vector<BoatTrace> sail(double seconds) {
         for (std::size_t boat = 0; boat < boxes.size(); ++boat) wakes[boat].press(ocean, boxes[boat], step_s);
         const glm::dvec3 middle = boxes[1].state().position_m;
         ocean.dynamic_waves().set_center(middle.x, middle.z);
-        ocean.schedule((i + 1) * step_s);  // computed while the boats ask about this one
+        ocean.schedule((i + 1) * step_s);  // computed while the boats query this frame
         step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         if (i < 0) continue;
         for (std::size_t boat = 0; boat < boxes.size(); ++boat)
@@ -112,7 +115,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        make_folder(options.folder);  // before the work, to fail early
+        make_folder(options.folder);  // first, to fail early
         const std::vector<BoatTrace> traces = sail(options.seconds);
         write_csv(options.folder / "trace.csv", traces);
         write_svg(options.folder / "trace.svg", "Three boxes in a storm, significant wave height 8 m", traces);

@@ -23,9 +23,9 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     if (!out) throw std::runtime_error(file.string() + ": " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// Of the image, in its units.
+// Sizes of the chart in its units.
 constexpr double width = 900, left = 60, right = 20, top = 76, panel_height = 160, panel_gap = 46;
-// Okabe and Ito's colours, apart for every kind of sight.
+// Okabe and Ito's colours, which are distinguishable with colour blindness.
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73"};
 
 struct Panel {
@@ -38,7 +38,7 @@ constexpr std::array<Panel, 3> panels = {{
     {"roll, degrees (starboard down)", [](const Moment& moment) { return moment.attitude.roll_deg; }},
 }};
 
-/// 1, 2 or 5 times a power of ten, so that `range` holds at most `most` of them.
+/// Returns 1, 2 or 5 times a power of ten, so that `range` contains at most `most` steps.
 double tick_of(double range, int max) {
     double tick = 1e-3;
     for (int i = 0; tick * max < range; ++i) tick *= i % 3 == 1 ? 2.5 : 2;
@@ -78,7 +78,7 @@ void draw_panel(std::ostream& svg, const Panel& panel, double above, const std::
     }
     for (std::size_t boat = 0; boat < boats.size(); ++boat) {
         svg << "<polyline stroke='" << colours[boat] << "' points='";
-        // A point a unit of width shows all that can be seen.
+        // One point per unit of width suffices.
         const std::vector<Moment>& moments = boats[boat].moments;
         const std::size_t stride = moments.size() / static_cast<std::size_t>(width) + 1;
         for (std::size_t i = 0; i < moments.size(); i += stride)

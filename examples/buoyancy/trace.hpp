@@ -1,4 +1,4 @@
-// How boats moved, as a table and as an image.
+// Motion of boats as a table and as a chart.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace pelagic::buoyancy {
 
-/// Angles of a box in degrees: pitch positive with the bow up, roll positive with the starboard side down.
+/// Angles of a box in degrees: pitch positive with the bow up, roll positive with the starboard
+/// side down.
 struct Attitude {
     double pitch_deg, roll_deg;
 };
@@ -22,14 +23,15 @@ struct Moment {
 
 struct BoatTrace {
     std::string name;
-    std::vector<Moment> moments;  ///< as many as the other boats have, at the same times
+    std::vector<Moment> moments;  ///< all boats have equal times
 };
 
-/// time_s, boat, heave_m, pitch_deg, roll_deg; a line a boat and moment. Throws std::runtime_error with the file and
-/// the reason if it can't be written.
+/// Writes time_s, boat, heave_m, pitch_deg and roll_deg, one line per boat and time.
+/// \throws std::runtime_error  with the file and the reason if the file cannot be written
 void write_csv(const std::filesystem::path& file, const std::vector<BoatTrace>& boats);
 
-/// Heave, pitch and roll over time, one above the other, a curve a boat (three at most). Throws as write_csv().
+/// Writes charts of heave, pitch and roll over time, with one curve per boat (at most three).
+/// \throws std::runtime_error  as write_csv() does
 void write_svg(const std::filesystem::path& file, const std::string& title, const std::vector<BoatTrace>& boats);
 
 }  // namespace pelagic::buoyancy

@@ -1,5 +1,5 @@
-// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its cascades, asks for
-// heights.
+// The frame loop of a game without rendering: completes a frame, schedules the next, queries
+// heights, and reads the cascades.
 #include <cstdio>
 #include <vector>
 
@@ -13,13 +13,14 @@ int main() {
 
     ocean.schedule(0);
     for (int n = 1; n <= 5; ++n) {
-        const pelagic::Frame& frame = ocean.complete();  // scheduled in the frame before
-        ocean.schedule(n / 90.0);                        // computed while this one is drawn
+        const pelagic::Frame& frame = ocean.complete();  // scheduled one frame ago
+        ocean.schedule(n / 90.0);                        // computed while this frame is drawn
         const pelagic::SurfaceQuery water(frame);
         water.sample({.x = buoys_x, .z = buoys_z}, {.height_m = heights});
         std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s,
                     static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);
-        // Where a renderer would upload a cascade's textures: displacement_rgba16f, slopes_rgba8 and moments_rgba8.
+        // A renderer uploads each cascade's textures here: displacement_rgba16f, slopes_rgba8 and
+        // moments_rgba8.
         for (const pelagic::Cascade& cascade : frame.cascades) std::printf(" %g", cascade.grid.side_m);
         std::printf(" m\n");
     }

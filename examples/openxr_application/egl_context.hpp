@@ -1,4 +1,5 @@
-// The OpenGL ES context that this program draws with and lends to the runtime. An engine has one already.
+// The OpenGL ES context of this program, which the OpenXR runtime shares. An engine has its own
+// context.
 #pragma once
 
 #include "openxr.hpp"
@@ -13,13 +14,14 @@ using GraphicsBinding = XrGraphicsBindingEGLMNDX;
 
 class EglContext {
    public:
-    /// Makes it current on this thread. No window: what is drawn goes to the headset. Throws std::runtime_error.
+    /// Creates a context without a window and makes it current on the calling thread.
+    /// \throws std::runtime_error  if there is no suitable context
     EglContext();
     ~EglContext();
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
-    /// For XrSessionCreateInfo::next; valid as long as this.
+    /// Returns the structure for XrSessionCreateInfo::next, valid as long as this object.
     const GraphicsBinding& binding() const { return binding_; }
 
    private:

@@ -5,8 +5,9 @@
 namespace openxr_application {
 namespace {
 
-/// Compositors take the numbers of a format without sRGB in its name for linear light, so that both are written the same way
-/// (RendererOptions::framebuffer_is_srgb); eight bits of linear light show bands in the dark.
+/// Chooses the format of the swapchain. Compositors interpret formats without sRGB in their name as
+/// linear light, so Pelagic writes linear light to all formats
+/// (RendererOptions::framebuffer_is_srgb). Eight bits of linear light cause banding in dark areas.
 std::int64_t choose_format(XrSession session) {
     std::uint32_t count = 0;
     check("xrEnumerateSwapchainFormats", xrEnumerateSwapchainFormats(session, 0, &count, nullptr));
@@ -88,7 +89,7 @@ void EyeImages::bind(GLuint framebuffer) const {
 }
 
 std::vector<std::uint8_t> EyeImages::read(std::size_t eye) const {
-    GLuint framebuffer = 0;  // of its own: those for multiview can't be read
+    GLuint framebuffer = 0;  // a separate one, because multiview framebuffers cannot be read
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, images_[image_], 0, static_cast<GLint>(eye));

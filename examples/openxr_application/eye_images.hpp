@@ -1,4 +1,4 @@
-// What the eyes see: a swapchain of images with a layer for each eye, and framebuffers to draw into them.
+// A swapchain of images with one layer per eye, and their framebuffers.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@ namespace openxr_application {
 
 class EyeImages {
    public:
-    /// The driver draws both layers in one pass (OVR_multiview2).
+    /// Returns true if the driver draws both layers in one pass (OVR_multiview2).
     static bool has_multiview(const pelagic::gl::Functions& gl) {
         return gl.FramebufferTextureMultiviewOVR != nullptr;
     }
 
-    /// Of a headset that has been started. Throws XrError, std::runtime_error.
+    /// Creates the swapchain. \pre the headset has been started
+    /// \throws XrError, std::runtime_error
     EyeImages(const Headset& headset, const pelagic::gl::Functions& gl);
     ~EyeImages();
     EyeImages(const EyeImages&) = delete;
@@ -27,17 +28,18 @@ class EyeImages {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Waits until the compositor is done with the next image. One acquire() and one release() a frame that draws.
+    /// Waits until the compositor has released the next image. Call acquire() and release() once
+    /// per drawn frame.
     void acquire();
-    /// Both eyes at once, where is_multiview(): the image's framebuffer, cleared.
+    /// Binds and clears the image's framebuffer with both eyes. \pre is_multiview()
     void bind_both() const { bind(framebuffers_[image_][0]); }
-    /// One of them: 0 is the left one.
+    /// Binds and clears the framebuffer of one eye. \param eye  0: left, 1: right
     void bind_eye(std::size_t eye) const { bind(framebuffers_[image_][eye]); }
-    /// RGBA, the lower row first, before release(); bytes are sRGB's.
+    /// Reads an eye's image as RGBA in sRGB, the lower row first. Call it before release().
     std::vector<std::uint8_t> read(std::size_t eye) const;
     void release();
 
-    /// That eye's layer, for XrCompositionLayerProjectionView.
+    /// Returns an eye's layer for XrCompositionLayerProjectionView.
     XrSwapchainSubImage sub_image(std::size_t eye) const;
 
    private:
@@ -47,10 +49,11 @@ class EyeImages {
     bool is_multiview_ = false;
     int width_ = 0, height_ = 0;
     Owned<XrSwapchain, xrDestroySwapchain> swapchain_;
-    std::vector<GLuint> images_;                       ///< textures of two layers, the runtime's
-    GLuint depth_ = 0;                                 ///< one for all of them
-    std::vector<std::array<GLuint, 2>> framebuffers_;  ///< by image and eye; with multiview the first one holds both
-    std::uint32_t image_ = 0;                          ///< the acquired one
+    std::vector<GLuint> images_;  ///< the runtime's textures, with two layers each
+    GLuint depth_ = 0;            ///< depth texture of all images
+    /// By image and eye. With multiview the first one holds both eyes.
+    std::vector<std::array<GLuint, 2>> framebuffers_;
+    std::uint32_t image_ = 0;  ///< index of the acquired image
 };
 
 }  // namespace openxr_application

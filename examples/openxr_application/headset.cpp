@@ -30,7 +30,7 @@ XrExtent2Di recommended_size(XrInstance instance, XrSystemId system) {
             std::max(views[0].recommendedImageRectHeight, views[1].recommendedImageRectHeight))};
 }
 
-/// The runtime's favourite.
+/// Returns the blend mode that the runtime prefers.
 XrEnvironmentBlendMode first_blend_mode(XrInstance instance, XrSystemId system) {
     std::uint32_t count = 0;
     check("xrEnumerateEnvironmentBlendModes",
@@ -41,7 +41,7 @@ XrEnvironmentBlendMode first_blend_mode(XrInstance instance, XrSystemId system) 
     return modes.at(0);
 }
 
-/// A runtime insists on being asked before it makes a session.
+/// Queries the graphics requirements, which OpenXR demands before a session is created.
 void check_graphics_version(XrInstance instance, XrSystemId system) {
     PFN_xrGetOpenGLESGraphicsRequirementsKHR get_requirements = nullptr;
     check("xrGetInstanceProcAddr", xrGetInstanceProcAddr(instance, "xrGetOpenGLESGraphicsRequirementsKHR",
@@ -112,7 +112,7 @@ void Headset::change_state(XrSessionState state) {
             break;
         case XR_SESSION_STATE_EXITING:
         case XR_SESSION_STATE_LOSS_PENDING: is_wanted_ = false; break;
-        default:  // SYNCHRONIZED, VISIBLE and FOCUSED: XrFrameState::shouldRender says what follows from them
+        default:  // SYNCHRONIZED, VISIBLE, FOCUSED: no action, see XrFrameState::shouldRender
             break;
     }
 }

@@ -1,13 +1,14 @@
-// A headset by OpenXR: the connection to the runtime, the session with its states, and the calls of one frame in their order.
+// An OpenXR headset: connection to the runtime, session states, and the calls of a frame in their
+// order.
 //
-//   Headset headset;                              // asks the runtime for one
+//   Headset headset;                              // connects to the runtime
 //   headset.start(egl_context.binding());
 //   while (headset.is_wanted()) {
-//       if (!headset.handle_events()) continue;   // nothing to draw for now
+//       if (!headset.handle_events()) continue;   // no frame is needed now
 //       const XrFrameState moment = headset.wait_frame();
 //       headset.begin_frame();
 //       if (moment.shouldRender) ... draw for headset.locate_eyes(moment.predictedDisplayTime) ...
-//       headset.end_frame(moment.predictedDisplayTime, &layer);  // nullptr: nothing was drawn
+//       headset.end_frame(moment.predictedDisplayTime, &layer);  // nullptr if nothing was drawn
 //   }
 #pragma once
 
@@ -20,32 +21,34 @@ namespace openxr_application {
 
 class Headset {
    public:
-    /// Connects to the runtime. All methods throw XrError.
+    /// Connects to the runtime. All methods throw XrError if a call fails.
     Headset();
     Headset(const Headset&) = delete;
     Headset& operator=(const Headset&) = delete;
 
-    /// The size of an eye's image that the runtime recommends, the larger one if they differ.
+    /// Returns the recommended size of an eye's image, the larger one if the eyes differ.
     XrExtent2Di eye_size() const { return eye_size_; }
 
-    /// Makes the session. The binding's context is current on this thread, here and in all later calls.
+    /// Creates the session. \pre the binding's context is current on this thread, here and in all
+    /// later calls
     void start(const GraphicsBinding& binding);
     XrSession session() const { return session_; }
-    /// Where positions are counted from: the head as it was at first, upright.
+    /// Returns the reference space, whose origin is the initial position of the head, with y up.
     XrSpace space() const { return space_; }
 
-    /// Takes in what the runtime has to say. False if no frame is wanted now, after a short sleep: the headset was taken off, or
-    /// the session is over.
+    /// Handles the runtime's events. If no frame is needed, because the headset is not worn or the
+    /// session has ended, sleeps briefly and returns false.
     bool handle_events();
-    /// Until the user leaves, or headset or runtime go away.
+    /// Returns true until the user exits, or the headset or the runtime is lost.
     bool is_wanted() const { return is_wanted_; }
-    /// Asks the runtime to end the session. It answers with events, so go on with the loop until is_wanted() says no.
+    /// Requests the end of the session. The runtime responds with events, so continue the loop
+    /// until is_wanted() is false.
     void request_exit();
 
-    /// Sleeps until it is time for the next frame, and says when that will be seen.
+    /// Waits until the next frame starts and returns its state with the predicted display time.
     XrFrameState wait_frame();
     void begin_frame();
-    /// Left and right at that time; none while the headset does not know where it is.
+    /// Returns the left and right view at a time; empty while tracking is lost.
     std::optional<std::array<XrView, 2>> locate_eyes(XrTime time) const;
     void end_frame(XrTime display_time, const XrCompositionLayerProjection* layer);
 

@@ -1,4 +1,4 @@
-// An image as a file that every viewer opens.
+// Image files.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,9 @@
 
 namespace openxr_application {
 
-/// As PPM. \param rgba  the lower row first. Throws std::runtime_error.
+/// Writes a PPM file.
+/// \param rgba  pixels, the lower row first
+/// \throws std::runtime_error  if the file cannot be written
 void write_image(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height);
 
 }  // namespace openxr_application

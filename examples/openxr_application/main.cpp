@@ -1,8 +1,9 @@
-// The sea in a headset, by OpenXR and OpenGL ES:
+// The sea in a headset with OpenXR and OpenGL ES:
 //
 //   openxr_application [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--images FOLDER] [--hashes FILE]
 //
-// This file has the frame loop; each of the others is one thing that an engine may have already. docs/users/openxr.md.
+// This file contains the frame loop. The other files contain functions that an engine usually
+// provides. See docs/users/openxr.md.
 #include <algorithm>
 #include <array>
 #include <cinttypes>
@@ -23,7 +24,7 @@ namespace {
 
 using namespace openxr_application;
 
-/// Both eyes as one layer for the compositor, which shows each from where it was drawn.
+/// The projection layer of both eyes for the compositor, with the poses of rendering.
 struct EyesLayer {
     std::array<XrCompositionLayerProjectionView, 2> views{};
     XrCompositionLayerProjection layer{.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION};
@@ -42,14 +43,14 @@ struct EyesLayer {
     EyesLayer& operator=(const EyesLayer&) = delete;
 };
 
-/// Values of options may have line ends, and drivers' messages do.
+/// Escapes line ends, which values of options and messages of drivers may contain.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, '?');
     return text;
 }
 
-/// When that sea is, and its bits: the same on every machine.
+/// Returns the time and the hash of a frame, which are identical on every machine.
 std::string hash_line(const pelagic::Frame& frame) {
     std::array<char, 64> line;
     std::snprintf(line.data(), line.size(), "%.9f %016" PRIx64 "\n", frame.time_s, pelagic::hash_of(frame));
@@ -63,7 +64,7 @@ void save_images(const EyeImages& images, const std::filesystem::path& folder) {
 
 void run(const Options& options) {
     const bool is_hashed = !options.hashes.empty();
-    const EglContext context;  // outlives the session, which borrows it
+    const EglContext context;  // outlives the session, which uses it
     const pelagic::gl::Functions gl = pelagic::gl::load_functions(
         [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
     Headset headset;
@@ -77,9 +78,10 @@ void run(const Options& options) {
     while (headset.is_wanted()) {
         if (!headset.handle_events()) continue;
 
-        // The runtime holds this thread back, and says when the coming frame will be seen. That moment's sea is computed from
-        // here on by other threads, while this one begins the frame, asks where the eyes are, waits for an image to draw
-        // into, and does whatever else a game does. Frames that are not seen have no sea.
+        // The runtime blocks this thread and returns the predicted display time. Other threads
+        // compute the sea of that time, while this thread begins the frame, locates the eyes, waits
+        // for an image, and does other work of a game. No sea is computed for frames that are not
+        // displayed.
         const XrFrameState moment = headset.wait_frame();
         if (start == 0) start = moment.predictedDisplayTime;
         const double sea_time_s = static_cast<double>(moment.predictedDisplayTime - start) * 1e-9;

@@ -15,7 +15,7 @@ std::string name_of(XrResult result) {
     return "result " + std::to_string(result);
 }
 
-/// What a user can do about it.
+/// Returns advice for the user about an error.
 const char* remedy_for(XrResult result) {
     switch (result) {
         case XR_ERROR_RUNTIME_UNAVAILABLE:

@@ -1,4 +1,4 @@
-// OpenXR with OpenGL ES, for the platform that this is compiled for: each has its own way to hand a context over.
+// OpenXR with OpenGL ES. Each platform has its own structure for the graphics context.
 #pragma once
 
 #include <EGL/egl.h>
@@ -19,15 +19,16 @@
 
 namespace openxr_application {
 
-/// A call that failed, as one line: "xrGetSystem: XR_ERROR_FORM_FACTOR_UNAVAILABLE (...)".
+/// A failed call. The message is one line: "xrGetSystem: XR_ERROR_FORM_FACTOR_UNAVAILABLE (...)".
 struct XrError : std::runtime_error {
     XrError(const char* call, XrResult result);
 };
 
-/// Throws if the call failed; else what it returned, which may be more than XR_SUCCESS.
+/// Returns the result of a call that succeeded, which may differ from XR_SUCCESS.
+/// \throws XrError  if the call failed
 XrResult check(const char* call, XrResult result);
 
-/// Destroys what it holds.
+/// Owner of an OpenXR object, which the destructor destroys.
 template <class Object, XrResult (*destroy)(Object)>
 class Owned {
    public:
@@ -38,7 +39,7 @@ class Owned {
     Owned(const Owned&) = delete;
     Owned& operator=(const Owned&) = delete;
     operator Object() const { return object_; }
-    Object* receive() { return &object_; }  ///< for the call that makes it
+    Object* receive() { return &object_; }  ///< output parameter for the call that creates it
 
    private:
     Object object_ = XR_NULL_HANDLE;

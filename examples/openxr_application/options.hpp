@@ -1,4 +1,4 @@
-// What the command line says.
+// Options of the command line.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@ namespace openxr_application {
 struct Options {
     pelagic::SeaState sea;
     pelagic::QuadtreePreset quality;
-    int frames = 0;                ///< that are shown before the program ends by itself; 0: until its user leaves
-    std::filesystem::path images;  ///< where the last frame's left.ppm and right.ppm go; empty: nowhere
-    std::filesystem::path hashes;  ///< a line for each frame shown goes here at the end; empty: nowhere
+    int frames = 0;                ///< number of displayed frames; 0: until the user exits
+    std::filesystem::path images;  ///< folder of the last left.ppm and right.ppm; may be empty
+    std::filesystem::path hashes;  ///< file with a line per displayed frame; may be empty
 };
 
-/// Throws std::invalid_argument: one line that names the option.
+/// \throws std::invalid_argument  on one line with the option
 Options options_of(int count, char** arguments);
 
 }  // namespace openxr_application

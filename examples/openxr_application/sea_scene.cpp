@@ -11,11 +11,11 @@ using namespace pelagic;
 
 /// Texels along a face of the sky.
 constexpr int sky_face_size = 128;
-/// What is nearer to an eye is not drawn.
+/// Distance of the near plane.
 constexpr double near_m = 0.1;
 
-/// What an eye sees, into OpenGL's clip space. There is no far plane: the sea ends at the horizon, where the quadtree's skirt
-/// lies at infinity (w = 0).
+/// Returns the projection of an eye to OpenGL's clip space. The far plane is at infinity, because
+/// the sea ends at the horizon, where the quadtree's skirt is at infinity (w = 0).
 glm::dmat4 projection(const XrFovf& fov) {
     const double left = std::tan(double{fov.angleLeft}), right = std::tan(double{fov.angleRight});
     const double down = std::tan(double{fov.angleDown}), up = std::tan(double{fov.angleUp});
@@ -27,7 +27,8 @@ glm::dmat4 projection(const XrFovf& fov) {
     return clip;
 }
 
-/// \param origin_m  where the headset's space has its origin in the world: x, z level and y up in both
+/// \param origin_m  origin of the headset's space in the world; x and z are horizontal and y is up
+///                  in both
 gl::Eye eye_of(const XrView& view, const glm::dvec3& origin_m, const EyeImages& images) {
     const XrVector3f& p = view.pose.position;
     const XrQuaternionf& q = view.pose.orientation;
@@ -38,7 +39,7 @@ gl::Eye eye_of(const XrView& view, const glm::dvec3& origin_m, const EyeImages& 
             .viewport = {0, 0, images.width(), images.height()}};
 }
 
-/// On the deck of something that stands still, and that hardly a crest reaches.
+/// Returns the origin of the headset's space, above the height that crests usually reach.
 glm::dvec3 origin_above(const Frame& frame) { return {0, 3 + frame.statistics.significant_wave_height_m, 0}; }
 
 }  // namespace
@@ -61,7 +62,7 @@ void SeaScene::schedule(double time_s, bool hashed) {
     if (hashed)
         ocean_.schedule(time_s);
     else
-        ocean_.schedule(time_s, renderer_.map_textures());  // straight into a buffer of the driver's
+        ocean_.schedule(time_s, renderer_.map_textures());  // directly into a pixel buffer
 }
 
 void SeaScene::complete() {

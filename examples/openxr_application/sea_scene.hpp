@@ -1,4 +1,4 @@
-// The sea around the headset's wearer.
+// The sea around the user of the headset.
 #pragma once
 
 #include <array>
@@ -13,18 +13,21 @@ namespace openxr_application {
 
 class SeaScene {
    public:
-    /// Bakes spectrum and sky: some seconds. Throws std::invalid_argument for a sea that can't be.
-    /// \param multiview  it is drawn into both layers of a framebuffer at once
+    /// Computes the spectrum and the sky, which takes some seconds.
+    /// \param multiview  true if both layers of a framebuffer are drawn in one pass
+    /// \throws std::invalid_argument  if the sea's options are invalid
     SeaScene(const pelagic::SeaState& sea, const pelagic::QuadtreePreset& quality, const pelagic::gl::Functions& gl,
              bool multiview);
 
-    /// Starts the sea of that time on other threads. \param hashed  the frame keeps all that pelagic::hash_of() takes
+    /// Schedules the frame of a time on other threads.
+    /// \param hashed  true if the frame keeps all data that pelagic::hash_of() needs
     void schedule(double time_s, bool hashed);
-    /// Waits for it and hands it to the GPU. What is scheduled has to be completed.
+    /// Waits for the scheduled frame and uploads it. Every scheduled frame must be completed.
     void complete();
-    /// The frame completed last.
+    /// Returns the frame completed last.
     const pelagic::Frame& frame() const { return *frame_; }
-    /// Draws it for both eyes into `images`: one selection, then a pass, or two.
+    /// Draws the frame for both eyes into `images`: one selection, then one pass with multiview,
+    /// else two.
     void draw(const std::array<XrView, 2>& eyes, const EyeImages& images);
 
    private:

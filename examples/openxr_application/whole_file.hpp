@@ -1,4 +1,4 @@
-// A file that is there whole or not at all.
+// Atomic writing of files.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,8 @@
 
 namespace openxr_application {
 
-/// Beside the file first, which what was there before outlives. Throws std::runtime_error.
+/// Writes a temporary file and renames it, so that a failure keeps an existing file.
+/// \throws std::runtime_error  if the file cannot be written
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace openxr_application
