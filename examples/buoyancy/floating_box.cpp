@@ -110,7 +110,7 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
     water_velocity_mps_ = mean_velocity;
 
     const double box_kg = water_density_kgpm3 * face_m2_.y * size_m_.y;  // full of water
-    const double rise = upward_.y * size_m_[along_];                     // height difference of a column's ends
+    const double rise = upward_.y * size_m_[along_];                     // height of a column
     double submerged = 0;
     glm::dvec3 force = -options_.mass_kg * gravity_mps2 * up, torque{};
     for (std::size_t column = 0; column < count; ++column) {

@@ -10,16 +10,16 @@
 //
 //   weight       m g
 //   pressure     rho V (g up + a) at the middle of a column's submerged volume V; a is the water's
-//                acceleration. The pressure gradient is rho (g + a), Euler's equation. It is normal to
-//                the surface, where the pressure is constant. A boat much smaller than a wave therefore
-//                slides and heels with the slope (W. Froude, "On the rolling of ships", 1861). A vertical
-//                force alone would do neither. At rest it is Archimedes' buoyancy.
+//                acceleration. The pressure gradient is rho (g + a), Euler's equation. It is normal
+//                to the surface, where the pressure is constant. A boat much smaller than a wave
+//                therefore slides and heels with the slope (W. Froude, "On the rolling of ships",
+//                1861). A vertical force alone would do neither. At rest it is Archimedes'.
 //   added mass   A (a - dv/dt), the inertia of displaced water. Together with `pressure` it is
-//                G. I. Taylor's force on a small body in a stream (Proc. Roy. Soc. A 120, 1928): long
-//                waves carry the box with them for any A.
-//   drag         1/2 rho Cd S |w| w along each axis of the box; w is the water's velocity relative to the
-//                column, as in Morison's equation (Faltinsen, Sea Loads on Ships and Offshore Structures,
-//                1990, chapter 7)
+//                G. I. Taylor's force on a small body in a stream (Proc. Roy. Soc. A 120, 1928):
+//                long waves carry the box with them for any A.
+//   drag         1/2 rho Cd S |w| w along each axis of the box; w is the water's velocity relative
+//                to the column, as in Morison's equation (Faltinsen, Sea Loads on Ships and
+//                Offshore Structures, 1990, chapter 7)
 //   radiation    c w along the vertical, a fraction of heave's critical damping (ibid., chapter 3)
 //
 // Only + - * / and sqrt are used, so results are bit-identical on every machine.
@@ -47,7 +47,7 @@ struct BoxOptions {
     double height_m = 1;          ///< (0, 1000]
     double beam_m = 2;            ///< (0, 1000]
     double mass_kg = 2000;        ///< positive, and less than the mass of water of the box's volume
-    double centre_of_mass_m = 0;  ///< above the box's middle; ballast makes it negative; within the box
+    double centre_of_mass_m = 0;  ///< above the box's middle, negative with ballast; within the box
     /// Moments of inertia about the axes through the centre of mass, positive; unset: those of a
     /// solid box.
     std::optional<glm::dvec3> inertia_kgm2 = {};

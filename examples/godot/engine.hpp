@@ -1,4 +1,4 @@
-// The engine's values and methods, as C++ likes them: owned, typed, looked up once.
+// C++ wrappers of the engine's values and methods: owned, typed, and looked up once.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace pelagic::godot {
 
-/// Of the process; set before anything else is used.
+/// The engine's functions of this process. Set them before any other use of this header.
 void set_core_api(const CoreApi* api);
 const CoreApi& core_table();
 
@@ -34,7 +34,7 @@ class Text {
 
     std::string utf8() const;
     const String& string() const { return string_; }
-    String copied_out() const;  ///< for the engine to keep
+    String copied_out() const;  ///< returns a copy that the engine owns
 
    private:
     alignas(8) String string_;
@@ -60,7 +60,7 @@ class Value {
     ~Value() { call(core::variant_destroy, &variant_); }
 
     const Variant& variant() const { return variant_; }
-    /// For the engine to keep.
+    /// Returns a copy that the engine owns.
     Variant handed_over() const {
         Variant copy;
         call(core::variant_new_copy, &copy, &variant_);
@@ -71,7 +71,7 @@ class Value {
     alignas(8) Variant variant_;
 };
 
-/// A Dictionary that is filled and handed over.
+/// A Dictionary that is filled and passed to the engine.
 class Table {
    public:
     Table() { call(core::dictionary_new, &dictionary_); }
@@ -88,7 +88,7 @@ class Table {
     alignas(8) Dictionary dictionary_;
 };
 
-/// The functions of the kinds of pool arrays.
+/// The functions of each type of pool array.
 template <class Element>
 struct PoolFunctions;
 template <>
@@ -127,7 +127,7 @@ struct PoolFunctions<Vector3> {
     static constexpr auto to_variant = core::variant_new_pool_vector3_array;
 };
 
-/// A PoolByteArray, PoolIntArray, PoolRealArray or PoolVector3Array of given elements.
+/// A PoolByteArray, PoolIntArray, PoolRealArray or PoolVector3Array of some elements.
 template <class Element>
 class Pool {
     using Functions = PoolFunctions<Element>;
@@ -166,8 +166,9 @@ class Pool {
     std::size_t count_;
 };
 
-/// A method of one of the engine's classes. Arguments and result are as its description says, with int as std::int64_t, float as double
-/// and objects as Object*. A result that is a reference belongs to the caller: Held.
+/// A method of one of the engine's classes. Types of arguments and result are those of the engine's
+/// description, with int as std::int64_t, float as double and objects as Object*. The caller owns a
+/// result that is a reference: use Held.
 class Method {
    public:
     Method(const char* of_class, const char* name) : class_(of_class), name_(name) {}
@@ -178,7 +179,7 @@ class Method {
         if constexpr (std::is_void_v<Result>) {
             call(core::method_bind_ptrcall, bind(), object, pointers, nullptr);
         } else {
-            // The engine writes a bool as a byte and nothing shorter than it says.
+            // The engine writes a bool as one byte.
             alignas(8) unsigned char room[sizeof(Result) < 8 ? 8 : sizeof(Result)] = {};
             call(core::method_bind_ptrcall, bind(), object, pointers, static_cast<void*>(room));
             Result result;
@@ -186,7 +187,7 @@ class Method {
             return result;
         }
     }
-    /// With any number of arguments, as scripts call it.
+    /// Calls the method with any number of arguments, as scripts do.
     void with_values(Object* object, std::span<const Variant* const> arguments) const;
 
    private:
@@ -202,11 +203,11 @@ class Method {
     mutable MethodBind* bind_ = nullptr;
 };
 
-/// A Reference: an object that lives as long as somebody holds it.
+/// A Reference: a reference-counted object.
 class Held {
    public:
     Held() = default;
-    /// \param object  counted for us already, as a method returns it
+    /// \param object  an object whose count already includes this reference, as methods return it
     explicit Held(Object* object) : object_(object) {}
     static Held made(const char* class_name);
     ~Held() { let_go(); }
@@ -222,7 +223,7 @@ class Held {
     Object* object_ = nullptr;
 };
 
-/// A line in the engine's output.
+/// Prints a line to the engine's output.
 void print_line(std::string_view line);
 
 }  // namespace pelagic::godot

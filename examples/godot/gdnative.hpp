@@ -1,16 +1,18 @@
-// What the library uses of Godot 3.2's C interface, GDNative. No package has its headers; this says the same for as much of it
-// as is used here, after the engine's own description of it (gdnative_api.json).
+// Declarations of Godot 3.2's C interface GDNative that this library uses. No package provides its
+// headers, so these declarations follow the engine's description (gdnative_api.json).
 //
-// The engine hands out one table of functions, whose order never changes within a major version: later versions chain tables of their own
-// behind it. So a function is its number in the table and its type.
+// The engine provides one table of functions, whose order is fixed within a major version; later
+// versions append further tables. A function is therefore identified by its index in the table and
+// its type.
 #pragma once
 
 #include <cstdint>
 
 namespace pelagic::godot {
 
-// The engine's values, as large as it says, with nothing of them known. Plain bytes without an alignment, as it declares them: it lays out
-// structs of them so, and hands some over by value, for which a class, or floats in the place of bytes, would take other registers.
+// Opaque values of the engine with the engine's sizes. They are plain bytes without alignment, as
+// the engine declares them: its structs have that layout, and it passes some by value. A class, or
+// floats instead of bytes, would be passed in other registers.
 struct Variant {
     std::uint8_t bytes[24];
 };
@@ -39,7 +41,7 @@ struct Access;      // to the elements of a pool array
 struct Object;      // of any class
 struct MethodBind;  // a method of a class
 
-// Known ones, handed over by pointer alone.
+// Values with known members, which are passed by pointer only.
 struct Vector2 {
     float x, y;
 };
@@ -79,7 +81,7 @@ using Function = void (*)();
 struct ApiVersion {
     unsigned major, minor;
 };
-/// What every table begins with.
+/// The beginning of every table.
 struct ApiTable {
     unsigned type;  ///< 0 core, 1 NativeScript
     ApiVersion version;
@@ -94,7 +96,7 @@ struct CoreApi {
     Function functions[core_functions];
 };
 
-/// One of them.
+/// A function of the table.
 template <class Signature>
 struct CoreFunction {
     int number;
@@ -163,9 +165,9 @@ inline constexpr CoreFunction<void(const String*)> print{743};
 
 }  // namespace core
 
-// ---- NativeScript: classes that a library brings --------------------------------------------------------------------------
+// ---- NativeScript: classes of a library ------------------------------------------------------
 
-/// What is called, what it is handed beside its own arguments, and what frees that.
+/// A callback, its user data, and the function that frees the user data.
 struct CreateFunction {
     void* (*call)(Object* self, void* data);
     void* data;
@@ -233,7 +235,7 @@ struct NativeScriptApi {
     void* (*get_userdata)(Object* instance);
 };
 
-/// What godot_gdnative_init() is handed.
+/// The argument of godot_gdnative_init().
 struct InitOptions {
     bool in_editor;
     std::uint64_t core_hash, editor_hash, no_hash;

@@ -1,4 +1,4 @@
-// What the engine finds in the library: it starts it, and asks it for its one class.
+// Entry points of the library: initialisation and registration of its class.
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -18,7 +18,7 @@ constexpr const char* class_name = "PelagicOcean";
 
 const NativeScriptApi* nativescript = nullptr;
 
-/// No exception leaves the library: it becomes a line.
+/// Catches exceptions and prints them, because no exception may leave the library.
 template <class Work>
 auto guarded(OceanNode& node, const Work& work) -> decltype(work()) {
     try {
@@ -49,7 +49,7 @@ Variant get_property(Object*, void* data, void* instance) {
     return static_cast<const Property*>(data)->get(node_of(instance)).handed_over();
 }
 
-/// What a script calls. Returns nil if it can't be answered.
+/// A method for scripts. Returns nil if the call fails.
 struct ScriptMethod {
     const char* name;
     std::vector<VariantType> arguments;
@@ -183,7 +183,7 @@ PELAGIC_GODOT_EXPORT void godot_gdnative_terminate(void*) {}
 
 PELAGIC_GODOT_EXPORT void godot_nativescript_init(void* library) {
     using namespace pelagic::godot;
-    if (!nativescript) return;  // godot_gdnative_init() has said why
+    if (!nativescript) return;  // godot_gdnative_init() has reported the reason
     const auto create = [](Object* self, void*) -> void* { return new OceanNode(self); };
     const auto destroy = [](Object*, void*, void* instance) { delete static_cast<OceanNode*>(instance); };
     nativescript->register_class(library, class_name, "Spatial", {create, nullptr, nullptr},

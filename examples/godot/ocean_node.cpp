@@ -11,12 +11,13 @@
 namespace pelagic::godot {
 namespace {
 
-// Behind the scripts of a scene, which move cameras.
+// Runs after the scripts of a scene, which move cameras.
 constexpr std::int64_t after_scripts = 1000;
 
-/// The engine without a window has nothing to draw with, and says so for each texture.
+/// Returns true for the engine's server build, which cannot draw and would report an error for each
+/// texture.
 bool is_server() {
-    // The class behind the name OS is called otherwise.
+    // The class of the singleton OS is named _OS.
     static const bool is =
         Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
     return is;
@@ -59,7 +60,7 @@ bool OceanNode::make_ocean() {
     is_stale_ = false;
     const SeaState sea = sea_of(settings_);
     if (const std::string reason = check(sea); !reason.empty()) {
-        reject(reason);  // fields that don't go together; the sea there is stays
+        reject(reason);  // invalid combination of fields; the current sea stays
         return ocean_ != nullptr;
     }
     drawing_.reset();

@@ -1,4 +1,5 @@
-// The node PelagicOcean: a sea with the engine's clock, properties that are checked, answers about its surface, and its drawing.
+// The node PelagicOcean: a sea that follows the engine's clock, with checked properties, surface
+// queries and rendering.
 #pragma once
 
 #include <functional>
@@ -20,19 +21,19 @@ class OceanNode {
    public:
     explicit OceanNode(Object* self) : self_(self) {}
 
-    // ---- what the engine calls
+    // ---- callbacks of the engine
 
     void enter_tree();
     void exit_tree();
-    /// Shows the frame that was computed since the last call, and starts the next one.
+    /// Displays the frame computed since the last call and schedules the next one.
     void process(double seconds);
 
-    // ---- properties; what can't be taken is refused in one line, and the old value stays
+    // ---- properties; an invalid value is reported in one line and does not change the property
 
     const OceanSettings& settings() const { return settings_; }
-    /// The sea is made anew before the next frame or answer.
+    /// Recreates the ocean before the next frame or query.
     void change(const std::function<void(OceanSettings&)>& change);
-    /// Says why a value is not taken: a line in the output, and the signal `refused` with it.
+    /// Reports an invalid value: prints a line and emits the signal `refused` with it.
     void reject(std::string_view line) const;
 
     double time_s() const { return time_s_; }
@@ -42,21 +43,22 @@ class OceanNode {
     const Value& material() const { return *material_; }
     void set_material(const Variant& material);
 
-    // ---- answers, about the frame of time_s(); nothing if there can be no such sea
+    // ---- queries of the frame of time_s(); empty results if the sea's options are invalid
 
     std::optional<std::uint64_t> hash();
     std::optional<float> height_at(const Vector3& place);
-    /// Arrays as long as the places: height, normal, and velocity where the node has velocities.
+    /// Returns arrays of height, normal and, if the node has velocities, velocity: one element per
+    /// position.
     std::unique_ptr<Table> query(std::span<const Vector3> places);
-    /// hit, distance, position, normal.
+    /// Returns hit, distance, position and normal.
     std::unique_ptr<Table> first_hit(const Vector3& origin, const Vector3& direction, double reach_m);
-    /// Significant wave height of the model, metres.
+    /// Returns the model's significant wave height in metres.
     std::optional<double> significant_wave_height_m();
 
    private:
     bool make_ocean();
     void start(double time_s);
-    /// The frame of time_s_; null if there is no sea.
+    /// Returns the frame of time_s_; null if there is no sea.
     const Frame* frame();
     void draw(const Frame& frame);
     SurfaceQuery query_of(const Frame& frame) const;
@@ -64,12 +66,12 @@ class OceanNode {
     Object* self_;
     OceanSettings settings_;
     std::unique_ptr<Ocean> ocean_;
-    bool is_stale_ = true;  ///< the ocean is another than settings_ want
+    bool is_stale_ = true;  ///< the ocean differs from settings_
     double time_s_ = 0;
     bool is_playing_ = true;
     std::optional<Frame> frame_;
-    bool is_awaited_ = true;           ///< frame_ is not yet that of time_s_
-    std::optional<double> in_flight_;  ///< of which time
+    bool is_awaited_ = true;           ///< frame_ is older than time_s_
+    std::optional<double> in_flight_;  ///< time of the scheduled frame
     std::unique_ptr<Value> material_ = std::make_unique<Value>();
     std::unique_ptr<SeaDrawing> drawing_;
     std::vector<double> x_, z_;

@@ -11,7 +11,7 @@ namespace {
 
 double number(const Variant& value) { return call(core::variant_as_real, &value); }
 
-/// A number of the settings that takes what `accepts` says.
+/// A numeric property whose values `accepts` checks.
 Property number_property(std::string name, VariantType type, std::string range, PropertyHint hint,
                          std::function<double(const OceanSettings&)> get,
                          std::function<void(OceanSettings&, double)> set, std::function<bool(double)> accepts,
@@ -28,7 +28,7 @@ Property number_property(std::string name, VariantType type, std::string range, 
     return {name, type, hint, std::move(range), value_of, take, accepted};
 }
 
-/// A field of the sea, with the range that the sea's own table has.
+/// A property of a SeaState field, with the range in sea_state_fields().
 Property sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
     const auto fields = sea_state_fields();
     const auto field =
@@ -67,7 +67,7 @@ Property flag(std::string name, bool OceanSettings::*member) {
             "true or false"};
 }
 
-/// One of some names.
+/// A property with a list of names.
 Property choice(std::string name, std::string names, std::string OceanSettings::*member,
                 std::function<bool(std::string_view)> is_one) {
     return {name,

@@ -1,4 +1,4 @@
-// The properties of PelagicOcean as a table: name, kind, hint and default for the editor, and how each is read and set.
+// Table of the properties of PelagicOcean: name, type, editor hint, default, getter and setter.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,13 @@ struct Property {
     PropertyHint hint;
     std::string hint_text;
     std::function<Value(const OceanNode&)> get;
-    /// Takes the value, or refuses it. The kind is right, but for a number of the other kind.
+    /// Sets the value or rejects it. The value has the property's type, but may be an int for a
+    /// float or vice versa.
     std::function<void(OceanNode&, const Variant&)> set;
-    std::string accepted;  ///< in words, for a value of another kind
+    std::string accepted;  ///< accepted values, for the message about a wrong type
 };
 
-/// In the order in which the editor shows them.
+/// Returns the properties in the order of the editor.
 const std::vector<Property>& properties();
 
 }  // namespace pelagic::godot

@@ -1,5 +1,6 @@
-// The vertex shader does what quadtree/patch_vertex.hpp does, so instances carry the numbers of a PatchInstance: the place in
-// steps in the origin of the engine's transform, the weights in its colour and custom data.
+// The vertex shader computes the same as quadtree/patch_vertex.hpp, so instances carry the fields
+// of a PatchInstance: the position in steps as the origin of the engine's transform, the weights as
+// its colour and custom data.
 #include "pelagic/examples/godot/sea_drawing.hpp"
 
 #include <algorithm>
@@ -44,7 +45,8 @@ const Method create_from_data("Image", "create_from_data");
 
 struct View {
     glm::dvec3 viewer_m;
-    std::optional<glm::dmat4> clip_from_world;  ///< none: a frustum that leans, of which nothing is culled
+    /// Unset for oblique frusta, for which nothing is culled.
+    std::optional<glm::dmat4> clip_from_world;
 };
 
 View view_of(Object* camera, Object* viewport) {
@@ -79,8 +81,9 @@ View view_of(Object* camera, Object* viewport) {
     return view;
 }
 
-/// A layer a cascade. Not anisotropic: what a square of texels averages away is roughness (sim/slope_sum.hpp), and a driver without a
-/// GPU would take fifty times as long.
+/// Creates a texture array with one layer per cascade. Anisotropic filtering is off: the shading
+/// represents filtered slopes as roughness (sim/slope_sum.hpp), and a software driver would be
+/// fifty times slower.
 Rid texture_array(Object* server, const Frame& frame, std::int64_t format) {
     const Rid texture = texture_create.on<Rid>(server);
     const std::int64_t side = frame.cascades[0].resolution();
@@ -115,7 +118,8 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
         const PatchMesh::Range& range = mesh.ranges[stitches];
         patches_[stitches] = batch_of(vertices, std::span(mesh.indices).subspan(range.first, range.count));
     }
-    // The shader knows the skirt's by their height: x is t, y is 1 at the border and 2 outside.
+    // The shader identifies skirt vertices by their height: x is t, y is 1 at the border and 2
+    // outside.
     std::vector<Vector3> border;
     for (int t = 0; t <= options.vertices; ++t)
         for (const float outer : {0.f, 1.f}) border.push_back({static_cast<float>(t), 1 + outer, 0});
@@ -139,7 +143,7 @@ SeaDrawing::~SeaDrawing() {
 }
 
 SeaDrawing::Batch SeaDrawing::batch_of(std::span<const Vector3> vertices, std::span<const std::uint16_t> indices) {
-    // The engine's front faces are clockwise, ours are not.
+    // The engine's front faces are clockwise, Pelagic's counter-clockwise.
     Pool<int> clockwise(indices.size());
     clockwise.fill([&](std::span<int> room) {
         for (std::size_t i = 0; i < room.size(); i += 3) {
@@ -169,7 +173,7 @@ SeaDrawing::Batch SeaDrawing::batch_of(std::span<const Vector3> vertices, std::s
     multimesh_set_mesh.on(server_, batch.multimesh, batch.mesh);
     const Held world(get_world.on<Object*>(node_));
     batch.instance = instance_create.on<Rid>(server_, batch.multimesh, get_scenario.on<Rid>(world.object()));
-    // The quadtree has culled already.
+    // The quadtree culls patches, so the engine must not.
     constexpr float far_m = 1e6f;
     instance_set_box.on(server_, batch.instance, Box{{-far_m, -far_m, -far_m}, {2 * far_m, 2 * far_m, 2 * far_m}});
     instance_set_material.on(server_, batch.instance, material_);
@@ -194,7 +198,7 @@ void SeaDrawing::show(Batch& batch, bool is_visible) {
         multimesh_allocate.on(server_, batch.multimesh, static_cast<std::int64_t>(batch.room), transform_3d,
                               color_float, custom_float);
     }
-    batch.floats.resize(batch.room * floats_an_instance);  // the engine takes all or none
+    batch.floats.resize(batch.room * floats_an_instance);  // the engine requires all instances
     const Pool<float> floats(batch.floats);
     multimesh_set_bulk.on(server_, batch.multimesh, floats.array());
     multimesh_set_visible.on(server_, batch.multimesh, static_cast<std::int64_t>(count));
@@ -239,7 +243,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
         const double side = cascade.grid.side_m;
         const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
         const std::string number = std::to_string(i);
-        // A texture's texels have their middles half a texel further than where they rest.
+        // The centre of a texture's texel is half a texel from its reference position.
         set(("cascade_place_" + number).c_str(),
             Value(floats(fraction(at.along / side + 0.5 / resolution), fraction(at.across / side + 0.5 / resolution),
                          cascade.grid.cosine / side, cascade.grid.sine / side)));

@@ -1,4 +1,5 @@
-// The sea in the engine's own scene: patches of the quadtree as instances of meshes, and a frame's cascades as textures of a material.
+// Rendering of the sea in the engine's scene: quadtree patches as mesh instances, cascades as
+// textures of a material.
 #pragma once
 
 #include <array>
@@ -13,23 +14,23 @@ namespace pelagic::godot {
 
 class SeaDrawing {
    public:
-    /// \param node      in the tree, of whose world and camera it draws
-    /// \param material  its shader is addons/pelagic/sea.shader, or has its uniforms
-    /// \param frame     all frames have as many cascades and texels
+    /// \param node      a node in the scene tree, which defines the world and the camera
+    /// \param material  a material with addons/pelagic/sea.shader or a shader with its uniforms
+    /// \param frame     any frame; all frames must have equal numbers of cascades and texels
     SeaDrawing(Object* node, Rid material, const QuadtreeOptions& options, const Frame& frame);
     ~SeaDrawing();
     SeaDrawing(const SeaDrawing&) = delete;
     SeaDrawing& operator=(const SeaDrawing&) = delete;
 
-    /// From the node's viewport's current camera; nothing without one.
+    /// Draws for the current camera of the node's viewport. Draws nothing without a camera.
     void draw(const Frame& frame);
 
    private:
-    /// A mesh, its instances, and what stands in the scene for them.
+    /// A mesh, its instances, and their objects in the scene.
     struct Batch {
         Rid mesh{}, multimesh{}, instance{};
-        std::size_t room = 0;       ///< instances that the engine has memory for
-        std::vector<float> floats;  ///< of the instances, as the engine takes them
+        std::size_t room = 0;       ///< capacity of the engine's buffer in instances
+        std::vector<float> floats;  ///< instance data in the engine's layout
     };
 
     Batch batch_of(std::span<const Vector3> vertices, std::span<const std::uint16_t> indices);

@@ -6,7 +6,7 @@
 namespace pelagic::godot {
 namespace {
 
-// As the command line turns degrees into radians, so that both have one sea.
+// Equal to the command line's conversion factor, so that both have bit-identical seas.
 constexpr double degree = 3.14159265358979323846 / 180;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the editor shows of a PelagicOcean, and what it becomes: a sea, how it is computed and how finely it is drawn.
+// Settings of a PelagicOcean in the editor: the sea, its computation and its level of detail.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 namespace pelagic::godot {
 
 struct OceanSettings {
-    /// "custom", or a sea_presets() name, whose wind speed, fetch, choppiness and swell count then, not those of `sea`.
+    /// "custom", or a name of sea_presets(), whose wind speed, fetch, choppiness and swell replace
+    /// those of `sea`.
     std::string preset = "custom";
-    SeaState sea;  ///< but for its directions
+    SeaState sea;  ///< all options but the directions
     double wind_direction_deg = 0;
     double swell_direction_deg = 0;
-    int threads = 0;  ///< the engine's own included; 0: one per core
+    int threads = 0;  ///< number of threads including the engine's; 0: one per core
     bool foam = true;
     bool velocities = false;
-    std::string interpolation = "linear";  ///< of answers between texels, or "cubic"
-    std::string quality = "medium";        ///< of the mesh: a quadtree_presets() name
-    double size_m = 2048;                  ///< of the square that has waves, around the camera
+    std::string interpolation = "linear";  ///< interpolation of queries: "linear" or "cubic"
+    std::string quality = "medium";        ///< level of detail, a name of quadtree_presets()
+    double size_m = 2048;                  ///< side of the square of waves around the camera
 };
 
 inline constexpr std::string_view no_preset = "custom";
-/// "low", "medium", "high" and "ultra".
+/// Returns "low", "medium", "high" and "ultra".
 bool is_quality(std::string_view name);
 
 SeaState sea_of(const OceanSettings& settings);
