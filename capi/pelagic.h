@@ -1,4 +1,4 @@
-/* Pelagic for C and for whatever can call C: an open sea on CPU jobs and SIMD.
+/* C interface of Pelagic: FFT ocean waves on the CPU, multithreaded and vectorised.
  *
  *   pelagic_sea sea = {.struct_size = sizeof sea};
  *   pelagic_frame frame = {.struct_size = sizeof frame};
@@ -8,50 +8,61 @@
  *   if (pelagic_ocean_create(&sea, NULL, &ocean) != PELAGIC_OK) die(pelagic_last_error());
  *   pelagic_ocean_schedule(ocean, 0);
  *   for (t = 0; drawing; t += 1.0 / 90) {
- *       pelagic_ocean_complete(ocean, &frame);           // the frame scheduled last
- *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);     // the next is computed while this one is drawn
+ *       pelagic_ocean_complete(ocean, &frame);        // the frame scheduled last
+ *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);  // computes the next frame during drawing
  *       for (i = 0; i < frame.cascade_count; ++i) {
  *           pelagic_cascade cascade = {.struct_size = sizeof cascade};
- *           pelagic_ocean_cascade(ocean, i, &cascade);         // of the frame completed last
+ *           pelagic_ocean_cascade(ocean, i, &cascade);  // of the frame completed last
  *           upload(cascade.displacement_rgba16f, cascade.slopes_rgba8, cascade.moments_rgba8);
  *       }
  *   }
  *   pelagic_ocean_destroy(ocean);
  *
- * The sea is the one of the C++ interface, bit for bit.
+ * Results are bit-identical to those of the C++ interface.
  *
- * Conventions. SI units, named in each field; right-handed, +y up, rest level y = 0; angles in radians; time in seconds.
+ * Conventions. SI units, named in each field. Right-handed axes, +y up, rest level y = 0. Angles in
+ * radians, time in seconds.
  *
- * Errors. Every function that can fail returns a pelagic_status. Unless that is PELAGIC_OK, nothing was written through the
- * other arguments (but a handle that was not created is NULL), nothing has changed, and pelagic_last_error() has one line.
- * No exception crosses this interface. A NULL handle, or a NULL pointer that is not said to be optional, is
- * PELAGIC_INVALID_ARGUMENT. A handle that was destroyed, or a pointer to less memory than stated, can't be found out:
- * undefined.
+ * Errors. Every function that can fail returns a pelagic_status. Unless the status is PELAGIC_OK,
+ * the function has written nothing through its other arguments, except that a handle which could
+ * not be created is set to NULL. The objects are unchanged, and pelagic_last_error() returns one
+ * line that describes the error. No exception crosses this interface.
  *
- * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later versions add fields at
- * the end only, never into padding, and any size from that of a struct's first version to 4096 bytes is taken. Of an older, smaller
- * struct what is missing counts as 0 and is not written; of a newer, larger one what this library doesn't know has to be 0
- * where it is read, which tells that the application can do without it, and is set to 0 where it is written. Any other size is
- * PELAGIC_INVALID_ARGUMENT, and so is anything but 0 in a reserved field that the library reads.
+ * Any function may return PELAGIC_OUT_OF_MEMORY or PELAGIC_INTERNAL_ERROR. A NULL handle, or a NULL
+ * pointer that is not documented as optional, gives PELAGIC_INVALID_ARGUMENT. The comments of the
+ * functions do not repeat these errors. A destroyed handle, or a pointer to less memory than
+ * stated, cannot be detected: the behaviour is undefined.
  *
- * Threads. One thread at a time uses an ocean, and different oceans may be used side by side. Exceptions are the queries
- * (pelagic_ocean_query, _first_hit): any number of threads at once, also while that one thread schedules and completes
- * frames. An executor may be shared by oceans on any threads.
+ * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later
+ * versions add fields at the end only, never into padding. Sizes from that of the struct's first
+ * version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT.
+ *   If the struct is smaller than the library's (an older application), missing fields count as 0
+ *   and are not written.
+ *   If it is larger (a newer application), the fields that the library does not define must be 0
+ *   where it reads the struct, and are set to 0 where it writes the struct.
+ * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
- * Ownership. The caller destroys what pelagic_..._create made, in any order: an ocean keeps its executor alive. What a
- * pelagic_frame points to belongs to the ocean. Strings that are returned live as long as the library, but for the one of
- * pelagic_last_error().
+ * Threads. Each function's comment names one of two rules:
+ *   "one thread" (an object: "one thread per ocean"): one thread at a time calls such functions of
+ *   an object. Different objects may be used concurrently.
+ *   "any": any number of threads at once, also while another thread calls "one thread" functions.
+ * Oceans on different threads may share an executor.
  *
- * No allocation is made by schedule, poll, complete and queries after an ocean's first frame, unless its weather changes or more
- * is said of dynamic waves than ever before. What is as large as a frame
- * or a spectrum comes from pelagic_ocean_options.allocate, if that is there. */
+ * Lifetime. The caller destroys what a pelagic_..._create function made, in any order: an ocean
+ * keeps its executor alive. Memory that a pelagic_frame points to belongs to the ocean. Returned
+ * strings live as long as the library, except that of pelagic_last_error().
+ *
+ * Memory. After an ocean's first frame, schedule, poll, complete and queries allocate nothing,
+ * unless its forecast changes or more commands for dynamic waves are queued than ever before.
+ * Memory of the size of a frame or a spectrum comes from pelagic_ocean_options.allocate, if set. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* What the shared library exports. PELAGIC_STATIC is for applications that link libpelagic.a; PELAGIC_BUILDING is Pelagic's own. */
+/* Marks what the shared library exports. Applications that link libpelagic.a define PELAGIC_STATIC.
+ * Only Pelagic's own build defines PELAGIC_BUILDING. */
 #if defined(PELAGIC_STATIC)
 #define PELAGIC_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
@@ -74,34 +85,48 @@ extern "C" {
 #define PELAGIC_VERSION_MINOR 1
 #define PELAGIC_VERSION_PATCH 0
 
-/* The library's version, which may be later than the header's: major * 10000 + minor * 100 + patch. */
+/* Returns the library's version, major * 10000 + minor * 100 + patch, which may be later than the
+ * header's. Threads: any. */
 PELAGIC_API uint32_t pelagic_version(void);
 
 typedef int32_t pelagic_status;
 enum {
     PELAGIC_OK = 0,
-    PELAGIC_INVALID_ARGUMENT = 1, /* a value, handle, size or pointer that can't be used; the message names it */
-    PELAGIC_WRONG_ORDER = 2,      /* not now: for instance a second schedule without complete. Nothing has changed */
+    /* unusable value, handle, size or pointer; the message names it */
+    PELAGIC_INVALID_ARGUMENT = 1,
+    PELAGIC_WRONG_ORDER = 2, /* for instance a second schedule without complete */
     PELAGIC_OUT_OF_MEMORY = 3,
-    PELAGIC_SYSTEM_ERROR = 4,   /* the system has no more threads to give */
-    PELAGIC_INTERNAL_ERROR = 5, /* a mistake of Pelagic's: please report the message */
-    PELAGIC_APPLICATION_ERROR = 6      /* a callback of the application threw, or returned too early; the message says which */
+    PELAGIC_SYSTEM_ERROR = 4,     /* the system cannot create another thread */
+    PELAGIC_INTERNAL_ERROR = 5,   /* a bug in Pelagic: please report the message */
+    PELAGIC_APPLICATION_ERROR = 6 /* a callback threw or returned too early; the message names it */
 };
 
-/* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]", less than 300 bytes
- * of UTF-8 without control characters. Empty before the first failure; success leaves it as it is. Valid until the next
- * failure on this thread. */
+/* Returns the message of the last call that failed on this thread: "wind_speed_mps is -3, needs
+ * (0, 60]". The message is one line of UTF-8 without control characters, less than 300 bytes. It is
+ * empty before the first failure, and success leaves it unchanged.
+ *
+ * Threads: any; each thread has its own message.
+ * Lifetime: valid until the next failure on this thread. */
 PELAGIC_API const char* pelagic_last_error(void);
 
-/* Told of each failure, on the thread of the call that is about to return it; `message` is pelagic_last_error(). May call
- * Pelagic, but for what it is told of; what it throws is dropped. */
+/* Receives each failure, on the thread of the call that is about to return it.
+ *
+ * user: the pointer given to pelagic_set_error_callback().
+ * message: pelagic_last_error().
+ *
+ * The callback may call Pelagic, except the function whose failure it receives. Pelagic catches and
+ * ignores what the callback throws. */
 typedef void (*pelagic_error_callback)(void* user, pelagic_status status, const char* message);
 
-/* One for the process, whatever thread fails; NULL for none, as at first. Calls that are under way may still use the one
- * before. */
+/* Sets the error callback of the process, which receives the failures of all threads.
+ *
+ * callback: NULL for none, as at the start.
+ * user: passed to the callback.
+ *
+ * Threads: any. Calls in progress may still use the previous callback. */
 PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, void* user);
 
-/* ---- The sea ---------------------------------------------------------------------------------------------------- */
+/* ---- The sea --------------------------------------------------------------------------------- */
 
 enum {
     PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,
@@ -110,11 +135,7 @@ enum {
     PELAGIC_SPECTRUM_JONSWAP = 3
 };
 
-enum {
-    PELAGIC_WAVES_SPECTRUM = 0,
-    PELAGIC_WAVES_ANALYTIC = 1,
-    PELAGIC_WAVES_POND = 2
-};
+enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_POND = 2 };
 
 enum {
     PELAGIC_SPREADING_PAPER = 0,
@@ -123,73 +144,102 @@ enum {
     PELAGIC_SPREADING_DONELAN_BANNER = 3
 };
 
-/* What sea is wanted. Two machines with the same values and the same Pelagic have the same sea at the same time. */
+/* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all
+ * machines. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    int32_t spectrum;      /* PELAGIC_SPECTRUM_... */
-    int32_t resolution;    /* N, texels along a cascade; a power of two, 16 to 2048. 0: 128, with a patch_size_m 256 */
-    uint32_t seed;         /* which sea of this kind */
-    double patch_size_m;   /* the side of the one cascade; [0.001, 1e6]. 0: sides chosen from the sea */
-    double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
-    double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
-    double fetch_m;            /* how far the wind has blown over water (jonswap), 17,000 U10^2/g counts at most; (0, 2e6] */
-    double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
-    double choppiness;         /* 0 gives a height field; [0, 1] */
-    double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
-    double short_wave_cutoff;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
-    double wind_alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
-    double loop_period_s; /* T, the sea repeats exactly after this time; [0.1, 86400] */
-    /* Newer than the fields above. */
-    int32_t spreading;          /* PELAGIC_SPREADING_...; the spectrum phillips-paper takes no other than paper */
+    int32_t spectrum; /* PELAGIC_SPECTRUM_... */
+    /* N, texels along a side of a cascade; a power of two, 16 to 2048. 0: 128, or 256 if
+     * patch_size_m is set. */
+    int32_t resolution;
+    uint32_t seed; /* seed of the random phases and amplitudes */
+    /* side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea */
+    double patch_size_m;
+    double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
+    double wind_direction_rad; /* direction the wind blows towards, from +x to +z; [-2 pi, 2 pi] */
+    /* Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
+     * an effect; (0, 2e6]. */
+    double fetch_m;
+    double depth_m;    /* depth of the water; waves higher than 0.6 of it break; [0.01, 11000] */
+    double choppiness; /* scale of horizontal displacements; 0: a height field; [0, 1] */
+    /* GGX roughness of the waves that texels do not resolve, for the smoothness channel; [0, 1], or
+     * -1: derived from the wind. */
+    double roughness;
+    /* 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1] */
+    double short_wave_cutoff;
+    /* With 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    double wind_alignment;
+    /* T, the period after which the sea repeats exactly; [0.1, 86400] */
+    double loop_period_s;
+    int32_t spreading;          /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
     uint32_t reserved;          /* 0 */
-    double swell_height_m;      /* significant height of waves from elsewhere; 0: none; [0, 30] */
-    double swell_period_s;      /* at which their spectrum peaks; 0: 12, else [1, 40] */
-    double swell_direction_rad; /* where they run towards, as wind_direction_rad */
-    double swell_spread_rad;    /* standard deviation of their directions; 0: 15 degrees, else [pi/180, 4 pi/9] */
-    /* How many cascades hold the waves, each a band of them; 1 to 4. 0: chosen, four, or one where patch_size_m is set, where the
-     * resolution is 16 or the spectrum phillips-paper. More than one takes no patch_size_m. An application whose struct ends before
-     * it has one cascade. */
+    double swell_height_m;      /* significant wave height of the swell; 0: no swell; [0, 30] */
+    double swell_period_s;      /* peak period of the swell; 0: 12, else [1, 40] */
+    double swell_direction_rad; /* direction the swell runs towards, as wind_direction_rad */
+    /* standard deviation of its directions; 0: 15 deg, else [pi/180, 4 pi/9] */
+    double swell_spread_rad;
+    /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
+     * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
+     * patch_size_m. If struct_size ends before this field, the sea has one cascade. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
-    /* Which waves: PELAGIC_WAVES_... A pond (pond) is one cascade. What follows is of the others than a spectrum, which alone
-     * has spectrum, spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, swell and seed. */
+    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
+     * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
+     * other models use the fields below. */
     int32_t waves;
-    int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */
-    double longest_wave_m;  /* [0.02, 1000]. 0: 120, of a pond 1.2 */
-    double shortest_wave_m; /* [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th */
-    double wave_strength;   /* 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2] */
-    double wave_height_m;   /* significant height; (0, 30]. 0: what the strength makes */
-    double wave_drag;       /* how far a pond's long waves move its short ones; [0, 1] */
+    int32_t wave_count;     /* number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64 */
+    double longest_wave_m;  /* longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2 */
+    double shortest_wave_m; /* shortest wavelength; [0.01, 1000]. 0: longest / 60, of a pond / 45 */
+    double wave_strength;   /* 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2] */
+    double wave_height_m;   /* significant wave height; (0, 30]. 0: derived from wave_strength */
+    double wave_drag;       /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
 } pelagic_sea;
 
-/* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. An application whose struct ends before
- * `cascades` draws one cascade only and gets one: 256 texels on 250 m. */
+/* Sets every field but struct_size to its default.
+ *
+ * sea: resolution, patch_size_m and cascades become 0, which means a derived value. If struct_size
+ *   ends before `cascades`, the sea has one cascade of 256 texels and 250 m.
+ *
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
-/* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
- * "beaufort-0" to "beaufort-12". The one cascade of an older application has 256 texels on a quarter of the side that the coarsest of the
- * sea's cascades would have. */
+/* Sets every field but struct_size to those of a preset.
+ *
+ * name: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a wind force,
+ *   "beaufort-0" to "beaufort-12".
+ * sea: if struct_size ends before `cascades`, the one cascade has 256 texels, and a quarter of the
+ *   side of the coarsest cascade that the preset would have.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown name.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
-/* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */
+/* Checks the values of a sea.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if no ocean can be made of it; the message names the first
+ *   invalid field.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
 
-/* Heights, periods and directions of a sea. `expected` is the mean over all seeds of the waves that the cascades hold; `drawn` is of the waves
- * that this seed drew, the mean over a loop. 0 where a sea has no such figure. */
+/* Heights, periods and directions of a sea. Fields that begin with `expected` are means over all
+ * seeds, of the waves that the cascades hold. Fields that begin with `drawn` belong to the waves of
+ * this seed, as a mean over a loop. A value that a sea does not have is 0. */
 typedef struct pelagic_statistics {
     uint32_t struct_size;
     uint32_t reserved;
-    double expected_wave_height_m; /* significant, 4 sqrt(variance) */
+    double expected_wave_height_m; /* significant wave height, 4 sqrt(variance) */
     double drawn_wave_height_m;
-    double model_wave_height_m;    /* of all waves that the options ask for; 0 for phillips-paper, which has no scale */
-    double expected_peak_period_s; /* where the frequency spectrum peaks */
-    double drawn_peak_period_s;    /* Young 1995; of a sea with a swell that of the higher peak's part */
+    /* of all waves of the model; 0 for phillips-paper, without a scale */
+    double model_wave_height_m;
+    double expected_peak_period_s; /* period of the maximum of the frequency spectrum */
+    /* Young 1995; with a swell: of the system with the higher peak */
+    double drawn_peak_period_s;
     double peak_wavelength_m;
     double expected_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
     double drawn_tm01_s;
     double expected_tm02_s; /* sqrt(m0 / m2), also the mean period of upward zero crossings */
     double drawn_tm02_s;
-    double expected_direction_rad; /* where waves run towards, from +x towards +z, (-pi, pi] */
+    double expected_direction_rad; /* direction waves run towards, from +x to +z, (-pi, pi] */
     double drawn_direction_rad;
     double expected_spread_rad; /* directional spread, [0, sqrt(2)] */
     double drawn_spread_rad;
@@ -197,145 +247,202 @@ typedef struct pelagic_statistics {
     double slope_variance_across_wind;
     double expected_convergence_variance; /* of Dx,x + Dz,z */
     double drawn_convergence_variance;
-    double wind_sea_height_m;        /* expected; this and the next three of a spectrum with a swell */
-    double wind_sea_peak_period_s;   /* expected */
-    double swell_height_m;           /* expected */
-    double swell_peak_period_s;      /* expected */
-    double drawn_wind_sea_peak_period_s; /* likewise */
+    /* The next six fields are for spectra with a swell; the first four are expected values. */
+    double wind_sea_height_m;
+    double wind_sea_peak_period_s;
+    double swell_height_m;
+    double swell_peak_period_s;
+    double drawn_wind_sea_peak_period_s;
     double drawn_swell_peak_period_s;
-    double effective_fetch_m; /* jonswap: the fetch that counts, at most 17,000 U10^2 / g */
-    double repeats_after_m;   /* side of the coarsest cascade, after which the sea's long waves repeat */
+    double effective_fetch_m; /* jonswap: the fetch that has an effect, at most 17,000 U10^2 / g */
+    double repeats_after_m;   /* side of the coarsest cascade, the period of the longest waves */
 } pelagic_statistics;
 
-/* Sums over the spectrum of a sea: as long as creating an ocean of it takes. Thread-safe. PELAGIC_INVALID_ARGUMENT as
- * pelagic_sea_check(). */
+/* Computes statistics of a sea from its spectrum. Takes as long as creating an ocean of the sea.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT as pelagic_sea_check().
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics);
 
-/* ---- Where jobs run --------------------------------------------------------------------------------------------- */
+/* ---- Executors ------------------------------------------------------------------------------- */
 
 enum {
-    PELAGIC_EXECUTOR_DEFAULT = 0, /* oneTBB where the library was built with it, else threads */
-    PELAGIC_EXECUTOR_SERIAL = 1,  /* no threads: complete() does the work */
-    PELAGIC_EXECUTOR_THREADS = 2, /* a pool of its own */
-    PELAGIC_EXECUTOR_TBB = 3,     /* PELAGIC_INVALID_ARGUMENT if built without */
-    PELAGIC_EXECUTOR_APPLICATION = 4     /* the application's job system, through the callbacks below */
+    PELAGIC_EXECUTOR_DEFAULT = 0,    /* oneTBB if the library was built with it, else threads */
+    PELAGIC_EXECUTOR_SERIAL = 1,     /* no threads: complete() does the work */
+    PELAGIC_EXECUTOR_THREADS = 2,    /* a thread pool of the executor */
+    PELAGIC_EXECUTOR_TBB = 3,        /* PELAGIC_INVALID_ARGUMENT if built without oneTBB */
+    PELAGIC_EXECUTOR_APPLICATION = 4 /* the application's job system, through callbacks */
 };
 
-/* Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are done.
- * Called several times a frame, from complete() or from a submitted task. Jobs need 512 KiB of stack, and
- * 1 MiB for N = 2048 (exact figures: docs/architecture.md, Memory); one that finds less takes a thread of its own, which is
- * slow. If it throws, or returns while jobs are left, those are done by Pelagic, and complete() returns
- * PELAGIC_APPLICATION_ERROR; that frame or sea is lost, the ocean is not. A job that is called twice, or after its loop has
- * returned, does nothing, as long as the ocean is there. */
+/* Calls job(work, i) once for each i in [0, count), on any threads, concurrently or not, and
+ * returns after all calls have returned. Written by the application.
+ *
+ * user: pelagic_executor_options.user.
+ *
+ * Pelagic calls it several times a frame, from complete() or from a submitted task. Jobs need
+ * 512 KiB of stack, and 1 MiB for N = 2048 (exact sizes: docs/architecture.md, Memory). A job that
+ * finds less runs on a thread created for it, which is slow.
+ *
+ * Errors: if the function throws, or returns before all jobs are done, Pelagic runs the remaining
+ *   jobs and complete() returns PELAGIC_APPLICATION_ERROR. That frame or sea is lost; the ocean
+ *   remains usable. A job that is called twice, or after the function has returned, does nothing as
+ *   long as the ocean exists. */
 typedef void (*pelagic_parallel_for)(void* user, size_t count, void (*job)(void* work, size_t index), void* work);
 
-/* Calls task(work) once, on some other thread, soon; returns at once. A task may be called late, even after the ocean is
- * gone; called twice or never it does no harm. If this throws, complete() returns PELAGIC_APPLICATION_ERROR as above. */
+/* Schedules one call of task(work) on another thread and returns immediately. Written by the
+ * application.
+ *
+ * A task may run late, even after the ocean was destroyed. A task that never runs, or runs twice,
+ * does no harm.
+ *
+ * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR, as for
+ *   pelagic_parallel_for. */
 typedef void (*pelagic_submit)(void* user, void (*task)(void* work), void* work);
 
 typedef struct pelagic_executor_options {
     uint32_t struct_size;
     int32_t kind; /* PELAGIC_EXECUTOR_... */
-    /* Most threads at work on a frame, the completing one included; 1 leaves all work to complete(). 0: one per core (for
-     * threads with a mask, one per core of the mask; for an application, 1). [0, 1024] */
+    /* Maximum number of threads that work on a frame, the completing thread included; [0, 1024].
+     * With 1 complete() does all work. 0: one per core; of PELAGIC_EXECUTOR_THREADS with a mask,
+     * one per core of the mask; of PELAGIC_EXECUTOR_APPLICATION, 1. */
     int32_t threads;
     uint32_t reserved; /* 0 */
-    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows CPU i to the pool's threads; 0 allows all. */
+    /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows the pool's threads
+     * to run on CPU i; 0 allows all CPUs. */
     uint64_t cpu_mask;
-    pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_APPLICATION: must be there */
-    pelagic_submit submit;             /* optional: without it complete() begins the work */
-    void* user;                        /* handed to both; outlives every ocean of this executor */
+    pelagic_parallel_for parallel_for; /* required by PELAGIC_EXECUTOR_APPLICATION */
+    pelagic_submit submit;             /* may be NULL: work then begins in complete() */
+    /* passed to both; must outlive all oceans of this executor */
+    void* user;
 } pelagic_executor_options;
 
 typedef struct pelagic_executor pelagic_executor;
 
+/* Creates an executor, which may serve several oceans.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown or unavailable kind, a value out of range, or a
+ *   mask with a kind other than PELAGIC_EXECUTOR_THREADS; PELAGIC_SYSTEM_ERROR if the system cannot
+ *   create the threads.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_options* options,
                                                    pelagic_executor** executor);
 
-/* Oceans that use it keep what they need of it. NULL is ignored. */
+/* Releases the handle. Oceans that use the executor keep it alive.
+ *
+ * executor: may be NULL.
+ *
+ * Threads: one thread. */
 PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
-/* ---- The ocean -------------------------------------------------------------------------------------------------- */
+/* ---- The ocean ------------------------------------------------------------------------------- */
 
-/* `bytes`, more than 0, at a multiple of `alignment`, a power of two; NULL if there are none, which the call that needed them
- * returns as PELAGIC_OUT_OF_MEMORY. Called on the thread that creates an ocean or schedules another sea of it. */
+/* Allocates memory. Written by the application. Must return `bytes` bytes (more than 0) at a
+ * multiple of `alignment` (a power of two), or NULL.
+ *
+ * Errors: if it returns NULL, the call that needed the memory returns PELAGIC_OUT_OF_MEMORY.
+ * Threads: called on the thread that creates an ocean or schedules another sea of it. */
 typedef void* (*pelagic_allocate)(void* user, size_t bytes, size_t alignment);
 
-/* Takes back what pelagic_allocate gave, with the same figures; on the thread that destroys an ocean, or schedules or
- * completes another sea. Must not throw. */
+/* Releases what pelagic_allocate returned, with equal `bytes` and `alignment`. Written by the
+ * application. Must not throw.
+ *
+ * Threads: called on the thread that destroys an ocean, or schedules or completes another sea. */
 typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t alignment);
 
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
-    int32_t queries; /* not 0: frames can be asked about any point; N^2 / 8 bytes a cascade of a frame */
-    int32_t
-        velocities;    /* not 0: frames have velocities; 12 N^2 bytes a cascade of a frame, about twice the transforms */
-    uint32_t reserved; /* 0 */
+    /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a
+     * frame. */
+    int32_t queries;
+    /* Nonzero enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many
+     * transforms. */
+    int32_t velocities;
+    uint32_t reserved;                /* 0 */
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
-    const char* isa;          /* "sse4.2", "avx2", "avx512" or "neon"; NULL: PELAGIC_ISA, else the strongest */
+    /* "sse4.2", "avx2", "avx512" or "neon"; NULL: the environment variable PELAGIC_ISA, else the
+     * widest that the CPU supports. */
+    const char* isa;
     double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
-    /* Newer than the fields above. Both or neither; NULL: operator new. For spectra, planes, textures and maps, which is all that grows with
-     * N^2. Tables, handles and graphs, some 100 KB, and what executors need, threads and oneTBB, come from operator new. */
+    /* Allocator of spectra, planes, textures and maps, which is all memory that grows with N^2.
+     * Both functions or neither; NULL: operator new. Tables, handles and graphs (some 100 KB) and
+     * what executors need, threads and oneTBB, come from operator new. */
     pelagic_allocate allocate;
     pelagic_release release;
-    void* memory_user; /* handed to both; outlives the ocean */
-    /* Newer still. */
-    int32_t slopes;    /* not 0: a frame of one cascade has slopes and moments too; those of several always do */
-    int32_t gradients; /* not 0: cascades of several have a gradient chain of their own too; those of one always do */
-    /* Newer still. Not 0: frames remember foam. What breaks lasts for 2.9 seconds, fades and drifts. A frame then takes a tenth to a
-     * fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29 ticks, as long as
-     * ten to twenty frames. 5 N^2 bytes a cascade. With 0 the half floats hold only what breaks at that very moment. */
+    void* memory_user; /* passed to both; must outlive the ocean */
+    /* Nonzero adds slopes and moments to frames of one cascade; frames of several have them
+     * always. */
+    int32_t slopes;
+    /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
+    int32_t gradients;
+    /* Nonzero enables foam accumulation: foam of breaking waves drifts and fades over 2.9 seconds.
+     * A frame then takes 10 to 20 % longer, a frame with a tick (ten a second) a further 50 % or
+     * more, and a jump in time, which computes 29 ticks, as long as ten to twenty frames. 5 N^2
+     * bytes for each cascade. With 0 the half floats hold only the foam of waves that break at the
+     * frame's time. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
-    /* Newer still. Dynamic waves beside the waves of the wind, see below; NULL: none. Read before the call returns. */
+    /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
-    /* Newer still. A floor that waves feel, see below; NULL: none. Read before the call returns. */
+    /* A sea floor that refracts waves; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
-    /* Newer still. Waves that are added to those of the wind, in this order, see below; none of another ocean. The ocean keeps what it
-     * needs of them. */
+    /* Wave inputs, which are added to the waves of the wind in this order; none may belong to
+     * another ocean. The ocean keeps what it needs of them. */
     size_t input_count;
-    struct pelagic_input* const* inputs; /* `input_count` of them; may be NULL if that is 0 */
+    struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
 
-/* Bakes the spectrum. `options` may be NULL: all 0. */
+/* Creates an ocean and computes the spectrum of its sea.
+ *
+ * sea: checked as by pelagic_sea_check().
+ * options: may be NULL, which means that all fields are 0.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid sea or option; PELAGIC_SYSTEM_ERROR if the system
+ *   cannot create the threads; PELAGIC_APPLICATION_ERROR if a callback of the executor fails.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_options* options,
                                                 pelagic_ocean** ocean);
 
-/* Waits for work in flight. No query may be under way. NULL is ignored. */
+/* Waits for work in flight and destroys the ocean. No query may be in progress.
+ *
+ * ocean: may be NULL.
+ *
+ * Threads: one thread per ocean.
+ * Lifetime: pointers of its frames and the handle of its dynamic waves become invalid. */
 PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
 typedef struct pelagic_ocean_info {
     uint32_t struct_size;
     int32_t resolution; /* N, of each cascade */
-    int32_t threads;    /* most that work on a frame */
+    int32_t threads;    /* maximum number of threads that work on a frame */
     uint32_t reserved;
-    uint64_t memory_bytes; /* all that the ocean allocated, two frames and the spectrum included */
+    uint64_t memory_bytes; /* all memory of the ocean, two frames and the spectrum included */
     const char* isa;
-    const char* executor; /* "serial", "thread", "tbb" or "application" */
-    /* Newer than the fields above. */
+    const char* executor;  /* "serial", "thread", "tbb" or "application" */
     int32_t cascade_count; /* of every frame */
     uint32_t reserved_1;
 } pelagic_ocean_info;
 
+/* Writes the properties of an ocean. Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info);
 
-/* ---- Frames ----------------------------------------------------------------------------------------------------- */
+/* ---- Frames ---------------------------------------------------------------------------------- */
 
-/* A square of floats in blocks of a few columns: texel (i, j), column i and row j, is
- * data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
- * columns in a block depends on the instruction set. */
+/* A square array of floats in blocks of a few columns. Texel (i, j), column i and row j, is
+ * data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in
+ * floats. The number of columns in a block depends on the instruction set. */
 typedef struct pelagic_plane {
-    const float* data; /* NULL: the ocean was made without it */
+    const float* data; /* NULL if the ocean was made without this plane */
     int32_t resolution;
     int32_t block_columns;
     ptrdiff_t row_stride;
     ptrdiff_t block_stride;
 } pelagic_plane;
 
-/* Extremes of displacements, for culling boxes. Those of a cascade are exact; those of a frame are the sums of its cascades', exact
- * for one and upper bounds for several, whose extremes need not meet. */
+/* Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
+ * the sums over its cascades: exact for one cascade, upper bounds for several, whose extremes need
+ * not coincide. */
 typedef struct pelagic_bounds {
     float height_min_m;
     float height_max_m;
@@ -343,292 +450,412 @@ typedef struct pelagic_bounds {
     float horizontal_z_max_m; /* largest |Dz| */
 } pelagic_bounds;
 
-/* A frame is a stack of cascades, the coarsest first, and shows the first of them itself: all there is where cascade_count is 1. Then
- * texel (i, j) rests at x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz); metres. Where there are more, see
- * pelagic_cascade. */
+/* A frame, which is a stack of cascades, the coarsest first. The planes and textures here are those
+ * of the first cascade, which is the whole frame if cascade_count is 1. Texel (i, j) then has the
+ * undisplaced position x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz), in
+ * metres. With more cascades, see pelagic_cascade. */
 typedef struct pelagic_frame {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double time_s;
     double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
-    pelagic_plane velocity_x, velocity_y, velocity_z; /* metres a second; with pelagic_ocean_options.velocities */
-    /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 covered): rows are tight, 8 N bytes.
-     * The layout of GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. */
+    /* m/s; with pelagic_ocean_options.velocities */
+    pelagic_plane velocity_x, velocity_y, velocity_z;
+    /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 full), in tight
+     * rows of 8 N bytes. The layout is that of GL_RGBA16F with GL_HALF_FLOAT and of
+     * VK_FORMAT_R16G16B16A16_SFLOAT. NULL if it was written to texture targets. */
     const uint16_t* displacement_rgba16f;
-    /* A chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, rows tight, 4 bytes a texel: normal x, normal
-     * z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins gradient_offset[m] texels in. NULL and
-     * no levels in a frame of several cascades, unless pelagic_ocean_options.gradients. */
+    /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of
+     * 4 bytes a texel: normal x, normal z, Jacobian, smoothness. GL_RGBA8,
+     * VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel gradient_offset[m]. NULL and no levels in a
+     * frame of several cascades, unless pelagic_ocean_options.gradients is set. */
     const uint32_t* gradient_rgba8;
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
-    pelagic_bounds bounds; /* of all cascades together */
-    /* Newer than the fields above. */
-    uint32_t reserved_1; /* padding in the first version */
+    pelagic_bounds bounds; /* of the sum of all cascades */
+    uint32_t reserved_1;
     int32_t cascade_count;
-    /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no cascade holds.
-     * Smoothness is 1 - sqrt(roughness). */
+    /* GGX's alpha of unresolved waves, in [0, 1]: its square is the mean square of the slopes that
+     * no cascade holds. Smoothness is 1 - sqrt(roughness). */
     float roughness;
-    /* Newer still. How fast foam drifts over the sea, in the world's axes: with the wind and with the waves. */
+    /* Drift velocity of foam in the world's axes, by wind and waves. */
     double foam_drift_x_mps, foam_drift_z_mps;
 } pelagic_frame;
 
-/* One square of waves, which repeats over the whole sea along its own two axes. The cascades of a frame add: the water that rests
- * at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
+/* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The
+ * cascades of a frame add: the water with the undisplaced position (x, z) is drawn at
+ * (x + Dx, height, z + Dz), where each term is the sum over the cascades at that position.
  *
- * Places. L being side_m and N the resolution, texel (i, j), column i and row j, rests at
+ * Positions. L being side_m and N the resolution, texel (i, j), column i and row j, has the
+ * undisplaced position
  *
  *   x = (cosine i - sine j) L / N,  z = (sine i + cosine j) L / N.
  *
  * So (x, z) lies at column u N and row v N, both modulo N, with
  *
- *   u = (cosine x + sine z) / L,  v = (cosine z - sine x) / L;
+ *   u = (cosine x + sine z) / L,  v = (cosine z - sine x) / L.
  *
- * in a texture that repeats and whose texels' centres are half a texel in, at (u + 0.5 / N, v + 0.5 / N), whatever the level.
- * What the texels hold is in the world's axes, whatever the turn.
+ * In a repeating texture, whose texel centres are half a texel in, the texture coordinate is
+ * (u + 0.5 / N, v + 0.5 / N) at every level. Texels hold values in the world's axes, whatever the
+ * rotation.
  *
- * Slopes. Normals and Jacobians of a sum are no sums of normals and Jacobians, but derivatives add, and filters and levels may
- * come before it. Two chains like gradient_rgba8 hold them, four bytes a texel from the lowest up:
+ * Slopes. The normal and Jacobian of a sum of cascades are not the sums of theirs, but derivatives
+ * add, and filtering and mipmaps may be applied before the sum. Two chains like gradient_rgba8 hold
+ * derivatives, four bytes a texel from the lowest up:
  *
  *   slopes_rgba8   h_x, h_z, D_xx, D_zz         (byte - 128) / 127 * slope_range each
- *   moments_rgba8  D_xz                         the same
+ *   moments_rgba8  D_xz                         (byte - 128) / 127 * slope_range
  *                  var_xx, var_zz               byte / 255 * variance_range
  *                  cov_xz                       (byte - 128) / 127 * variance_range
  *
- * A texture has byte / 255. h_x is the height's derivative along x at rest, D_xz those of Dx along z and of Dz along x, which
- * are equal. The variances are of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker 2010): GGX's alpha^2
- * is var_xx + var_zz + pelagic_frame.roughness^2. With the sums of each over the cascades, the Jacobian J and a normal of any length are
+ * A texture sample returns byte / 255. h_x is the derivative of the height along x at the
+ * undisplaced position. D_xz is the derivative of Dx along z, which equals that of Dz along x. The
+ * variances are those of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker
+ * 2010): GGX's alpha^2 is var_xx + var_zz + pelagic_frame.roughness^2. With each quantity summed
+ * over the cascades, the Jacobian J and an unnormalised normal n are
  *
- *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,  n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
+ *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,
+ *   n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
- * Foam of the stack is at a point the largest of the cascades'. */
+ * The foam of a frame at a position is the largest foam of its cascades there. */
 typedef struct pelagic_cascade {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double side_m;      /* L */
-    /* Of the turn of the cascade's axes against the world's, from +x towards +z; 1 and 0: not turned. */
+    /* Of the angle by which the cascade's axes are rotated from +x to +z; 1 and 0: not rotated. */
     double cosine, sine;
-    /* As in pelagic_frame, of this cascade alone. */
+    /* Planes and textures as in pelagic_frame, of this cascade alone. */
     pelagic_plane dx, height, dz;
     pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
     const uint32_t* gradient_rgba8;
-    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes. */
+    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes is set. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
-    int32_t levels;            /* of each of the chains, if it is there */
-    uint32_t level_offset[12]; /* level m of any of them begins so many texels in */
+    int32_t levels;            /* number of levels of each chain that is not NULL */
+    uint32_t level_offset[12]; /* first texel of level m in each chain */
     pelagic_bounds bounds;
-    /* Water of the Jacobian J of the cascade alone makes foam of 1/2 + (whitecap_jacobian - J) / whitecap_ramp, within 0 and 1: as much
-     * of it, in the mean over time and while it lasts, as whitecaps cover in that wind, cascades together. -10 where the cascade makes
-     * none. */
+    /* A point with the Jacobian J of this cascade alone has the foam
+     * clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so that
+     * the foam of all cascades, with its decay, covers on average as much as whitecaps in that
+     * wind. -10 if the cascade makes no foam. */
     float whitecap_jacobian;
-    /* Newer than the fields above. A fourth chain of `levels` levels, a byte a texel, 0 none to 255 covered: GL_R8,
-     * VK_FORMAT_R8_UNORM. As a part of 1 it is the fourth of the half floats. NULL without pelagic_ocean_options.foam. */
+    /* A fourth chain of `levels` levels, foam with one byte a texel, 0 none to 255 full: GL_R8,
+     * VK_FORMAT_R8_UNORM. The fourth half float of displacement_rgba16f is this byte / 255. NULL
+     * without pelagic_ocean_options.foam. */
     const uint8_t* foam_r8;
     float whitecap_ramp; /* above 0 */
     uint32_t reserved_1;
 } pelagic_cascade;
 
-/* Starts the frame at time_s and returns at once. Any finite time, in any order: a frame is a pure function of the sea and
- * the time, and time_s + n * loop_period_s gives the same bits. A small frame (N up to 64), and any without threads,
- * is computed in complete(). Waits for queries that began before the last complete(), because it needs the memory of the
- * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
+/* Starts a frame and returns immediately.
+ *
+ * time_s: any finite time, in any order. A frame is a pure function of the sea and the time, and
+ *   time_s + n * loop_period_s gives a bit-identical frame.
+ *
+ * A frame with N up to 64, and any frame of an executor without threads, is computed in complete().
+ * The call waits for queries that began before the last complete(), because it overwrites the frame
+ * that they read.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a time that is not finite; PELAGIC_WRONG_ORDER if a frame is
+ *   in flight.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
-/* Where pelagic_ocean_schedule_into writes the textures of a cascade: memory of the application's own, a mapped pixel buffer for instance.
- * Pointers may be NULL: that map is in the frame then. Each byte is written once, in rows of whole registers, and none is read,
- * so memory may be write-combined. For a frame of several cascades there is an array of them, as of pelagic_frame_buffers. */
+/* Memory of the application, for instance a mapped pixel buffer, that receives the textures of a
+ * cascade. Frames of several cascades need an array of these structs, as for pelagic_frame_buffers.
+ * A texture whose pointer is NULL is part of the frame. Each byte is written once, in rows of whole
+ * registers, and never read, so the memory may be write-combined. */
 typedef struct pelagic_texture_targets {
     uint32_t struct_size;
-    uint32_t cascade_count;            /* of the first struct: the frame's cascades, 0 for one; of the others 0 */
+    /* first struct: cascades of the frame, 0 for one; other structs: 0 */
+    uint32_t cascade_count;
     uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
-    /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a map, or none. */
+    /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a chain, or
+     * none. */
     uint32_t* gradient_rgba8[12];
     uint32_t *slopes_rgba8[12], *moments_rgba8[12];
 } pelagic_texture_targets;
 
-/* pelagic_ocean_schedule, with textures in memory of the application's, which must stay until complete() returns. In the frame and
- * its cascades what is written there is NULL, and pelagic_ocean_hash tells nothing of it. PELAGIC_INVALID_ARGUMENT for parts that
- * the ocean was made without. */
+/* Starts a frame as pelagic_ocean_schedule(), with textures in memory of the application.
+ *
+ * targets: an array with one struct for each cascade; the memory must stay valid until complete()
+ *   returns. In the frame and its cascades the pointers of these textures are NULL, and
+ *   pelagic_ocean_hash() leaves the textures out.
+ *
+ * Errors: as pelagic_ocean_schedule(); PELAGIC_INVALID_ARGUMENT for textures that the ocean was
+ *   made without.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
                                                        const pelagic_texture_targets* targets);
 
-/* *is_ready becomes 1 if complete() would not wait for other threads, else 0: also 1 if no frame is in flight. Never blocks.
- * Do not spin on it: threads that others keep busy may leave the work to complete(). */
+/* Reports whether complete() would return without waiting for other threads. Never blocks.
+ *
+ * is_ready: receives 1 if complete() would not wait or no frame is in flight, else 0.
+ *
+ * Do not spin on it: if other work occupies the threads, complete() may have to do the work.
+ *
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);
 
-/* Waits for the frame in flight, helping, and hands it out. What `frame` points to stays valid while the next frame is
- * computed: until the second schedule from now, or destroy. PELAGIC_WRONG_ORDER if no frame is in flight. A frame is lost,
- * and another one may be scheduled, after PELAGIC_APPLICATION_ERROR, and after PELAGIC_SYSTEM_ERROR if a job needed a thread with
- * more stack and there was none. */
+/* Completes the frame in flight and writes its description. The calling thread takes part in the
+ * work.
+ *
+ * Errors: PELAGIC_WRONG_ORDER if no frame is in flight. PELAGIC_INVALID_ARGUMENT if a wave input
+ *   wrote a value out of range, PELAGIC_APPLICATION_ERROR if a callback failed, and
+ *   PELAGIC_SYSTEM_ERROR if a job needed a thread with a larger stack and the system had none.
+ *   After the last three the frame is lost, and another may be scheduled.
+ * Threads: one thread per ocean.
+ * Lifetime: what `frame` points to stays valid until the second schedule from now, or until
+ *   pelagic_ocean_destroy(). So it remains valid while the next frame is computed. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* One cascade of the frame completed last, the coarsest being 0; what it points to is valid as long as that frame is. Also while
- * the next frame is computed. PELAGIC_INVALID_ARGUMENT if `index` is not less than the frame's cascade_count;
- * PELAGIC_WRONG_ORDER before the first frame. */
+/* Writes the description of one cascade of the frame completed last, also while the next frame is
+ * computed.
+ *
+ * index: 0 is the coarsest cascade.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `index` is not in [0, cascade_count); PELAGIC_WRONG_ORDER
+ *   before the first frame.
+ * Threads: one thread per ocean.
+ * Lifetime: what `cascade` points to is valid as long as the frame's pointers. */
 PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade);
 
-/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write a cascade. Pointers may be NULL: not wanted. Counts are exact, of
- * elements. Rows are tight, texel (i, j) at j N + i. For a frame of several cascades there is an array of them, one for each cascade,
- * all of the struct_size of the first, which says how many there are. */
+/* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out.
+ * Counts are exact, in elements. Rows are tight: texel (i, j) is element j N + i. A frame of
+ * several cascades needs an array of these structs, one for each cascade, all of the struct_size of
+ * the first, whose cascade_count is their number. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
-    uint32_t cascade_count; /* of the first struct: the frame's cascades, 0 for one; of the others 0 */
-    size_t plane_count;  /* N^2, the length of each of these */
+    uint32_t cascade_count; /* first struct: cascades of the frame, 0 for one; other structs: 0 */
+    size_t plane_count;     /* N^2, the length of each plane */
     float *dx, *height, *dz;
     float *velocity_x, *velocity_y, *velocity_z;
     size_t rgba16f_count; /* 4 N^2 */
     uint16_t* displacement_rgba16f;
     size_t rgba8_count; /* texels of the chain: (4 N^2 - 1) / 3 */
     uint32_t* gradient_rgba8;
-    /* Newer than the fields above. */
-    size_t slopes_count; /* as rgba8_count, the length of each of these */
+    size_t slopes_count; /* the length of each of the two chains, equal to rgba8_count */
     uint32_t *slopes_rgba8, *moments_rgba8;
-    size_t foam_count; /* as rgba8_count */
+    size_t foam_count; /* equal to rgba8_count */
     uint8_t* foam_r8;
 } pelagic_frame_buffers;
 
-/* Copies the frame completed last: planes in tight rows, whatever blocks they are computed in, and all levels. Also while the
- * next frame is computed. PELAGIC_INVALID_ARGUMENT for parts that the ocean was made without. PELAGIC_WRONG_ORDER before the
- * first frame. */
+/* Copies the frame completed last, also while the next frame is computed. Planes are written in
+ * tight rows, and chains with all levels.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for arrays that the ocean was made without, and for wrong
+ *   counts; PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
 
-/* Computes the frame of time_s into the caller's memory, synchronously; for servers and replays. Views and queries of the
- * frame completed last are not touched; before there is one, it is this frame that queries, cascade, copy and hash
- * tell of.
- * `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
+/* Computes a frame synchronously and writes it to the caller's memory; for servers and replays.
+ *
+ * time_s: any finite time.
+ * bounds: receives the frame's bounds; may be NULL.
+ *
+ * The frame completed last stays valid, and queries continue to read it. Before the first
+ * pelagic_ocean_complete(), queries, cascade, copy and hash read the frame computed here.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT as pelagic_ocean_copy(); otherwise as pelagic_ocean_schedule()
+ *   and pelagic_ocean_complete().
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
 
-/* The 64-bit hash of all outputs of the frame completed last: two machines that agree on it have the same sea.
- * PELAGIC_WRONG_ORDER before the first frame. */
+/* Computes the 64-bit hash of the outputs of the frame completed last. Equal hashes on two machines
+ * mean bit-identical seas.
+ *
+ * Errors: PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* The same of the foam of its cascades, which pelagic_ocean_hash leaves out. PELAGIC_INVALID_ARGUMENT without
- * pelagic_ocean_options.foam. */
+/* Computes the 64-bit hash of the foam of the frame's cascades, which pelagic_ocean_hash() leaves
+ * out.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.foam; PELAGIC_WRONG_ORDER before
+ *   the first frame.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* What frames remember, for an application that wants to go on from there without the warm-up of a jump in time: writes it to `bytes`,
- * which has room for `room` of them, and how many there are to *count. With `bytes` NULL only the count: N^2 a cascade and some, or
- * 0 before the first frame and without pelagic_ocean_options.foam. PELAGIC_INVALID_ARGUMENT if there is less room;
- * PELAGIC_WRONG_ORDER if a frame is in flight. */
+/* Saves the foam history of an ocean, so that another one can continue without the warm-up of a
+ * jump in time.
+ *
+ * bytes: receives the history; NULL to obtain only the count.
+ * room: size of `bytes`.
+ * count: receives the number of bytes: slightly more than N^2 for each cascade. 0 before the first
+ *   frame and without pelagic_ocean_options.foam.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small; PELAGIC_WRONG_ORDER if a frame is in
+ *   flight.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
                                                       size_t* count);
 
-/* Takes that up, in an ocean of the same sea, on any machine of the same byte order; none of them forgets. Frames are what they
- * would be without. PELAGIC_INVALID_ARGUMENT if such an ocean can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
+/* Restores a foam history of an ocean with an equal sea, from any machine of equal byte order.
+ * Frames are bit-identical to those of an ocean that did not restore.
+ *
+ * count: 0 discards the history of the ocean.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if no such ocean can have saved the bytes; PELAGIC_WRONG_ORDER
+ *   if a frame is in flight.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
-/* ---- Another sea ------------------------------------------------------------------------------------------------ */
+/* ---- Another sea ----------------------------------------------------------------------------- */
 
-/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution and the number of cascades
- * must stay.
- * PELAGIC_WRONG_ORDER if one is being baked. */
+/* Starts to compute the spectrum of another sea. Frames show the current sea until
+ * pelagic_ocean_complete_sea().
+ *
+ * sea: must have the ocean's resolution, number of cascades and kind of waves (pond or not).
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid or incompatible sea, and for an ocean with a
+ *   shore; PELAGIC_WRONG_ORDER if another sea is being computed.
+ * Threads: one thread per ocean; a frame may be in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
 
-/* As pelagic_ocean_poll: 1 also if no sea is being baked. */
+/* Reports whether pelagic_ocean_complete_sea() would return without waiting for other threads.
+ * Never blocks.
+ *
+ * is_ready: receives 1 if it would not wait or no sea is being computed, else 0.
+ *
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
 
-/* Frames scheduled from now on show it; waits for its spectrum. PELAGIC_WRONG_ORDER if none is being baked or a frame is
- * in flight. After PELAGIC_APPLICATION_ERROR the old sea stays. */
+/* Waits for the spectrum and makes the new sea current, for frames scheduled from now on. Discards
+ * all changes of the forecast.
+ *
+ * Errors: PELAGIC_WRONG_ORDER if no sea is being computed or a frame is in flight;
+ *   PELAGIC_APPLICATION_ERROR if a callback failed: the old sea remains current.
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
 
-/* ---- Weather ---------------------------------------------------------------------------------------------------- */
+/* ---- Forecasts ------------------------------------------------------------------------------- */
 
-/* The sea turns into another one: each wave's energy goes over from one to the other, smoothly, and a frame stays a pure
- * function of the weather and the time, in any order. */
+/* A sea-state transition. The energy of each wave changes smoothly from one sea to the next, and a
+ * frame remains a pure function of the forecast and the time, in any order. */
 typedef struct pelagic_change {
     uint32_t struct_size;
     uint32_t reserved;      /* 0 */
-    const pelagic_sea* sea; /* that there is afterwards; read before the call returns */
-    double from_s;          /* when it begins, not before the one before it is over */
-    double over_s;          /* how long it takes; (0, 1e9] */
-    /* Its swell comes from so far away, [1e3, 2e7], long waves first by their group velocities, each within over_s of its own; 0:
-     * all waves change together. */
+    const pelagic_sea* sea; /* the sea after the transition; read before the call returns */
+    double from_s;          /* start; not before the end of the preceding change */
+    double over_s;          /* duration; (0, 1e9] */
+    /* Distance to the origin of the swell; [1e3, 2e7], or 0: all waves change together. Long waves
+     * arrive first, by their group velocities, and each changes over over_s. */
     double swell_from_m;
 } pelagic_change;
 
-/* Seas with times. All have the same number and kind of cascades, resolution, depth_m, loop_period_s and seed. */
+/* A sea and its transitions. All seas have equal numbers and kinds of cascades, resolution,
+ * depth_m, loop_period_s and seed. */
 typedef struct pelagic_forecast {
     uint32_t struct_size;
     uint32_t change_count;
-    const pelagic_sea* first; /* before the first change */
-    const pelagic_change*
-        changes; /* change_count of them, in order, all of the first one's struct_size; NULL where there are none */
-    /* Cascades are laid out for waves with peaks up to this long, and later changes can bring no longer ones; 0: the longest peak of
-     * these seas, or (0, 1e5]. Without meaning with a patch_size_m. */
+    const pelagic_sea* first; /* the sea before the first change */
+    /* change_count structs in order of time, all of the struct_size of the first; NULL if there are
+     * none. */
+    const pelagic_change* changes;
+    /* Longest peak wavelength that the cascades can hold, which limits later changes; (0, 1e5]. 0:
+     * the longest of these seas. Ignored if patch_size_m is set. */
     double largest_peak_m;
 } pelagic_forecast;
 
-/* pelagic_ocean_create() with changes to come. Later seas are baked beside frames, before frames need them; a frame waits for one
- * that is not done, after a jump in time. */
+/* Creates an ocean with a forecast. The spectra of later seas are computed together with frames,
+ * before frames need them. After a jump in time a frame may wait for one.
+ *
+ * options: may be NULL, which means that all fields are 0.
+ *
+ * Errors: as pelagic_ocean_create(); PELAGIC_INVALID_ARGUMENT for an invalid forecast.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
                                                          const pelagic_ocean_options* options, pelagic_ocean** ocean);
 
-/* One more change, which is baked beside frames from now on; a frame may be in flight. The ocean remembers the last two:
- * frames of times before them have the oldest sea that is left. PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea and
- * pelagic_ocean_complete_sea, which makes an end of all changes. */
+/* Appends a change to the forecast, whose spectrum is computed together with frames from now on.
+ * The ocean keeps the last two changes: frames of earlier times show the oldest sea that it has.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid change, and for an ocean with a shore;
+ *   PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea() and pelagic_ocean_complete_sea().
+ * Threads: one thread per ocean; a frame may be in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change);
 
-/* ---- Dynamic waves ----------------------------------------------------------------------------------------- */
+/* ---- Dynamic waves --------------------------------------------------------------------------- */
 
 enum {
-    PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0, /* each wave goes on by its own phase: wakes as deep or shallow water has them */
-    PELAGIC_DYNAMIC_WAVES_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
+    /* Advances each wave by its own phase: wakes by the dispersion of deep or shallow water. */
+    PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0,
+    /* One speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4. */
+    PELAGIC_DYNAMIC_WAVES_VERLET = 1
 };
 
-/* Queries, bounds and frames of an ocean include its dynamic waves. They advance in ticks of their own, whatever the frames are:
- * equal commands between frames of equal times give bit-identical waves on every machine. */
+/* Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a
+ * fixed length. Equal commands between frames of equal times give bit-identical waves on every
+ * machine. */
 typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
     int32_t step;        /* PELAGIC_DYNAMIC_WAVES_... */
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
     int32_t ticks_per_s; /* [10, 240] */
-    double side_m;         /* [1, 10000] */
-    double border_m;       /* of each side, where waves end; 0: none, waves come round, else [0.001, side_m / 4] */
-    double depth_m;        /* spectral; [0.01, 11000] */
-    double viscosity_m2ps; /* spectral: of eddies; amplitudes of the wave number k lose 2 k^2 of it a second; [0, 1] */
+    double side_m;       /* side of the grid; [1, 10000] */
+    /* Width of the absorbing border along each side, [0.001, side_m / 4]; 0: no border, and waves
+     * wrap around. */
+    double border_m;
+    double depth_m; /* spectral; [0.01, 11000] */
+    /* Spectral: eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2; [0, 1] */
+    double viscosity_m2ps;
     double wave_speed_mps; /* Verlet; (0, 1000] */
-    double decay_per_s;    /* of amplitudes; [0, 10] */
-    double foam_height_m;  /* water that stands higher turns white; [0.001, 100] */
+    double decay_per_s;    /* damping rate of amplitudes; [0, 10] */
+    double foam_height_m;  /* height above which foam begins; [0.001, 100] */
 } pelagic_dynamic_waves_options;
 
-/* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second. */
+/* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second.
+ *
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_defaults(pelagic_dynamic_waves_options* options);
 
 enum {
-    PELAGIC_SHAPE_GAUSS = 0, /* height_m exp(-(r / radius_m)^2) */
-    PELAGIC_SHAPE_HULL = 1   /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2), below 0 where it floats */
+    /* height_m exp(-(r / radius_m)^2) */
+    PELAGIC_SHAPE_GAUSS = 0,
+    /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2); height_m of a floating hull
+     * is below 0 */
+    PELAGIC_SHAPE_HULL = 1
 };
 
 enum {
-    PELAGIC_DISTURBANCE_PRESSURE = 0, /* by the weight of the shape's own water: at rest the surface becomes the shape */
-    PELAGIC_DISTURBANCE_RELAXATION = 1,  /* towards the shape, at a rate: a bounded bulge */
-    PELAGIC_DISTURBANCE_IMPULSE = 2    /* the shape is added at once: a drop, a stone */
+    /* A pressure equal to the weight of the shape's water: at rest the surface becomes the
+     * shape. */
+    PELAGIC_DISTURBANCE_PRESSURE = 0,
+    /* The surface approaches the shape at a rate, so the bulge is bounded. */
+    PELAGIC_DISTURBANCE_RELAXATION = 1,
+    /* The shape is added to the surface at once: a drop, a stone. */
+    PELAGIC_DISTURBANCE_IMPULSE = 2
 };
 
-/* A push at the water: once, or as a source that lasts. */
+/* A disturbance of the water: an impulse, or a source that acts in every tick. */
 typedef struct pelagic_disturbance {
     uint32_t struct_size;
-    int32_t shape;     /* PELAGIC_SHAPE_... */
-    int32_t mode;      /* PELAGIC_DISTURBANCE_... */
-    uint32_t reserved; /* 0 */
-    double x_m, z_m;     /* in the world; [-1e8, 1e8] */
-    double radius_m;     /* of a hull half its beam; [0.001, 1000] */
-    double length_m;     /* of a hull half its length; [0.001, 1000] */
-    double heading_rad;  /* of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
-    double height_m;     /* [-100, 100] */
-    double rate_per_s;   /* of a relaxation; (0, 1000] */
-    double velocity_x_mps, velocity_z_mps; /* how a source moves until it is set anew; [-1000, 1000] */
+    int32_t shape;      /* PELAGIC_SHAPE_... */
+    int32_t mode;       /* PELAGIC_DISTURBANCE_... */
+    uint32_t reserved;  /* 0 */
+    double x_m, z_m;    /* position in the world; [-1e8, 1e8] */
+    double radius_m;    /* of a hull half its beam; [0.001, 1000] */
+    double length_m;    /* of a hull half its length; [0.001, 1000] */
+    double heading_rad; /* direction of a hull's length, from +x to +z; [-2 pi, 2 pi] */
+    double height_m;    /* [-100, 100] */
+    double rate_per_s;  /* of a relaxation; (0, 1000] */
+    /* Velocity of a source until the next set_source; [-1000, 1000] */
+    double velocity_x_mps, velocity_z_mps;
 } pelagic_disturbance;
 
-/* Sets every field but struct_size: a pressure of 0 m at the origin, radius and length 1 m, rate 10. */
+/* Sets every field but struct_size: a pressure of 0 m at the origin, radius and length 1 m, rate
+ * 10.
+ *
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
 
-/* Dynamic waves: those that an application makes, on a grid around a point. Commands take effect at the next advance, or at
- * the next schedule of the ocean that owns the waves, in their order, whether or not a frame is in flight. One thread at a time
- * calls these functions. */
+/* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets.
+ * Commands are add_impulse, add_source, set_source, remove_source, set_center and set_rain. They
+ * take effect in the order of the calls, at the next pelagic_dynamic_waves_advance(), or at the
+ * next schedule of the ocean that owns the waves, whether or not a frame is in flight. */
 typedef struct pelagic_dynamic_waves pelagic_dynamic_waves;
 
 typedef struct pelagic_dynamic_waves_resources {
@@ -636,185 +863,306 @@ typedef struct pelagic_dynamic_waves_resources {
     uint32_t reserved;                /* 0 */
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     const char* isa;                  /* as pelagic_ocean_options.isa */
-    pelagic_allocate allocate;        /* both or neither; NULL: operator new */
+    pelagic_allocate allocate;        /* both functions or neither; NULL: operator new */
     pelagic_release release;
-    void* memory_user; /* handed to both; outlives the waves */
+    void* memory_user; /* passed to both; must outlive the waves */
 } pelagic_dynamic_waves_resources;
 
-/* Makes waves without an ocean. `resources` may be NULL: all 0. */
+/* Creates dynamic waves without an ocean.
+ *
+ * resources: may be NULL, which means that all fields are 0.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an option out of range; PELAGIC_SYSTEM_ERROR if the system
+ *   cannot create the threads.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_waves_options* options,
                                                         const pelagic_dynamic_waves_resources* resources,
                                                         pelagic_dynamic_waves** waves);
 
-/* NULL is ignored, and so are the waves of an ocean. */
+/* Destroys what pelagic_dynamic_waves_create() made, after waiting for work in flight.
+ *
+ * waves: may be NULL. The waves of an ocean are ignored; the ocean destroys them.
+ *
+ * Threads: one thread per waves. */
 PELAGIC_API void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves);
 
-/* Returns the waves of pelagic_ocean_options.dynamic_waves, which the ocean owns and advances. PELAGIC_INVALID_ARGUMENT
- * without that option. */
+/* Returns the waves of pelagic_ocean_options.dynamic_waves. The ocean owns them and advances them
+ * with its frames.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT without that option.
+ * Threads: one thread per ocean. One thread at a time calls functions of the ocean or its waves.
+ * Lifetime: valid until pelagic_ocean_destroy(). */
 PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic_waves** waves);
 
-/* Acts once, in the next tick. At most 4096 of them wait for a tick. While time stands still, in advances to a time that is not
- * later than the one before, they do not accumulate: only those of the last such advance that has any wait. */
+/* Enqueues a disturbance that acts once, in the next tick.
+ *
+ * At most 4096 impulses wait for a tick. While advances are to times not later than the one before,
+ * impulses do not accumulate: only those before the last such advance that has any wait.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many impulses.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
                                                              const pelagic_disturbance* disturbance);
 
-/* Acts in every tick, moving at its velocity, until it is removed; at most 4096 sources at once. A number is used once;
- * setting or removing a source that does not exist does nothing. */
-PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves, const pelagic_disturbance* source,
-                                                            uint32_t* number);
+/* Adds a source, which acts in every tick and moves at its velocity, until it is removed. At most
+ * 4096 sources exist at once.
+ *
+ * number: receives the source's number, which is never reused.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many sources.
+ * Threads: one thread per waves. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves,
+                                                            const pelagic_disturbance* source, uint32_t* number);
+
+/* Replaces a source from the next tick on. Does nothing if no source has that number.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_waves* waves, uint32_t number,
                                                             const pelagic_disturbance* source);
+
+/* Removes a source. Does nothing if no source has that number. Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number);
 
-/* Moves the grid's centre to within half a texel of the point; [-1e8, 1e8]. Texels that enter the grid are flat. */
+/* Moves the grid's centre to within half a texel of a point. Texels that enter the grid are flat.
+ *
+ * x_m, z_m: [-1e8, 1e8].
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
 
-/* Rain: each drop digs a crater with a rim of as much water around it, height_m (q - 1) e^-q with q = (r / radius_m)^2. Which drops
- * fall follows from the seed, the tick and the place in the world alone. */
+/* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with
+ * q = (r / radius_m)^2. The drops depend only on the seed, the tick and the position in the
+ * world. */
 typedef struct pelagic_rain {
     uint32_t struct_size;
     uint32_t seed;
-    double drops_per_m2_s; /* on the mean; 0: no rain. At most as many as put 16 on a texel in a tick */
-    double radius_m;       /* [0.001, side_m / 16]; what is narrower than a texel is drawn a texel wide, and flatter */
-    double height_m;       /* how deep a crater is; [-10, 10] */
+    /* Mean number of drops; at most the value that puts 16 on a texel in a tick. 0: no rain. */
+    double drops_per_m2_s;
+    /* [0.001, side_m / 16]; a crater narrower than a texel is drawn a texel wide, and flatter. */
+    double radius_m;
+    double height_m; /* depth of a crater; [-10, 10] */
 } pelagic_rain;
 
-/* Sets every field but struct_size: no rain, drops of 0.25 m and 0.02 m, seed 1. */
+/* Sets every field but struct_size: no rain, drops of 0.25 m radius and 0.02 m depth, seed 1.
+ *
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 
-/* Sets the rain from the next tick on. It is part of the saved state. */
+/* Sets the rain from the next tick on. Saved states include it.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
 
-/* Computes the ticks up to a time. A time before the last one leaves the waves as they are, and a jump ahead computes half a second at
- * most. PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them. */
+/* Computes the ticks up to a time. A time before that of the last call leaves the waves unchanged,
+ * and a jump ahead computes the ticks of at most half a second.
+ *
+ * time_s: finite.
+ *
+ * Errors: PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them;
+ *   PELAGIC_INVALID_ARGUMENT for a time that is not finite.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s);
 
-/* What adds to the cascades where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's grid stands at
- * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the grid has first_x <= i < first_x + N. */
+/* The grid of dynamic waves, whose height adds to that of the cascades at the drawn position,
+ * x = undisplaced x + Dx and z alike.
+ *
+ * Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m. It is in column
+ * i mod N of row j mod N. The grid has first_x <= i < first_x + N and first_z <= j < first_z + N. */
 typedef struct pelagic_dynamic_waves_view {
     uint32_t struct_size;
     int32_t resolution; /* N, a power of two */
     int64_t first_x, first_z;
     double texel_m;
     const float* height_m; /* N^2, 0 at the grid's edges */
-    const float* vertical_velocity_mps; /* N^2: its vertical velocity at the frame's moment; what is added at once brings none */
-    const uint8_t* foam;   /* N^2 */
+    /* N^2 vertical velocities at the frame's time. Impulses have no initial velocity. */
+    const float* vertical_velocity_mps;
+    const uint8_t* foam; /* N^2 */
     float height_min_m, height_max_m;
 } pelagic_dynamic_waves_view;
 
-/* Returns the waves of the last advance, or of the ocean's frame completed last. The pointers are valid until the second advance or
- * schedule from now. PELAGIC_WRONG_ORDER before the first. */
+/* Writes a description of the waves of the last advance, or of the ocean's frame completed last.
+ *
+ * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
+ * Threads: one thread per waves.
+ * Lifetime: the pointers are valid until the second advance or schedule from now. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves,
                                                           pelagic_dynamic_waves_view* view);
 
-/* The 64-bit hash of the view, which pelagic_ocean_hash leaves out. */
+/* Computes the 64-bit hash of the view, which pelagic_ocean_hash() leaves out.
+ *
+ * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_waves* waves, uint64_t* hash);
 
-/* Writes all that ticks to come depend on, sources included, but for commands since the last advance; as
- * pelagic_ocean_save_history. 17 N^2 bytes and some. */
-PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes, size_t room,
-                                                            size_t* count);
+/* Saves all that later ticks depend on, sources included, except commands since the last advance.
+ *
+ * bytes: receives the state; NULL to obtain only the count.
+ * room: size of `bytes`.
+ * count: receives the number of bytes, slightly more than 17 N^2.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small; PELAGIC_WRONG_ORDER if a frame is in
+ *   flight.
+ * Threads: one thread per waves. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes,
+                                                            size_t room, size_t* count);
 
-/* Continues from a saved state with equal options, of any machine of the same byte order. Drops commands since the last advance.
- * PELAGIC_INVALID_ARGUMENT if the options differ or the bytes are damaged; PELAGIC_WRONG_ORDER if a frame is in flight. */
+/* Restores a state saved with equal options, on any machine of equal byte order. Discards commands
+ * since the last advance.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if the options differ or the bytes are damaged;
+ *   PELAGIC_WRONG_ORDER if a frame is in flight.
+ * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
                                                                size_t count);
 
-/* ---- Shores ----------------------------------------------------------------------------------------------------- */
+/* ---- Shores ---------------------------------------------------------------------------------- */
 
-/* A floor that waves feel, which may rise above the water as a beach or an island. Within its rectangle long waves are slowed, turned
- * and raised by the depth, break, and don't come behind land but round it; queries and bounds have them. Beyond it the floor continues as
- * its nearest edge has it: dry ground stays dry, and the sea is open where it is deep enough for its waves. Of a sea of several cascades
- * that never changes. */
+/* A sea floor, which may rise above the water as a beach or an island. Within its rectangle the
+ * depth slows, refracts and shoals long waves, and they break. Waves reach the lee of land only by
+ * refraction. Queries and bounds include the effects.
+ *
+ * Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the
+ * sea is open where it is deep enough for its waves. The sea must have several cascades and cannot
+ * change. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
-    int32_t columns, rows;  /* samples of the floor along x and z; 2 to 4096 */
-    int32_t resolution;     /* texels along the longer side of what frames show; 64, 128, 256, 512 or 1024 */
-    const float* heights_m; /* columns * rows, above rest, [-11000, 9000]; sample (i, j) is element j * columns + i. Read before the
-                             * call returns */
-    double corner_x_m, corner_z_m; /* where sample (0, 0) stands; [-1e8, 1e8] */
-    double metres_a_sample;        /* between neighbours; [0.001, 10000] */
-    double fade_m;  /* along the edges, where the coarsest cascade gives way; 0: an eighth of the shorter side; at most half of it */
-    double swash_m; /* waves reach so high on dry sand at most; [0, 10] */
+    int32_t columns, rows; /* samples of the floor along x and z; 2 to 4096 */
+    /* texels along the longer side of the result; 64, 128, 256, 512 or 1024 */
+    int32_t resolution;
+    /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element
+     * j * columns + i. Read before the call returns. */
+    const float* heights_m;
+    double corner_x_m, corner_z_m; /* position of sample (0, 0); [-1e8, 1e8] */
+    double metres_a_sample;        /* distance of neighbouring samples; [0.001, 10000] */
+    /* Width of the strip along the edges over which the coarsest cascade fades; at most half of the
+     * shorter side. 0: an eighth of it. */
+    double fade_m;
+    double swash_m; /* maximum height that waves reach on dry sand; [0, 10] */
 } pelagic_shore_options;
 
-/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a swash of 0.25 m. */
+/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a swash of 0.25 m.
+ *
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
 
-/* Where water is drawn at a place of the rectangle, cascade t counts with its part there and height_m adds to the sum. Texel (i, j) stands
- * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i. Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, the 4 x 4
- * texels around; those of the edge again beyond it), all else is bilinear. Beyond the rectangle depths and parts are those of the nearest
- * place of its edge, and the height is 0, as on the edge. */
+/* The waves at a shore. At a drawn position in the rectangle, each cascade is multiplied by its
+ * weight there and height_m is added to the sum. Texel (i, j) has the position x_m + i texel_m,
+ * z_m + j texel_m and is element j * columns + i.
+ *
+ * Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, 4 x 4 texels; those of
+ * the edge are repeated beyond it); all else is bilinear. Beyond the rectangle, depths and weights
+ * are those of the nearest position on its edge, and the height is 0, as on the edge. */
 typedef struct pelagic_shore_surface {
     uint32_t struct_size;
     int32_t columns, rows;
-    float parts_change_per_m; /* no part differs by more between places a metre apart */
+    float parts_change_per_m; /* largest change of a weight between positions a metre apart */
     double texel_m;
     double x_m, z_m;
     const float* depth_m;        /* of still water; below 0 on land */
-    const uint32_t* parts_rgba8; /* of cascade t in byte t from the lowest up, 255 for 1 */
+    const uint32_t* parts_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
-    const float* vertical_velocity_mps; /* vertical velocity */
-    const float* reach_m;  /* how high the waves that are passing reach: sand below it is wet */
-    const uint8_t* foam;   /* of waves that break */
+    const float* vertical_velocity_mps;
+    /* envelope of the crests of the passing waves: sand below it is wet */
+    const float* reach_m;
+    const uint8_t* foam;              /* of breaking waves */
     float height_min_m, height_max_m; /* bounds of the height, between texels too */
-    const float* potential_m2ps;      /* its gradient is the horizontal velocity of these waves at the surface, linear theory */
+    /* Velocity potential: its gradient is the horizontal velocity of these waves at the surface, by
+     * linear theory. */
+    const float* potential_m2ps;
 } pelagic_shore_surface;
 
-/* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame,
- * PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.shore. */
+/* Writes a description of the shore of the frame completed last.
+ *
+ * Errors: PELAGIC_WRONG_ORDER before the first frame; PELAGIC_INVALID_ARGUMENT without
+ *   pelagic_ocean_options.shore.
+ * Threads: one thread per ocean.
+ * Lifetime: what `surface` points to is valid as long as the frame's pointers. */
 PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface);
 
-/* The 64-bit hash of all that pelagic_ocean_shore tells of the frame completed last, which pelagic_ocean_hash leaves out. */
+/* Computes the 64-bit hash of the shore of the frame completed last, which pelagic_ocean_hash()
+ * leaves out.
+ *
+ * Errors: as pelagic_ocean_shore().
+ * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* ---- Waves that the application adds ----------------------------------------------------------------------------------- */
+/* ---- Wave inputs ----------------------------------------------------------------------------- */
 
-/* Waves in the cascades themselves, so that all that is made of cascades has them: normals, bounds, foam, queries, textures. They repeat
- * with their cascade. What pelagic_ocean_hash says is then of the application's sea; of one without inputs it is as ever. An input belongs to one
- * ocean. It is set on the thread that calls the ocean's functions, and what it is then counts from the next schedule on. */
+/* A wave input, which adds waves to the cascades themselves. So normals, bounds, foam, queries and
+ * textures include them, and they repeat with their cascade. They change pelagic_ocean_hash(). An
+ * input belongs to one ocean. Its values take effect at the next schedule. */
 typedef struct pelagic_input pelagic_input;
 
-/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the grid of the cascade that takes waves of its length,
- * with a whole number of periods in a loop. */
+/* A batch of Gerstner waves in deep water. Each wave is moved to the nearest grid point of the
+ * cascade that holds waves of its length, and has a whole number of periods in a loop. */
 typedef struct pelagic_waves {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
-    size_t count;      /* at most 64; 0 adds nothing */
-    const double* amplitude_m;   /* `count` of each; [0, 100] */
+    uint32_t reserved;           /* 0 */
+    size_t count;                /* number of waves; at most 64, and 0 adds nothing */
+    const double* amplitude_m;   /* `count` values, as in the arrays below; [0, 100] */
     const double* wavelength_m;  /* [0.01, 1000] */
-    const double* direction_rad; /* where it runs towards, from +x towards +z; [-2 pi, 2 pi] */
-    const double* phase_rad;     /* at x = z = t = 0, a crest where it is 0; NULL: all 0 */
-    double choppiness; /* 1: water goes round in circles, 0: a height field; [0, 1]. The sum of 2 pi amplitude / length is at most 0.4 */
+    const double* direction_rad; /* direction the wave runs towards, from +x to +z; [-2 pi, 2 pi] */
+    const double* phase_rad;     /* at x = z = t = 0, where 0 is a crest; NULL: all 0 */
+    /* 1: water moves in circles, 0: a height field; [0, 1]. The sum of 2 pi amplitude / wavelength
+     * is at most 0.4. */
+    double choppiness;
 } pelagic_waves;
 
+/* Creates an input of Gerstner waves.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_input** input);
+
+/* Replaces the waves of an input from the next schedule on.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for another kind of input.
+ * Threads: the thread that calls the ocean's functions. */
 PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
 
-/* Rings that run from a place, in the cascade that takes waves of their length:
- * amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase), q^2 = r^2 + (L / 2)^2. */
+/* Rings that run outwards from a point, in the cascade that holds waves of their length L:
+ * amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),
+ * q^2 = r^2 + (L / 2)^2. */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
     uint32_t reserved;   /* 0 */
-    double x_m, z_m;     /* [-1e8, 1e8] */
+    double x_m, z_m;     /* centre; [-1e8, 1e8] */
     double wavelength_m; /* [0.01, 1000] */
-    double amplitude_m;  /* in the middle; [0, 100], and at most wavelength_m / (2 pi) */
-    double reach_m;      /* no water beyond it moves; 0 and more than half of the cascade's side: that; [0, 1e5] */
-    double phase_rad;    /* [-2 pi, 2 pi] */
+    double amplitude_m;  /* at the centre; [0, 100], and at most wavelength_m / (2 pi) */
+    /* Radius beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
+     * half of that side. */
+    double reach_m;
+    double phase_rad; /* [-2 pi, 2 pi] */
 } pelagic_ripple;
 
+/* Creates an input of rings.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: any. */
 PELAGIC_API pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic_input** input);
+
+/* Replaces the rings of an input from the next schedule on.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for another kind of input.
+ * Threads: the thread that calls the ocean's functions. */
 PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple);
 
-/* Some rows of a cascade at a moment: column i of row first_row + j is at j N + i. Floats are 0 before, and what is left there is added to
- * the cascade, metres and metres a second in the world's axes; all are finite and at most 1000. Places as pelagic_cascade says. */
+/* Rows of a cascade at a time: column i of row first_row + j is element j N + i. All floats are 0
+ * before the call. The values that the callback writes are added to the cascade, in metres and
+ * metres a second along the world's axes; they must be finite and at most 1000 in magnitude.
+ * pelagic_cascade gives the undisplaced positions of texels. */
 typedef struct pelagic_input_rows {
     uint32_t struct_size;
     int32_t cascade; /* 0 is the coarsest */
     double time_s;
     double loop_period_s;
-    uint32_t loop_turns; /* where in the loop that is, in parts of 2^32: whoever uses no other time has the same bits in every loop */
-    int32_t is_tick;     /* of foam that lasts, at a time before the frame's */
+    /* Position in the loop, in units of 2^-32 of it. An input that uses no other time is
+     * bit-identical in every loop. */
+    uint32_t loop_turns;
+    int32_t is_tick; /* 1: a tick of foam accumulation, at a time before the frame's */
     double side_m, cosine, sine;
     int32_t resolution; /* N */
     int32_t first_row, row_count;
@@ -823,61 +1171,84 @@ typedef struct pelagic_input_rows {
     float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
 } pelagic_input_rows;
 
-/* Called from any thread, for several rows and cascades at once. If it throws, complete() returns PELAGIC_APPLICATION_ERROR, and if it
- * leaves a value that can't be, PELAGIC_INVALID_ARGUMENT; that frame is lost, the ocean is not. */
+/* Writes the waves of some rows. Written by the application.
+ *
+ * user: pelagic_input_callback.user.
+ *
+ * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR; if it writes a
+ *   value out of range, PELAGIC_INVALID_ARGUMENT. That frame is lost; the ocean remains usable.
+ * Threads: called from any thread, for several rows and cascades at once. */
 typedef void (*pelagic_add_rows)(void* user, const pelagic_input_rows* rows);
 
 typedef struct pelagic_input_callback {
     uint32_t struct_size;
     uint32_t cascades; /* bit i: cascade i; 0: all */
     pelagic_add_rows add;
-    void* user;           /* handed to it; outlives the ocean */
-    double largest_slope; /* that it adds to a cascade, or slopes_rgba8 stops at its range's end; [0, 100] */
+    void* user; /* passed to `add`; must outlive the ocean */
+    /* Largest slope that the callback adds to a cascade; [0, 100]. Larger slopes are clamped to the
+     * range of slopes_rgba8. */
+    double largest_slope;
 } pelagic_input_callback;
 
-PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callback, pelagic_input** input);
+/* Creates an input that calls a function of the application.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `add` is NULL or largest_slope is out of range.
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callback,
+                                                         pelagic_input** input);
 
-/* The ocean that has it keeps what it needs. NULL is ignored. */
+/* Releases the handle. An ocean that uses the input keeps what it needs.
+ *
+ * input: may be NULL.
+ *
+ * Threads: one thread per input. */
 PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 
-/* ---- Queries ---------------------------------------------------------------------------------------------------- */
+/* ---- Queries --------------------------------------------------------------------------------- */
 
-/* How a query reads the frame between texels. */
+/* Interpolation between texels. */
 enum {
-    PELAGIC_INTERPOLATION_LINEAR = 0, /* the surface that a GPU draws */
-    PELAGIC_INTERPOLATION_CUBIC = 1   /* for measurements: keeps the heights and slopes of short waves; 2 to 4 times the work */
+    /* The surface that a GPU draws. */
+    PELAGIC_INTERPOLATION_LINEAR = 0,
+    /* For measurements: keeps the heights and slopes of short waves; 2 to 4 times the work. */
+    PELAGIC_INTERPOLATION_CUBIC = 1
 };
 
-/* World positions in metres, as far away as you like: the sea repeats in double precision. A position that is no number
- * has no sample: its error is infinite and it is not converged. */
+/* Positions in the world, in metres, at any distance from the origin: the sea repeats in double
+ * precision. A position that is not finite has no sample: its error is infinite and it is not
+ * converged. */
 typedef struct pelagic_points {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
     size_t count;
-    const double *x, *z; /* `count` of each; may be NULL if that is 0 */
-    /* Newer than the fields above. */
+    const double *x, *z;   /* `count` values each; may be NULL if that is 0 */
     int32_t interpolation; /* PELAGIC_INTERPOLATION_...; foam is linear in both */
     uint32_t reserved_1;   /* 0 */
 } pelagic_points;
 
-/* What to tell: arrays as long as the points, or NULL. None overlaps another or the points. */
+/* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out.
+ * No array may overlap another or the points. */
 typedef struct pelagic_samples {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
     float* height_m;
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
-    float* jacobian;                       /* 1 at rest, small at sharp crests, negative where overturned */
-    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps; /* of the water there; with the velocities option */
-    float* error_m;                                          /* how far horizontally of the point the sample is drawn */
-    uint8_t* converged;                                      /* 1 if that is within the tolerance */
-    /* Newer than the fields above. How much of the water is white, 0 to 1; with the foam option. */
-    float* foam;
+    /* 1 at rest, small at sharp crests, negative where overturned */
+    float* jacobian;
+    /* Velocity of the water at the position; with pelagic_ocean_options.velocities. */
+    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
+    float* error_m;     /* horizontal distance from the point to the sample's drawn position */
+    uint8_t* converged; /* 1 if the error is within the tolerance */
+    float* foam;        /* fraction covered by foam, 0 to 1; with pelagic_ocean_options.foam */
 } pelagic_samples;
 
-/* Asks the frame completed last; of intersections over one another the highest counts. Any thread, any number
- * at once; allocates nothing, never waits. The bits depend on the frame, the point, the tolerance and the interpolation alone.
- * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities or foam and they are wanted; PELAGIC_WRONG_ORDER before
- * the first frame. */
+/* Samples the surface of the frame completed last. If the surface intersects itself above a
+ * position, the highest intersection is returned. Results depend only on the frame, the point, the
+ * tolerance and the interpolation.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.queries, and for velocities or
+ *   foam that the ocean was made without; PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
 
@@ -885,20 +1256,25 @@ typedef struct pelagic_ray {
     uint32_t struct_size;
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
-    double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
-    double reach_m;      /* how far to look; 0 to 1e6 texels of the coarsest cascade, which are L / N each */
+    double direction[3]; /* of any length in [1e-100, 1e100] */
+    /* maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each */
+    double reach_m;
 } pelagic_ray;
 
 typedef struct pelagic_hit {
     uint32_t struct_size;
-    int32_t is_hit;     /* 0: no water within reach, and the rest is 0 */
-    int32_t from_below; /* the ray comes out of the water */
-    float normal[3];    /* of the surface there, whichever side is hit */
+    int32_t is_hit;     /* 0: no intersection within reach_m, and the other fields are 0 */
+    int32_t from_below; /* 1: the ray leaves the water */
+    float normal[3];    /* upper normal of the surface, whichever side is hit */
     double distance_m;
     double position_m[3];
 } pelagic_hit;
 
-/* The first place where the ray passes through the surface. Threads and errors as pelagic_ocean_query. */
+/* Finds the first intersection of a ray with the surface of the frame completed last.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.queries, and for a ray out of
+ *   range; PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);
 
