@@ -1,10 +1,10 @@
-// Closed-form water on one thread, points a second.
+// Benchmark of analytic waves on one thread, in points per second.
 //
 //   taskset -c 1 build/release/bin/pelagic_analytic_bench --benchmark_repetitions=9
 //
-// Names are what/answers/instruction set/waves. `rest` asks the water that rests at the points, `world` the water
-// that is drawn there, within 1e-4 m; 16 waves are the preset analytic-moderate, or for `intense` that one. Points
-// are random over a square kilometre.
+// Names are what/results/instruction set/waves. `rest` queries reference positions, `world`
+// displaced positions within 1e-4 m. 16 waves are the preset analytic-moderate, or analytic-intense
+// for `intense`. Points are random over a square kilometre.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -43,7 +43,8 @@ AnalyticSamples samples_in(Scene& scene, Wanted wanted) {
     return samples;
 }
 
-/// A preset's first waves, or all of them four times over, a quarter as high.
+/// Returns the first waves of a preset, or all of its waves four times with a quarter of the
+/// height.
 AnalyticSea sea_of(const char* preset, std::size_t waves) {
     AnalyticSea sea = analytic_preset_named(preset)->sea;
     if (waves == 64) {

@@ -1,4 +1,4 @@
-// What one core of this machine can do at best, to hold the stages against.
+// Upper bounds of one core's throughput, for comparison with stages.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 
 namespace pelagic::bench {
 
-/// Adds and multiplies, as many of one as of the other and none waiting for another: the most that a kernel without
-/// fused operations can get. Runs `rounds` rounds and returns how many floating-point operations that were.
+/// Runs `rounds` rounds of independent additions and multiplications in equal numbers, the maximum
+/// throughput of a kernel without fused operations. Returns the number of floating-point
+/// operations.
 double run_arithmetic(Isa isa, std::size_t rounds);
 
-/// Copies `floats` floats `rounds` times and returns how many bytes were read and written.
+/// Copies `floats` floats `rounds` times. Returns the number of bytes read and written.
 double run_copy(Isa isa, const float* from, float* to, std::size_t floats, std::size_t rounds);
 
 }  // namespace pelagic::bench

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp is and under the same rules.
+// Compiled once for each instruction set, with the rules of sim/kernels/kernels_isa.cpp.
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
@@ -14,7 +14,7 @@ double PELAGIC_NAMED(arithmetic_, PELAGIC_ISA_NAME)(std::size_t rounds) {
     V sums[chains], products[chains];
     for (std::size_t i = 0; i < chains; ++i) sums[i] = products[i] = V(static_cast<float>(i + 1));
     const V term(1e-9f), factor(0.999999f);
-    // Without fast-math the compiler may not reorder a chain, so it has to do every link.
+    // Without fast-math the compiler must not reorder a chain, so it executes every operation.
     for (std::size_t round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < chains; ++i) {
             sums[i] = sums[i] + term;

@@ -1,15 +1,17 @@
-// Pelagic beside its peers, in one process and one run: the same sea, the same outputs, taking turns, so that whatever
-// else the machine does meets all of them alike.
+// Comparison of Pelagic with its peers in one process: equal sea and outputs. The contestants take
+// turns, so that other load on the machine affects them equally.
 //
 //   pelagic-compare [--quick] [--json FILE] [--sizes 64,256] [--isa avx2]
 //
-// Without --json, a whole run goes to bench/results/<cpu>.json; a part of one (--quick, --sizes, --isa) is only printed.
+// Without --json, a complete run is written to bench/results/<cpu>.json; a partial run (--quick,
+// --sizes, --isa) is only printed.
 //
-// Instructions a texel (i/t) of one frame are counted by valgrind beside it, where valgrind and Python are there.
+// valgrind counts instructions per texel (i/t) of one frame in a separate process, if valgrind and
+// Python are installed.
 //
-// A turn is a few frames of each; a figure is the median over the turns, its spread the quartiles. FFTW's is the
-// better of two arrangements. Rows with more than one thread time Pelagic on its default executor against the peers on
-// one thread, and against itself called directly on one.
+// A turn is some frames of each contestant. Results are medians and quartiles over the turns.
+// FFTW's result is the better of two arrangements. Rows with several threads compare Pelagic on its
+// default executor with the peers on one thread, and with Pelagic called directly on one thread.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -48,7 +50,7 @@ struct Options {
 
 constexpr const char* packed_name = "complex + real";
 
-/// One contestant: draws the frame of a time; `batch` frames make a turn.
+/// A contestant. `frame` computes the frame of a time; a turn has `batch` frames.
 struct Contestant {
     std::function<void(double)> frame;
     int batch = 1;
@@ -62,8 +64,8 @@ double quantile(std::vector<double> values, double q) {
 
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
-/// Two frames of warming up, for the turn before left the caches to somebody else and Pelagic alternates between two
-/// slots; then the batch.
+/// Runs two warm-up frames, because other contestants have used the caches and Pelagic alternates
+/// between two slots; then times the batch.
 double turn_ms(const Contestant& contestant, double& time_s) {
     for (int i = 0; i < 2; ++i) contestant.frame(time_s += 1.0 / 72);
     const Clock::time_point start = Clock::now();
@@ -74,7 +76,7 @@ double turn_ms(const Contestant& contestant, double& time_s) {
 void take_turns(std::vector<Contestant*> contestants, double seconds, std::size_t min_turns) {
     double time_s = 0;
     for (Contestant* contestant : contestants) {
-        // Turns of about a millisecond or more.
+        // A turn lasts about a millisecond or more.
         contestant->batch = 1;
         const double once = turn_ms(*contestant, time_s);
         contestant->batch = std::max(1, static_cast<int>(1.0 / once));
@@ -94,17 +96,17 @@ struct Row {
     double speedup;                ///< over ours on one thread, in the same turns
     double ratio_low, ratio_high;  ///< quartiles of ours / FFTW turn by turn
     std::string arrangement;
-    std::map<std::string, double> instructions;  ///< a texel, by contestant; empty if they can't be counted here
+    std::map<std::string, double> instructions;  ///< per texel, by contestant; empty if not counted
 };
 
-/// "ours", "packed" and so on, or nothing.
+/// Returns the instructions of a contestant ("ours", "packed" and so on), if they were counted.
 std::optional<double> instructions_of(const Row& row, const std::string& contestant) {
     const auto found = row.instructions.find(contestant);
     return found == row.instructions.end() ? std::nullopt : std::optional(found->second);
 }
 std::string fftw_contestant(const Row& row) { return row.arrangement == packed_name ? "packed" : "separate"; }
 
-/// The peers of one size, and every row of it.
+/// The contestants and the results of one size.
 class Comparison {
    public:
     Comparison(int n, Isa isa, const Options& options)
@@ -117,7 +119,7 @@ class Comparison {
           instructions_(bench::counted_frames(n, isa)) {}
 
     Row row(int threads) {
-        // One thread means a direct call, on one core.
+        // One thread is a direct call, pinned to one core.
         std::optional<bench::PinnedToOneCore> pinned;
         if (threads == 1) pinned.emplace();
         Ocean alone(sea_, {.executor = make_serial_executor(), .isa = isa_});
@@ -243,7 +245,7 @@ Options options_from(int argc, char** argv, CLI::App& app) {
 }
 
 void run(const Options& options) {
-    // Beside its name until it is whole; tried before the work, not after it.
+    // A temporary file, renamed when complete. It is opened before the measurement, to fail early.
     const std::string part_file = options.json_file + ".part";
     std::ofstream json_file;
     if (!options.json_file.empty()) {

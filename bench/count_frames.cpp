@@ -1,6 +1,6 @@
-// Frames of Pelagic and its peers between marks, for instructions.py to count.
+// Runs frames of Pelagic and its peers between marks, for instruction counts by instructions.py.
 //
-//   pelagic_count_frames ISA N PLANS    PLANS as write_fftw_plans() leaves them
+//   pelagic_count_frames ISA N PLANS    PLANS: a file of write_fftw_plans()
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -14,7 +14,7 @@
 namespace pelagic {
 namespace {
 
-/// The second frame, when everything has been touched once.
+/// Counts the second frame; the first one touches all memory.
 template <class Frames>
 void count_frame(const std::string& name, int resolution, Frames&& frames) {
     frames.frame_at(0.5);

@@ -1,4 +1,5 @@
-// Instructions of one frame, ours and the peers', counted by instructions/instructions.py in a process of its own.
+// Instruction counts of one frame of Pelagic and its peers, by instructions/instructions.py in a
+// separate process.
 #pragma once
 
 #include <map>
@@ -8,9 +9,9 @@
 
 namespace pelagic::bench {
 
-/// Instructions a texel of the frames that pelagic_count_frames names: "ours", "packed", "separate", "paper". Empty if
-/// they can't be counted here: no valgrind, no Python, AVX-512, which valgrind does not know. Uses the plans that FFTW has
-/// made in this process. Takes seconds.
+/// Returns instructions per texel of the frames of pelagic_count_frames: "ours", "packed",
+/// "separate", "paper". Empty without valgrind or Python, and for AVX-512, which valgrind does not
+/// support. Uses FFTW's plans of this process. Takes some seconds.
 std::map<std::string, double> counted_frames(int resolution, Isa isa);
 
 }  // namespace pelagic::bench

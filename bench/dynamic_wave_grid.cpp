@@ -1,5 +1,6 @@
-// What a tick of dynamic waves costs, on one thread and on two: the spectral step beside a frame of one cascade of as many texels,
-// Verlet's beside a loop without lanes and beside a copy of what it reads and writes. And waves with many boats.
+// Benchmark of a tick of dynamic waves on one and two threads. Compares the spectral step with a
+// frame of one cascade of equal resolution, and the Verlet step with a scalar loop and with a copy
+// of its inputs and outputs. Also measures grids with many boats.
 //
 //   build/release/bin/pelagic_dynamic_waves_bench [instruction set]
 #include <algorithm>
@@ -52,7 +53,7 @@ struct Waves {
     std::unique_ptr<GraphRun> run;
 };
 
-/// Verlet's step as one writes it down, and as the compiler leaves it without lanes.
+/// The Verlet step as a plain loop without vectorisation.
 __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRowsJob& job) {
     const auto [now, before, n, first_row, rows, coupling, left] = job;
     const std::size_t stride = dynamic_row_stride(n);
@@ -66,7 +67,7 @@ __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRo
     }
 }
 
-/// One stage whose items are the rows that a tick's jobs have.
+/// A stage whose items are rows, as in the jobs of a tick.
 class RowsStage {
    public:
     template <class OfRows>
@@ -129,7 +130,7 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
         of_verlet.push_back(seconds_of([&] { verlet.begin(), verlet.end(); }));
         of_step.push_back(seconds_of([&] { step(); }));
         of_scalar.push_back(seconds_of([&] { scalar(); }));
-        // As many bytes: two planes are read and one written.
+        // 1.5 times a copy: the step reads two planes and writes one.
         of_copy.push_back(1.5 * seconds_of([&] { copy(); }));
     }
     const double frame = median_us(of_frame), spectral_tick = median_us(of_spectral), of_one = median_us(of_step),
@@ -139,7 +140,8 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
                 without_lanes / of_one, copied, of_one / copied);
 }
 
-/// Four shared grids with 250 boats each, 12 places where a boat asks for the height of the grid's water.
+/// Measures four shared grids with 250 boats each; a boat queries the grid's height at 12
+/// positions.
 void measure_server(Isa isa, int threads) {
     const auto executor = executor_of(threads);
     std::vector<std::unique_ptr<Waves>> waves;
@@ -165,7 +167,8 @@ void measure_server(Isa isa, int threads) {
                 threads == 1 ? "" : "s", median_us(ticks) / 1000);
 }
 
-/// A server's tick of the default sea: its frame, then heights, normals and velocities at 12 points of each of 1,000 boats.
+/// Measures a server's tick of the default sea: a frame, then heights, normals and velocities at 12
+/// points of each of 1,000 boats.
 void measure_queries(Isa isa, int threads) {
     const auto executor = executor_of(threads);
     Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});

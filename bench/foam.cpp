@@ -1,9 +1,11 @@
-// What foam that lasts costs a frame, on one thread: oceans with and without it by turns, at 72 frames a second.
+// Benchmark of foam accumulation and decay on one thread: oceans with and without it take turns, at
+// 72 frames per second.
 //
 //   taskset -c 1 build/release/bin/pelagic_foam_bench [instruction set]
 //
-// A frame after a tick of foam (a tenth of a second) computes that tick, too; the others only fade what is there. A jump in
-// time computes 29 ticks. Medians of times, and means over all frames, which say what a second of foam costs.
+// A frame after a tick of foam (0.1 s) also computes that tick; other frames only apply the decay.
+// A jump in time computes 29 ticks. Prints medians of times, and means over all frames, which
+// include the ticks.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,9 +1,11 @@
-// The application's own share of a drawn frame, without the driver: upload() and draw() of the OpenGL ES front end.
+// Benchmark of the CPU time of a drawn frame without the driver: upload() and draw() of the OpenGL
+// ES front end.
 //
 //   taskset -c 1 build/release/bin/pelagic_gl_bench
 //
-// "mapped" frames are written into the pixel buffer by the ocean's jobs, the others copied there by upload(). own_ms is what Pelagic does on the calling thread; 0.3 ms is what a headset's frame can spare. Draws into an offscreen
-// target with whatever EGL driver there is.
+// The ocean's jobs write "mapped" frames directly into the pixel buffer; upload() copies other
+// frames there. own_ms is Pelagic's time on the calling thread; a headset's frame has a budget of
+// 0.3 ms for it. Draws into an offscreen target with any available EGL driver.
 #include <benchmark/benchmark.h>
 
 #include "pelagic/gl/stopwatch.hpp"

@@ -1,11 +1,11 @@
-// Keeping the measuring thread where it is.
+// Pinning of the measuring thread.
 #pragma once
 
 #include <sched.h>
 
 namespace pelagic::bench {
 
-/// Keeps the calling thread on the last core that it may use, until destroyed.
+/// Pins the calling thread to the last core that it may use, until destroyed.
 class PinnedToOneCore {
    public:
     PinnedToOneCore();

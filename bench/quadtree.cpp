@@ -1,8 +1,9 @@
-// Selecting patches: Pelagic's walk beside the paper's full traversal, by the size of the sea.
+// Benchmark of the selection of patches: Pelagic's traversal and the paper's full traversal, by
+// size of the sea.
 //
 //   taskset -c 1 build/release/bin/pelagic_quadtree_bench
 //
-// Names are selection/preset/S, stereo/preset/S and paper/preset/S; items are the patches drawn.
+// Names are selection/preset/S, stereo/preset/S and paper/preset/S; items are drawn patches.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -19,13 +20,13 @@ namespace {
 
 constexpr SurfaceBounds moderate_sea{-2, 2.5, 1.5, 1.5};
 
-/// Somebody on board who looks round, a little further each time.
+/// Returns the view of a viewer on board with a heading that changes each time.
 glm::dmat4 view_of(glm::dvec3 eye, double heading) {
     const glm::dvec3 ahead(std::cos(heading), -0.1, std::sin(heading));
     return glm::infinitePerspectiveRH(1.4, 1.0, 0.1) * glm::lookAtRH(eye, eye + ahead, glm::dvec3(0, 1, 0));
 }
 
-/// Rounds a circle of 100 m, so that levels change.
+/// Returns a position on a circle of 100 m diameter, so that levels change.
 glm::dvec3 on_board(double heading) { return {50 * std::cos(heading), 2, 50 * std::sin(heading)}; }
 
 void time_selection(benchmark::State& state, const QuadtreePreset& preset, double size_m, std::size_t eyes) {
@@ -51,7 +52,7 @@ void time_selection(benchmark::State& state, const QuadtreePreset& preset, doubl
 }
 
 void time_paper(benchmark::State& state, const QuadtreePreset& preset, double size_m) {
-    // The frame's own height, as Selection gets it, so that both cull about the same.
+    // The frame's height, as for Selection, so that both cull similarly.
     peers::PaperQuadtree quadtree({.size_m = size_m, .lod_scale = preset.lod_scale, .height_max_m = 5});
     double heading = 0;
     std::int64_t patches = 0;

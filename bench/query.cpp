@@ -1,11 +1,12 @@
-// Surface queries on one thread: points a second, beside the same method in scalar code and beside a bilinear lookup
-// without inversion, the least that any query costs.
+// Benchmark of surface queries on one thread in points per second. Compares them with the same
+// method in scalar code, and with bilinear samples without inversion, the lower bound of the cost
+// of any query.
 //
 //   taskset -c 1 build/release/bin/pelagic_query_bench --benchmark_repetitions=9
 //
-// Names are what/instruction set/N/points, or what/instruction set/cascades x N/points of the default sea's cascades. Points are
-// random over nine patches, or coherent: a grid of a quarter of a texel, as under a hull. Choppiness is 1, and the wind of
-// several cascades 12 m/s.
+// Names are what/instruction set/N/points, or what/instruction set/cascades x N/points of the
+// default sea's cascades. Points are random over nine patches, or coherent: a grid of a quarter of
+// a texel, as under a hull. Choppiness is 1, and the wind of several cascades 12 m/s.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -87,7 +88,7 @@ void time_scalar_lookup(benchmark::State& state, int resolution, bool coherent) 
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-/// The kernel that reads heights, at places that are known in texels: W lookups at a time.
+/// Times the kernel that samples heights at known texel positions, W at a time.
 void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent) {
     const Scene scene(resolution, isa, coherent);
     AlignedBuffer<std::int32_t> cell_x(count), cell_z(count);
@@ -114,7 +115,7 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-/// Rays from 20 m up, a few hundred metres long.
+/// Times rays from a height of 20 m, some hundred metres long.
 void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
     const Scene scene(sea, isa, false);
     std::size_t i = 0;
@@ -125,7 +126,7 @@ void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
     state.SetItemsProcessed(state.iterations());
 }
 
-/// What a frame takes more for being asked, beside stages.cpp's figures.
+/// Times frames with data for queries, for comparison with the results of stages.cpp.
 void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, bool velocities) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;

@@ -1,4 +1,4 @@
-// What a shore costs: to bake, in a frame, and in a query, one thread.
+// Benchmark of a shore on one thread: baking, frames and queries.
 //
 //   taskset -c 1 build/release/bin/pelagic_shore_bench [instruction set]
 #include <algorithm>

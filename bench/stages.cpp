@@ -1,10 +1,11 @@
-// Every job of a frame, the whole frame on one thread and on more, and the machine's ceilings.
+// Benchmark of each job of a frame, of whole frames on one and several threads, and of the
+// machine's upper bounds.
 //
 //   taskset -c 1 build/release/bin/pelagic_bench --benchmark_filter='avx2/256' --benchmark_repetitions=9
 //
-// Names are stage/instruction set/N, frame/instruction set/N/threads, ceiling/instruction set/what. Items are texels,
-// which makes sizes comparable. FLOP/s and B/s are a stage's own count of work over its time; the ceilings say what
-// one core could do.
+// Names are stage/instruction set/N, frame/instruction set/N/threads, ceiling/instruction set/what.
+// Items are texels, so that sizes are comparable. FLOP/s and B/s are a stage's nominal work divided
+// by its time; ceilings are upper bounds of one core.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -36,7 +37,8 @@ void count(benchmark::State& state, int resolution, tools::StageWork work) {
     state.counters["B/s"] = benchmark::Counter(texels * work.bytes, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-// A stage's jobs may be run again on what the last frame left: their work does not depend on the values.
+// A stage's jobs run again on the data of the last frame, because their work does not depend on the
+// values.
 void time_stage(benchmark::State& state, int resolution, Isa isa, std::size_t stage_number) {
     const auto ocean = ocean_of(resolution, isa, make_serial_executor());
     const Stage& stage = ocean->graph().stages()[stage_number];
@@ -59,7 +61,7 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     count(state, resolution, work);
 }
 
-/// A stack of cascades that the sea chooses.
+/// Times several cascades, planned for the sea.
 void time_stack(benchmark::State& state, int cascades, Isa isa, int threads) {
     Ocean ocean({.cascades = cascades, .resolution = 128},
                 {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa});

@@ -1,9 +1,10 @@
-// What waves that applications add cost a frame, on one thread: oceans with and without them by turns.
+// Benchmark of wave inputs on one thread: oceans with and without them take turns.
 //
 //   taskset -c 1 build/release/bin/pelagic_inputs_bench [instruction set]
 //
-// Sixteen Gerstner waves from 120 to 2 m and a ring of 6 m, in the cascades that take them; an input that adds nothing but zeros to
-// every cascade, which is what the stage itself costs. Medians of frames.
+// Inputs are sixteen Gerstner waves from 120 to 2 m with a ring of 6 m in the cascades that accept
+// them, and an input that adds zeros to every cascade, which measures the stage itself. Prints
+// medians of frames.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,10 +1,12 @@
-// Frames while a sea turns into another one, beside frames of a steady sea: is any late?
+// Benchmark of frames during a sea-state transition, compared with frames of a steady sea, to find
+// late frames.
 //
 //   build/release/bin/pelagic_weather_bench [ROUNDS [THREADS]]
 //
-// 72 frames a second, as a headset wants them, with nothing to do in between: 8 s of a steady storm, then 8 s in which a fresh
-// ocean turns from calm to storm within 4 s, whose spectrum is baked beside its first frames; and so on by turns, because what
-// else runs on the machine comes and goes. A frame's time is from schedule() to the end of complete().
+// Frames run at 72 per second, a headset's rate, without other work: 8 s of a steady storm, then 8
+// s in which a new ocean changes from calm to storm within 4 s, and computes its spectrum during
+// the first frames. Rounds alternate, because other load on the machine varies. A frame's time is
+// from schedule() to the end of complete().
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -23,7 +25,8 @@ constexpr double frame_s = 1.0 / 72, change_from_s = 3, change_over_s = 4, round
 
 void time_round(const Forecast& forecast, int threads, std::vector<double>& into) {
     Ocean ocean(forecast, {.executor = make_default_executor(threads)});
-    for (int warm = 0; warm < 20; ++warm) ocean.frame_at(-1000);  // both slots, and threads that have slept
+    // Warms both slots and wakes threads.
+    for (int warm = 0; warm < 20; ++warm) ocean.frame_at(-1000);
     const Clock::time_point start = Clock::now();
     for (int frame = 0; frame * frame_s < round_s; ++frame) {
         std::this_thread::sleep_until(

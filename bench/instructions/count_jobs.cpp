@@ -1,4 +1,4 @@
-// Every job of a frame once, between marks, for instructions.py to count.
+// Runs every job of a frame once between marks, for instruction counts by instructions.py.
 //
 //   pelagic_count_jobs ISA SEA...    a sea is CASCADESxN, 1x256 or 3x128
 //
@@ -53,7 +53,8 @@ void count_queries(const std::string& sea, const Frame& frame) {
     });
 }
 
-/// A stage's jobs may be run again on what the last frame left: their work does not depend on the values.
+/// Counts the jobs of a sea. Jobs run again on the data of the last frame, because their work does
+/// not depend on the values.
 void count_jobs(const std::string& sea, Isa isa) {
     const Cascades cascades = cascades_of(sea);
     Ocean ocean(sea_of(cascades), {.executor = make_serial_executor(), .isa = isa, .queries = true});

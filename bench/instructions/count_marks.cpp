@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-// Not inlined, and not merged into one by a linker that folds what is equal.
+// Not inlined, and different, so that a linker that folds identical functions does not merge them.
 extern "C" {
 __attribute__((noinline)) void pelagic_count_begin() { __asm__ __volatile__("" : : "r"(1)); }
 __attribute__((noinline)) void pelagic_count_end() { __asm__ __volatile__("" : : "r"(2)); }

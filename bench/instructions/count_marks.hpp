@@ -1,5 +1,6 @@
-// Where a count of instructions begins and ends. Both functions do nothing; the tool that counts knows them by name:
-// valgrind by --zero-before and --dump-before, the plug-in of qemu by the symbol. See instructions.py.
+// Marks of the beginning and the end of an instruction count. The functions do nothing. The
+// counting tool finds them by name: valgrind with --zero-before and --dump-before, the plug-in of
+// qemu by the symbol. See instructions.py.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ void pelagic_count_end();
 
 namespace pelagic::bench {
 
-/// Prints, on one line, of what the last count was, for how many items, and in how many blocks, which may run side by side.
+/// Prints one line with the name of the last count, its number of items, and its number of blocks,
+/// which may run in parallel.
 void print_counted(const std::string& name, double items, std::size_t blocks);
 
 /// Runs `work` between the marks.

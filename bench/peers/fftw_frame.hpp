@@ -1,7 +1,9 @@
-// The same frame on FFTW, as an expert would write it: PATIENT plans, real fields as real transforms or two in one
-// complex transform, everything else vectorised with Pelagic's own kernels. One thread.
+// The same frame on FFTW, as an expert would write it: PATIENT plans, real fields as real
+// transforms or two in one complex transform, everything else vectorised with Pelagic's own
+// kernels. One thread.
 //
-// FFTW chooses its code by itself, whatever the instruction set here; Debian's build knows SSE2 and AVX.
+// FFTW chooses its code by itself, whatever the instruction set here; Debian's build knows SSE2 and
+// AVX.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What the FFTW frame does besides FFTW, in the widest registers: one table an instruction set, as in
-// sim/kernels/kernels.hpp, and from the same pieces wherever the data's layout allows.
+// What the FFTW frame does besides FFTW, in the widest registers: one table an instruction set, as
+// in sim/kernels/kernels.hpp, and from the same pieces wherever the data's layout allows.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,16 @@
 
 namespace pelagic::peers {
 
-/// Waves (kx, kz) and (kx, -kz) for kx in [0, N/2), planes of N/2 floats each for one kz: S' of both, then k / |k| of
-/// the first, as in sim/kernels/wave_blocks.hpp but with kz turned instead of kx.
+/// Waves (kx, kz) and (kx, -kz) for kx in [0, N/2), planes of N/2 floats each for one kz: S' of
+/// both, then k / |k| of the first, as in sim/kernels/wave_blocks.hpp but with kz turned instead of
+/// kx.
 struct FftwWaves {
     const float* planes;             ///< 10 rows of N/2
     const std::uint32_t* harmonics;  ///< N/2
 };
 
-/// The spectra of rows kz and -kz at a moment, in FFTW's layout; Nyquist's stay zero. For kz = 0 both are one row.
+/// The spectra of rows kz and -kz at a moment, in FFTW's layout; Nyquist's stay zero. For kz = 0
+/// both are one row.
 struct FftwEvolveJob {
     FftwWaves waves;
     std::size_t half_size;  ///< N/2
@@ -40,7 +42,8 @@ struct FftwKernels {
     void (*evolve_packed)(const FftwEvolveJob&);
     void (*evolve_separate)(const FftwEvolveJob&);
     void (*finalize)(const FftwFinalizeJob&);
-    /// GradientsJob::surface is the plane of dx, `block_stride` floats before that of the height, and so on.
+    /// GradientsJob::surface is the plane of dx. The planes of the height and dz follow at
+    /// distances of `block_stride` floats.
     void (*gradients)(const GradientsJob&);
 };
 

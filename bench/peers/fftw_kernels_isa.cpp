@@ -1,4 +1,4 @@
-// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp is and under the same rules.
+// Compiled once for each instruction set, with the rules of sim/kernels/kernels_isa.cpp.
 #include "pelagic/bench/peers/fftw_kernels.hpp"
 #include "pelagic/bench/peers/interleaved.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
@@ -22,7 +22,8 @@ void store(float* row, std::size_t number, const Complex<Arch>& value) {
     numbers.second.store_unaligned(row + 2 * number + V::size);
 }
 
-/// Lane i goes to -(number + i) of a row of `size` numbers; 0 is its own negative and written elsewhere.
+/// Stores lane i at index -(number + i) modulo `size`. Index 0 is its own negative and is written
+/// elsewhere.
 void store_negatives(float* row, std::size_t size, std::size_t number, const Complex<Arch>& value) {
     const Pair<Arch> numbers = reversed<Arch>(interleaved<Arch>(value.re, value.im));
     float* to = row + 2 * (size - number - V::size + 1);

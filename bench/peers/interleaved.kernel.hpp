@@ -1,4 +1,5 @@
-// Complex numbers side by side, as FFTW has them, to and from registers of real and of imaginary parts.
+// Conversion between interleaved complex numbers, FFTW's layout, and registers of real and of
+// imaginary parts.
 #pragma once
 
 #include <xsimd/xsimd.hpp>

@@ -35,8 +35,9 @@ Horizontal operator+(Horizontal a, Horizontal b) { return {a.x + b.x, a.z + b.z}
 Horizontal operator-(Horizontal a, Horizontal b) { return {a.x - b.x, a.z - b.z}; }
 Horizontal operator*(Horizontal a, Complex b) { return {a.x * b, a.z * b}; }
 
-/// e^{i angle}, to 1e-7, of an angle of at most some turns. Quarter turns come off in two parts, the first with few
-/// bits so that its product is exact (Cody and Waite); the polynomials are those of Cephes' sinf and cosf (Moshier).
+/// e^{i angle}, to 1e-7, of an angle of at most some turns. Quarter turns come off in two parts,
+/// the first with few bits so that its product is exact (Cody and Waite); the polynomials are those
+/// of Cephes' sinf and cosf (Moshier).
 inline Complex rotation_of(float angle) {
     const float nearest = angle < 0 ? -0.5f : 0.5f;
     const int quarter = static_cast<int>(angle * (4 / two_pi) + nearest);
@@ -85,8 +86,8 @@ struct LineBuffers {
     Line temp() { return {height_temp, horizontal_temp}; }
 };
 
-/// All butterfly stages of one line whose local buffers hold it in bit-reversed order (3.6.2, 3.6.3, 3.6.6). Returns
-/// the buffers that the last stage wrote.
+/// All butterfly stages of one line whose local buffers hold it in bit-reversed order (3.6.2,
+/// 3.6.3, 3.6.6). Returns the buffers that the last stage wrote.
 Line transform(LineBuffers& buffers, std::uint32_t resolution) {
     Line local = buffers.local();
     Line temp = buffers.temp();
@@ -158,8 +159,8 @@ PaperFrame::PaperFrame(const SeaState& sea)
     bake_spectrum();
 }
 
-// Equations 16 to 22 on the centred grid of equation 2. Waves on the Nyquist row and column, index 0, are none, so it
-// does no harm that each of them is its own partner in the wrapped index below.
+// Equations 16 to 22 on the centred grid of equation 2. Waves on the Nyquist row and column, index
+// 0, are none, so it does no harm that each of them is its own partner in the wrapped index below.
 void PaperFrame::bake_spectrum() {
     const CascadeWaves waves(sea_, plan_cascades(sea_).front());
     const int centre = sea_.resolution / 2;
@@ -198,8 +199,9 @@ const PeerFrame& PaperFrame::frame_at(double time_s) {
     return frame_;
 }
 
-// The paper's listing of section 3.4.3. Its phase is omega t in floats, which is off by 1e-4 rad late in a loop;
-// Pelagic's integer phase is exact, and its top bit as a sign keeps the angle within half a turn.
+// The paper's listing of section 3.4.3. Its phase is omega t in floats, which is off by 1e-4 rad
+// late in a loop; Pelagic's integer phase is exact, and its top bit as a sign keeps the angle
+// within half a turn.
 void PaperFrame::evolve(std::uint32_t index) {
     constexpr float radians_per_step = two_pi * 0x1p-32f;
     const auto steps = static_cast<std::int32_t>(harmonics_[index] * turns_);

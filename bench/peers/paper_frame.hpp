@@ -1,13 +1,16 @@
-// VR Ocean's frame typed in from the paper, sections 3.4 to 3.9: what a reader of it gets in plain scalar C++.
+// VR Ocean's frame typed in from the paper, sections 3.4 to 3.9: what a reader of it gets in plain
+// scalar C++.
 //
-// The stages of its table 1, an item at a time on the calling thread: all N^2 waves evolve in a centred spectrum;
-// three full complex transforms, rows then columns, radix 2, with twiddles computed in every butterfly (section
-// 3.6.3); sign correction; gradients by central differences; a chain of mipmaps. Only errata that make the sea wrong
-// are mended (docs/equations.md): the transform's sign, the full normal, the sign in equation 49, mipmaps from
-// floats, and rounded frequencies. Amplitudes, frequencies and time are Pelagic's, so it is the same sea.
+// The stages of its table 1, an item at a time on the calling thread: all N^2 waves evolve in a
+// centred spectrum; three full complex transforms, rows then columns, radix 2, with twiddles
+// computed in every butterfly (section 3.6.3); sign correction; gradients by central differences; a
+// chain of mipmaps. Only errata that make the sea wrong are mended (docs/equations.md): the
+// transform's sign, the full normal, the sign in equation 49, mipmaps from floats, and rounded
+// frequencies. Amplitudes, frequencies and time are Pelagic's, so it is the same sea.
 //
-// The paper's sine and cosine are one intrinsic that its compiler inlines at reduced precision; here a polynomial
-// stands for it. There are no SIMD intrinsics, and what the optimiser makes of the loops is its own affair.
+// The paper's sine and cosine are one intrinsic that its compiler inlines at reduced precision;
+// here a polynomial stands for it. There are no SIMD intrinsics, and what the optimiser makes of
+// the loops is its own affair.
 #pragma once
 
 #include <cstddef>

@@ -40,7 +40,8 @@ const std::vector<PaperQuadtree::Patch>& PaperQuadtree::select(const glm::dvec3&
         const bool subdivides = !is_leaf && glm::dot(away, away) < range * range;  // equation 57
         bool rendered = node.rendered;
         if (!subdivides && !rendered) {
-            // The map gets the level of the patch that covers it, seen or not: the paper leaves culled ones undefined.
+            // The map stores the level of the covering patch, also of culled patches, which the
+            // paper leaves undefined.
             const std::int32_t stride = std::int32_t{1} << (deepest_ - node.level);
             for (std::int32_t row = node.y * stride; row < (node.y + 1) * stride; ++row)
                 for (std::int32_t column = node.x * stride; column < (node.x + 1) * stride; ++column)

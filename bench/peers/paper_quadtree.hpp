@@ -1,5 +1,6 @@
-// The quadtree traversal as the VR paper prints it (section 5.2): every node down to the leaves, a level map of the
-// finest cells, then the neighbours' flags. To be timed against, not to be drawn: see docs/equations.md for its errata.
+// The quadtree traversal as the VR paper prints it (section 5.2): every node down to the leaves, a
+// level map of the finest cells, then the neighbours' flags. To be timed against, not to be drawn:
+// see docs/equations.md for its errata.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What every peer of the benchmark yields, so that their frames can be compared with Pelagic's before being timed.
+// The outputs of a peer's frame, which are compared with Pelagic's before frames are timed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,8 @@
 
 namespace pelagic::peers {
 
-/// The outputs of a peer's frame, views into the peer, row-major and tight; they mean what pelagic::Frame's mean.
+/// Outputs of a peer's frame: views into the peer, row-major without gaps. They correspond to
+/// pelagic::Frame.
 struct PeerFrame {
     std::span<const float> dx, height, dz;   ///< N * N each, metres
     std::span<const std::uint16_t> rgba16f;  ///< 4 * N * N half floats: Dx, height, Dz, foam

@@ -1,5 +1,6 @@
-// Surface queries one point at a time, in plain code: the same method as sim/surface_query where the surface does not
-// fold, and the same bits (tests/peers_test.cpp); and the floor, a bilinear lookup that ignores the displacement.
+// Surface queries one point at a time, in plain code: the same method as sim/surface_query where
+// the surface does not fold, and the same bits (tests/peers_test.cpp); and the floor, a bilinear
+// lookup that ignores the displacement.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"
