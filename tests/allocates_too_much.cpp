@@ -1,6 +1,6 @@
-// Takes and touches memory until somebody stops it: the limit of memory that every test has must bind.
+// Allocates and touches memory, to check that the tests' memory limit binds.
 //
-// usage: allocates_too_much MIB    exits 0 if it got all of it
+// usage: allocates_too_much MIB    exits with 0 if the whole amount was allocated
 #include <cstdio>
 #include <cstdlib>
 #include <new>

@@ -1,4 +1,5 @@
-// A frame allocates nothing after the first. In a program of its own, because it replaces operator new.
+// After its first frame, an ocean allocates no memory. A separate program, because it replaces
+// operator new.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -40,7 +41,7 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { pel
 namespace pelagic {
 namespace {
 
-// oneTBB allocates its own tasks through its own pools, so the default executor is left out: the promise is ours.
+// The default executor is left out: oneTBB allocates its tasks from its own pools.
 TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         const long before_building = allocations;
@@ -54,9 +55,9 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
     }
 }
 
-TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
-    // The paper's own scale folds at such winds, and cascades in a hurricane are nearly as steep: so the searches for the
-    // highest sheet are in it.
+TEST(Allocation, QueriesAndQueryableFramesDoNotAllocate) {
+    // At these wind speeds the paper's sea folds, and hurricane cascades are nearly as steep. So
+    // the queries also search for the highest of several surface sheets.
     const SeaState folded{.spectrum = SpectrumModel::phillips_paper,
                           .resolution = 64,
                           .patch_size_m = 250,
@@ -78,7 +79,8 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
         const SurfaceSamples wanted{.height_m = height, .normal_x = normal, .velocity_y_mps = velocity, .foam = foam};
         ocean.frame_at(0);
         const long before = allocations;
-        for (int i = 0; i < 10; ++i) {  // the foam of the last of them is a jump in time
+        // the last frame jumps in time, which resets its foam history
+        for (int i = 0; i < 10; ++i) {
             const SurfaceQuery query(ocean.frame_at(i < 9 ? i * 0.1 : 77));
             query.sample({x, z}, wanted);
             jobs.sample(query, {x, z}, wanted);
@@ -88,7 +90,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
     }
 }
 
-TEST(Allocation, WavesOfApplicationsAllocateNothingInFrames) {
+TEST(Allocation, WaveInputsDoNotAllocateInFrames) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         const auto waves = std::make_shared<GerstnerInput>(), none = std::make_shared<GerstnerInput>();
         const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});
@@ -105,7 +107,7 @@ TEST(Allocation, WavesOfApplicationsAllocateNothingInFrames) {
     }
 }
 
-TEST(Allocation, SeasInClosedFormAllocateNothingWhenAsked) {
+TEST(Allocation, AnalyticQueriesDoNotAllocate) {
     const AnalyticSurface sea(analytic_preset_named("analytic-intense")->sea);
     const PondWaves pond({});
     std::vector<double> x(1003, 1.5), z(1003, -2);
@@ -118,18 +120,18 @@ TEST(Allocation, SeasInClosedFormAllocateNothingWhenAsked) {
     EXPECT_EQ(allocations, before);
 }
 
-TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {
+TEST(Allocation, MemoryBytesMatchesTheOceansBuffers) {
     Ocean ocean({.resolution = 256, .patch_size_m = 250}, {.executor = make_serial_executor()});
-    // Bytes a texel: 44 for each pair of waves, of which there is one for four texels, makes 11; two slots of 12 + 8 +
-    // 5.3; half a byte of mip averages; half a byte between column blocks. And tables.
+    // Bytes per texel: 11 for wave pairs (44 per pair, one pair per four texels); 2 slots of 12 + 8
+    // + 5.3; 0.5 for mip averages; 0.5 between column blocks. Tables add a little.
     EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 63, 1);
-    // Two slots of 12 bytes of velocities and a quarter of folds.
+    // Two slots of 12 bytes of velocities, and a quarter byte of fold map.
     Ocean asked({.resolution = 256, .patch_size_m = 250},
                 {.executor = make_serial_executor(), .queries = true, .velocities = true});
     EXPECT_NEAR(static_cast<double>(asked.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
 }
 
-// Two frames in flight and every output; the paper's buffers take 7.5 MB for one.
+// With two frames in flight and every output; the paper's buffers take 7.5 MB for one frame.
 TEST(Allocation, AnOceanOf256TakesLessThanSixMegabytes) {
     for (const Isa isa : isas_here()) {
         Ocean ocean({.resolution = 256, .patch_size_m = 250}, {.executor = make_serial_executor(), .isa = isa});
@@ -137,7 +139,7 @@ TEST(Allocation, AnOceanOf256TakesLessThanSixMegabytes) {
     }
 }
 
-TEST(Allocation, SelectionsAllocateNothing) {
+TEST(Allocation, SelectionsDoNotAllocate) {
     for (const QuadtreePreset& preset : quadtree_presets()) {
         QuadtreeOptions options = preset.options(8192);
         options.batch_limit = 3;

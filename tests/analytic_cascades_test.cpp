@@ -1,4 +1,5 @@
-// Seas of few waves on cascades: texels against sums in long double with libm, and the closed-form evaluators against frames.
+// Analytic seas on cascades: texels are compared with sums in long double by libm, and the analytic
+// evaluators with frames.
 #include "pelagic/sim/analytic_cascades.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ const SeaState on_one_cascade{.waves = WaveModel::analytic,
                               .choppiness = 0.9,
                               .longest_wave_m = 90,
                               .shortest_wave_m = 5};
-/// So many waves on so small a grid that some meet.
+/// So many waves on so small a grid that some share a wave vector.
 const SeaState crowded{.waves = WaveModel::analytic,
                        .resolution = 64,
                        .patch_size_m = 100,
@@ -56,7 +57,8 @@ struct Oracle {
     Long height = 0, dx = 0, dz = 0;
 };
 
-/// The waves of one cascade where texel (i, j) rests, from the definition: whole wave numbers, whole periods.
+/// The waves of one cascade at the reference position of texel (i, j), from the definition: integer
+/// wave numbers and periods per loop.
 Oracle sum_of(const std::vector<GridWave>& waves, const SeaState& sea, const CascadePlan& cascade, Long time_s, int i,
               int j) {
     Oracle sum;
@@ -76,8 +78,8 @@ Oracle sum_of(const std::vector<GridWave>& waves, const SeaState& sea, const Cas
     return sum;
 }
 
-// A frame's transforms are within 3e-7 of the largest wave's sum; phases are rounded to 2^-32 of a turn, times a harmonic of
-// up to 300.
+// A frame's transforms are within 3e-7 of the largest wave's sum; phases are rounded to 2^-32 of a
+// turn, times a harmonic of up to 300.
 TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
     for (const SeaState& sea : {moderate, on_one_cascade, crowded}) {
         ASSERT_EQ(check(sea), "");
@@ -105,7 +107,7 @@ TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
     }
 }
 
-TEST(AnalyticCascades, SomeWavesMeet) {
+TEST(AnalyticCascades, SomeWavesShareAWaveVector) {
     std::set<std::pair<int, int>> places;
     const auto waves = grid_waves(crowded, plan_cascades(crowded)[0]);
     for (const GridWave& wave : waves) places.insert({wave.at.m, wave.at.n});
@@ -113,8 +115,8 @@ TEST(AnalyticCascades, SomeWavesMeet) {
     EXPECT_LT(places.size(), 60u);
 }
 
-// 1e-5 of the amplitudes is what is promised; velocities are as much of the sum of A w.
-TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
+// The documented bound is 1e-5 of the sum of amplitudes; for velocities, 1e-5 of the sum of A w.
+TEST(AnalyticCascades, AnalyticSurfaceMatchesTexels) {
     for (const SeaState& sea : {on_one_cascade, crowded}) {
         const PlaneWaves waves = waves_of_cascades(sea);
         const AnalyticSurface water(waves);
@@ -148,9 +150,10 @@ TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
     }
 }
 
-// Between texels a frame is bilinear. A wave of k and texels of d is then off by (k d)^2 / 8 of its amplitude along each
-// axis at most, (k_x^2 + k_z^2) d^2 / 8; its displacement by as much, on slopes of 0.4.
-TEST(AnalyticCascades, QueriesMeetTheClosedForm) {
+// Between texels a frame is bilinear. For a wave number k and texel size d, the error along each
+// axis is at most (k d)^2 / 8 of the amplitude, together (k_x^2 + k_z^2) d^2 / 8. Displacements
+// have the same error, on slopes of 0.4.
+TEST(AnalyticCascades, QueriesMatchTheAnalyticSurface) {
     for (const SeaState& sea : {moderate, on_one_cascade}) {
         double bound = SurfaceQuery::default_tolerance_m;
         for (const CascadePlan& cascade : plan_cascades(sea)) {
@@ -174,7 +177,7 @@ TEST(AnalyticCascades, QueriesMeetTheClosedForm) {
         double squares = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             ASSERT_NEAR(found[i], expected[i], bound);
-            // The normal's way from the vertical: texels smooth the shortest waves.
+            // The normal's deviation from the vertical: texels smooth the shortest waves.
             ASSERT_NEAR(found_up[i], expected_up[i], 0.03);
             squares += (found[i] - expected[i]) * (found[i] - expected[i]);
         }
@@ -182,7 +185,7 @@ TEST(AnalyticCascades, QueriesMeetTheClosedForm) {
     }
 }
 
-TEST(AnalyticCascades, WavesHardlyChangeOnTheDefaultCascades) {
+TEST(AnalyticCascades, DefaultCascadesChangeWavelengthsByLessThan7Percent) {
     const PlaneWaves asked = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_cascades(moderate);
     ASSERT_EQ(held.waves.size(), asked.waves.size());
     double squares = 0, turned = 0;
@@ -205,9 +208,9 @@ TEST(AnalyticCascades, WavesHardlyChangeOnTheDefaultCascades) {
     EXPECT_LT(turned, 1 / 16.0) << "the same";
 }
 
-// Gerstner's (1802) water in deep water: each particle goes round a circle as wide as the wave is high, once a period, all
-// with the same delay along the wave; the shape travels at sqrt(g / k).
-TEST(AnalyticCascades, OneWaveIsGerstnersTrochoid) {
+// Gerstner's wave (1802) in deep water: each particle moves on a circle whose diameter is the wave
+// height, once a period, delayed in proportion to its position. The shape travels at sqrt(g / k).
+TEST(AnalyticCascades, OneWaveIsATrochoid) {
     const SeaState sea{.waves = WaveModel::analytic,
                        .resolution = 128,
                        .patch_size_m = 200,
@@ -241,7 +244,7 @@ TEST(AnalyticCascades, OneWaveIsGerstnersTrochoid) {
     }
 }
 
-TEST(AnalyticCascades, PresetsAreTheSeasOfTheirNames) {
+TEST(AnalyticCascades, CascadePresetsEqualAnalyticPresets) {
     for (const AnalyticPreset& preset : analytic_presets()) {
         const SeaPreset* const on_cascades = sea_preset_named(preset.name);
         ASSERT_NE(on_cascades, nullptr) << preset.name;
@@ -257,7 +260,7 @@ TEST(AnalyticCascades, PresetsAreTheSeasOfTheirNames) {
     }
 }
 
-TEST(AnalyticCascades, TheyGrowWithStrengthWithoutAJump) {
+TEST(AnalyticCascades, HeightGrowsContinuouslyWithStrength) {
     double before = 0;
     for (int i = 0; i <= 40; ++i) {
         SeaState sea = moderate;
@@ -271,7 +274,7 @@ TEST(AnalyticCascades, TheyGrowWithStrengthWithoutAJump) {
     }
 }
 
-TEST(AnalyticCascades, ReportsSayTheHeightThatFramesHave) {
+TEST(AnalyticCascades, ReportedHeightEqualsFrameHeight) {
     for (const SeaState& sea : {moderate, on_one_cascade}) {
         const SeaReport report = report_on(sea);
         const double held = significant_height_m(waves_of_cascades(sea));
@@ -294,8 +297,9 @@ TEST(AnalyticCascades, ReportsSayTheHeightThatFramesHave) {
     EXPECT_NEAR(expected_waves(of_height).significant_wave_height_m, 2, 1e-9);
 }
 
-// Weather blends the energy of each wave: A = sqrt((1 - s) A0^2 + s A1^2), s = u^2 (3 - 2u), with length, way and phase as they are.
-TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
+// A transition interpolates each wave's energy: A = sqrt((1 - s) A0^2 + s A1^2), s = u^2 (3 - 2u).
+// Wavelength, direction and phase are kept.
+TEST(AnalyticCascades, TransitionsInterpolateEachWavesEnergy) {
     SeaState before = on_one_cascade, after = on_one_cascade;
     before.wave_strength = 0.3;
     after.wave_strength = 1.4;
@@ -331,7 +335,7 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
     EXPECT_EQ(hash_of(ocean.frame_at(60)), hash_of(Ocean(after, everything()).frame_at(60)));
 }
 
-TEST(AnalyticCascades, NeverFold) {
+TEST(AnalyticCascades, JacobiansStayPositive) {
     SeaState intense = moderate;
     intense.wave_strength = 2;
     Ocean ocean(intense, everything());
@@ -344,12 +348,13 @@ TEST(AnalyticCascades, NeverFold) {
     std::vector<float> jacobian(x.size());
     std::vector<std::uint8_t> converged(x.size());
     SurfaceQuery(ocean.frame_at(30)).sample({x, z}, {.jacobian = jacobian, .converged = converged});
-    // 1 - 0.4 of exact slopes; those of a stack overstate its shortest waves at texels, by a tenth at most.
+    // 1 - 0.4 from exact slopes; finite differences overestimate the slopes of the shortest waves
+    // at texels, by at most a tenth.
     EXPECT_GT(*std::min_element(jacobian.begin(), jacobian.end()), 0.55f);
     EXPECT_EQ(std::count(converged.begin(), converged.end(), 0), 0);
 }
 
-TEST(AnalyticCascades, AnyOrderOfTimesGivesTheSameBits) {
+TEST(AnalyticCascades, FramesDoNotDependOnTheOrderOfTimes) {
     for (const SeaState& sea : {moderate, pond}) {
         Ocean ocean(sea, everything());
         std::map<double, std::uint64_t> forwards;
@@ -363,7 +368,7 @@ TEST(AnalyticCascades, AnyOrderOfTimesGivesTheSameBits) {
     }
 }
 
-TEST(AnalyticCascades, SaysWhatItCanNotTake) {
+TEST(AnalyticCascades, InvalidOptionsAreNamed) {
     const auto with = [](SeaState sea, auto change) {
         change(sea);
         return check(sea);
@@ -389,9 +394,9 @@ TEST(AnalyticCascades, SaysWhatItCanNotTake) {
               "wave_height_m is 20, needs at most 4.05 where waves is pond with so many octaves");
 }
 
-TEST(AnalyticCascades, ALiveOceanKeepsToItsKindOfWaves) {
+TEST(AnalyticCascades, OnlySeasOfTheSameKindReplaceARunningSea) {
     Ocean sea({.resolution = 128}, everything());
-    sea.schedule_sea(moderate);  // a spectrum and an analytic sea are both sums of waves
+    sea.schedule_sea(moderate);  // spectra and analytic seas are both sums of waves
     sea.complete_sea();
     EXPECT_EQ(hash_of(sea.frame_at(2)), hash_of(Ocean(moderate, everything()).frame_at(2)));
     Ocean small(pond, everything());
@@ -408,7 +413,7 @@ TEST(AnalyticCascades, ALiveOceanKeepsToItsKindOfWaves) {
     }
 }
 
-/// The heights of a pond's octaves, each shown as much as texels can, by libm.
+/// The heights of a pond's octaves by libm, each attenuated as its texels attenuate it.
 Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Long time_s, Long x, Long z) {
     const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
     Long height = 0;
@@ -426,9 +431,9 @@ Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Lo
     return height;
 }
 
-// The kernel is within 1e-6 of the octaves' heights (pond_waves_test.cpp); `shown` is rounded to floats, and octaves are moved
-// by each other's rounding.
-TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
+// The kernel is within 1e-6 of the octaves' heights (pond_waves_test.cpp). `shown` is rounded to
+// float, and each octave is displaced by the rounding errors of the others.
+TEST(PondCascade, TexelsAreTheSumOfOctaves) {
     const CascadePlan cascade = plan_cascades(pond)[0];
     const std::vector<GridOctave> octaves = grid_octaves(pond, cascade);
     double heights = 0;
@@ -448,13 +453,13 @@ TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
     }
 }
 
-TEST(PondCascade, TheClosedFormSaysWhatTexelsSay) {
+TEST(PondCascade, PondWavesMatchTexels) {
     const PondWaves water = PondWaves::of(octaves_of_cascade(pond));
     Ocean ocean(pond, everything());
     const Cascade& cascade = ocean.frame_at(4).cascades[0];
     const std::vector<float> footprint(64, static_cast<float>(cascade.texel_m()));
     for (int j = 0; j < 64; j += 5) {
-        std::vector<double> x, z(64, (j - 128) * cascade.texel_m());  // it repeats
+        std::vector<double> x, z(64, (j - 128) * cascade.texel_m());  // the row repeats
         for (int i = 0; i < 64; ++i) x.push_back((i + 64) * cascade.texel_m());
         std::vector<float> height(64), rise(64);
         water.sample(4, {x, z}, {.height_m = height, .vertical_velocity_mps = rise}, footprint);
@@ -465,7 +470,7 @@ TEST(PondCascade, TheClosedFormSaysWhatTexelsSay) {
     }
 }
 
-TEST(PondCascade, ReportsSayWhatFramesHave) {
+TEST(PondCascade, ReportsMatchFrames) {
     for (const double drag : {0.0, 0.38}) {
         SeaState sea = pond;
         sea.resolution = 256;
@@ -489,8 +494,8 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
                     slopes += (x * x + z * z) / (cascade.texel_m() * cascade.texel_m()) / (8 * 65536);
                 }
         }
-        // Octaves that don't move each other are independent, but for the few that share a place of the grid, within what
-        // eight frames tell; dragged ones are gathered on crests.
+        // Without drag the octaves are independent, except the few that share a wave vector, within
+        // the scatter of eight frames. With drag they gather on crests.
         const double allowed = drag == 0 ? 0.05 : 0.12;
         const SeaReport report = report_on(sea);
         EXPECT_NEAR(std::sqrt(squares), report.expected.significant_wave_height_m, allowed * 0.03) << drag;
@@ -506,7 +511,7 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
     }
 }
 
-// Every option at the edges of its range makes frames of finite numbers, or is refused.
+// Options at the limits of their ranges give frames of finite numbers or are rejected.
 TEST(AnalyticCascades, EdgesOfRangesGiveFiniteFrames) {
     for (const SeaState& base : {moderate, pond}) {
         int taken = 0;

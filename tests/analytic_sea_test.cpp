@@ -1,4 +1,4 @@
-// Lists of waves: what is refused, seas by name, and the way from one to another.
+// Wave lists: invalid values, presets, and transitions from one list to another.
 #include "pelagic/analytic/analytic_sea.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 const AnalyticSea& named(std::string_view name) { return analytic_preset_named(name)->sea; }
 
-TEST(AnalyticSea, NamesTheFirstBadNumber) {
+TEST(AnalyticSea, NamesTheFirstInvalidValue) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     AnalyticSea sea;
     EXPECT_EQ(check(sea), "waves is 0, needs 1 to 64 of them");
@@ -36,7 +36,7 @@ TEST(AnalyticSea, NamesTheFirstBadNumber) {
     EXPECT_EQ(check(sea), "choppiness is nan, needs [0, 1]");
 }
 
-TEST(PlaneWaves, NamesTheFirstBadNumber) {
+TEST(PlaneWaves, NamesTheFirstInvalidValue) {
     const auto with = [](auto change) {
         PlaneWaves sea = plane_waves_of(named("analytic-calm"));
         change(sea);
@@ -56,7 +56,7 @@ TEST(PlaneWaves, NamesTheFirstBadNumber) {
     EXPECT_THROW(AnalyticSurface{PlaneWaves{}}, std::invalid_argument);
 }
 
-TEST(AnalyticFamily, AnyNumberOfWavesIsAsSteepAsThePresets) {
+TEST(AnalyticFamily, SteepnessDoesNotDependOnTheNumberOfWaves) {
     for (const double strength : {0.0, 1.0, 2.0, 1.5}) {
         const double steepness = steepness_of(analytic_sea({.strength = strength}));
         for (const int waves : {1, 2, 15, 64}) {
@@ -76,7 +76,7 @@ TEST(AnalyticFamily, AnyNumberOfWavesIsAsSteepAsThePresets) {
 TEST(AnalyticSea, IsNormalisedToASignificantHeight) {
     const AnalyticSea sea = with_significant_height(named("analytic-moderate"), 1.25);
     EXPECT_NEAR(significant_height_m(sea), 1.25, 1e-12);
-    // Four times the deviation of heights at places far apart, of which there are enough for 2 %.
+    // Four standard deviations of heights at distant points; there are enough points for 2 %.
     const AnalyticSurface water(sea);
     std::vector<double> x, z;
     for (int i = 0; i < 40000; ++i) {
@@ -90,7 +90,7 @@ TEST(AnalyticSea, IsNormalisedToASignificantHeight) {
     EXPECT_NEAR(4 * std::sqrt(squares / 40000), 1.25, 0.025);
 }
 
-TEST(AnalyticPresets, GrowFromCalmToIntense) {
+TEST(AnalyticPresets, HeightAndSteepnessGrowFromCalmToIntense) {
     ASSERT_EQ(analytic_presets().size(), 3u);
     double height_m = 0, steepness = 0;
     for (const AnalyticPreset& preset : analytic_presets()) {
@@ -103,7 +103,7 @@ TEST(AnalyticPresets, GrowFromCalmToIntense) {
     EXPECT_EQ(analytic_preset_named("analytic-wild"), nullptr);
 }
 
-TEST(AnalyticMorph, BeginsAndEndsAtItsSeas) {
+TEST(AnalyticMorph, BeginsAndEndsAtItsTwoSeas) {
     const AnalyticSea& calm = named("analytic-calm");
     const AnalyticSea& intense = named("analytic-intense");
     for (const double u : {-1.0, 0.0, 1.0, 3.0}) {
@@ -114,8 +114,8 @@ TEST(AnalyticMorph, BeginsAndEndsAtItsSeas) {
     }
 }
 
-// A hundredth of the way into it and before its end, a smoothstep has gone 3 u^2 - 2 u^3.
-TEST(AnalyticMorph, SetsOutAndArrivesGently) {
+// At u from either end, a smoothstep has covered 3 u^2 - 2 u^3; here u = 0.01.
+TEST(AnalyticMorph, StartsAndEndsWithZeroRate) {
     const AnalyticSea& calm = named("analytic-calm");
     const AnalyticSea& intense = named("analytic-intense");
     const AnalyticSea out = morphed(calm, intense, 0.01), in = morphed(calm, intense, 0.99);
@@ -126,7 +126,7 @@ TEST(AnalyticMorph, SetsOutAndArrivesGently) {
     }
 }
 
-TEST(AnalyticMorph, HeightGoesOneWayBetweenPresets) {
+TEST(AnalyticMorph, HeightChangesMonotonicallyBetweenPresets) {
     double before = 0;
     for (int i = 0; i <= 100; ++i) {
         const double now =
@@ -136,10 +136,10 @@ TEST(AnalyticMorph, HeightGoesOneWayBetweenPresets) {
     }
 }
 
-// A morph that rotated or stretched waves would slide them by whole wavelengths 50 km away. Here a step of u moves
-// the surface by the change of amplitudes alone, at most 1.5 du of it (the steepest smoothstep is), far from the
-// origin as near it.
-TEST(AnalyticMorph, MovesTheSurfaceByTheChangeOfAmplitudesAloneAnywhere) {
+// A transition that rotated or stretched waves would move them by whole wavelengths at a distance
+// of 50 km. Here a step of u moves the surface only by the change of amplitudes, at most 1.5 du of
+// it (the steepest slope of a smoothstep), at any distance from the origin.
+TEST(AnalyticMorph, SurfaceChangesOnlyByAmplitudeAtAnyDistance) {
     AnalyticSea other = named("analytic-calm");
     for (AnalyticWave& wave : other.waves) wave.direction_rad += 1.5;
     const AnalyticSea& to = named("analytic-intense");
@@ -165,7 +165,7 @@ TEST(AnalyticMorph, MovesTheSurfaceByTheChangeOfAmplitudesAloneAnywhere) {
     }
 }
 
-TEST(AnalyticMorph, NeverExceedsTheSteepnessOfItsSeasAndRefusesTooManyWaves) {
+TEST(AnalyticMorph, KeepsTheSteepnessBoundAndRejectsTooManyWaves) {
     AnalyticSea a, b;
     for (int i = 0; i < 40; ++i) {
         a.waves.push_back({.amplitude_m = 0.0099 * (5 + i) / (2 * std::numbers::pi), .wavelength_m = 5.0 + i});

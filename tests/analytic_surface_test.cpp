@@ -1,5 +1,5 @@
-// Closed-form water against the same sums in long double with libm, against Gerstner's exact wave, and against itself
-// in any order.
+// The analytic surface, compared with sums in long double by libm and with Gerstner's exact wave,
+// and checked for independence of the order of evaluation.
 #include "pelagic/analytic/analytic_surface.hpp"
 
 #include <bit>
@@ -25,13 +25,13 @@ double rounded(Long value) { return static_cast<double>(value); }
 
 struct Truth {
     Long height = 0, x = 0, z = 0;  // displacement
-    Long slope_x = 0, slope_z = 0;  // of the height over reference points
+    Long slope_x = 0, slope_z = 0;  // of the height, by reference position
     Long xx = 0, xz = 0, zz = 0;    // derivatives of the displacement
     Long velocity[3] = {};
     Long jacobian() const { return (1 + xx) * (1 + zz) - xz * xz; }
 };
 
-/// The sea as its header has it, slow and obvious.
+/// The sums as the header defines them, written plainly, without optimisation.
 Truth truth(const AnalyticSea& sea, Long time_s, Long x, Long z) {
     Truth sum;
     for (const AnalyticWave& wave : sea.waves) {
@@ -88,7 +88,7 @@ enum Kind {
 struct Answers {
     explicit Answers(std::size_t count) : of(kinds, std::vector<float>(count)) {}
     AnalyticSamples view() { return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7], of[8], of[9]}; }
-    std::uint64_t hash() const {  // FNV-1a
+    std::uint64_t hash() const {  // FNV-1a hash of all samples.
         std::uint64_t bits = 0xcbf29ce484222325;
         for (const auto& array : of)
             for (const float value : array) bits = (bits ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
@@ -111,8 +111,8 @@ Answers in_world(const AnalyticSurface& water, double time_s, const Places& plac
 
 const AnalyticSea& intense() { return analytic_preset_named("analytic-intense")->sea; }
 
-/// As steep as is accepted, with a short steep wave on a high long one: Newton's method alone would go astray far
-/// from the solution.
+/// The steepest sea that is accepted, with a short steep wave on a high long one: Newton's method
+/// alone would diverge far from the solution.
 AnalyticSea short_on_long() {
     return {.waves = {{.amplitude_m = 12, .wavelength_m = 500, .direction_rad = 0.3},
                       {.amplitude_m = 0.0124, .wavelength_m = 0.316, .direction_rad = -1, .phase_rad = 2}}};
@@ -133,7 +133,8 @@ AnalyticSea sixty_four_waves() {
 class AnalyticOnEachIsa : public testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(Isas, AnalyticOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-// The promise of the header. Normals and Jacobians are of slopes below 1: the same 1e-6 of the most that they can be.
+// The bound of the header. Normals and Jacobians depend on slopes below 1; their bound is 1e-6 of
+// their largest value.
 TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
     for (const AnalyticSea& sea : {intense(), sixty_four_waves()}) {
         const AnalyticSurface water(sea, GetParam());
@@ -163,7 +164,7 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
     }
 }
 
-TEST_P(AnalyticOnEachIsa, WaterOfAWorldPointIsDrawnThere) {
+TEST_P(AnalyticOnEachIsa, SurfaceFoundForAWorldPointIsDisplacedThere) {
     for (const AnalyticSea& sea : {intense(), short_on_long(), sixty_four_waves()}) {
         const AnalyticSurface water(sea, GetParam());
         const Places places = random_places(600, 3000);
@@ -177,16 +178,16 @@ TEST_P(AnalyticOnEachIsa, WaterOfAWorldPointIsDrawnThere) {
             const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
             ASSERT_LE(std::hypot(rest.x[i] + t.x - places.x[i], rest.z[i] + t.z - places.z[i]),
                       AnalyticSurface::tolerance_m);
-            // The search ends half of the tolerance away, on faces of slope 0.4; and floats of a sea of 12 m lose
-            // 1.2e-5.
+            // The search stops within half of the tolerance, on faces of slope 0.4; and floats lose
+            // 1.2e-5 at wave heights of 12 m.
             ASSERT_NEAR(said.of[height][i], rounded(t.height), 4e-5);
         }
     }
 }
 
-// r' <= r min(s, c r) from choppiness sum A: for this sea s = 0.4 and c = 6, so the fixed point goes on to 7 cm, then
-// Newton.
-TEST(AnalyticSearch, EndsAfterAsManyStepsAsItsProofSays) {
+// r' <= r min(s, c r), with c from choppiness and sum A. For this sea s = 0.4 and c = 6: the
+// fixed-point iteration reduces the error to 7 cm, then Newton's method takes over.
+TEST(AnalyticSearch, NumberOfStepsIsTheProvenBound) {
     EXPECT_EQ(AnalyticSurface(analytic_preset_named("analytic-calm")->sea).max_search_steps(), 3);
     EXPECT_EQ(AnalyticSurface(intense()).max_search_steps(), 6);
     const int max = AnalyticSurface(short_on_long()).max_search_steps();
@@ -195,14 +196,14 @@ TEST(AnalyticSearch, EndsAfterAsManyStepsAsItsProofSays) {
     EXPECT_LE(max, all_by_fixed_point);
 }
 
-// What FNV-1a of the bits is here, it is on every instruction set, compiler and processor.
-TEST_P(AnalyticOnEachIsa, GivesTheGoldenBits) {
+// The FNV-1a hash of all samples is equal on every instruction set, compiler and processor.
+TEST_P(AnalyticOnEachIsa, SamplesHaveTheGoldenHash) {
     const AnalyticSurface water(sixty_four_waves(), GetParam());
     EXPECT_EQ(sample_undisplaced(water, 1234.5, random_places(1003, 5000)).hash(), 13589754078015390544u);
     EXPECT_EQ(in_world(water, 1234.5, random_places(1003, 5000)).hash(), 7045321192955639590u);
 }
 
-TEST_P(AnalyticOnEachIsa, APointsBitsAreItsOwn) {
+TEST_P(AnalyticOnEachIsa, PointsDoNotDependOnTheirBatch) {
     const AnalyticSurface water(intense(), GetParam());
     const Places places = random_places(200, 300);
     const Answers all = in_world(water, 9, places);
@@ -223,7 +224,7 @@ TEST_P(AnalyticOnEachIsa, ApplicationsRoundingModeDoesNotMatter) {
     EXPECT_EQ(upwards, hash);
 }
 
-TEST(AnalyticTime, ReversedAndScrubbedPlayGivesTheSameBits) {
+TEST(AnalyticTime, SamplesDoNotDependOnTheOrderOfTimes) {
     const AnalyticSurface water(intense());
     const Places places = random_places(64, 300);
     std::vector<std::uint64_t> forwards;
@@ -239,7 +240,7 @@ TEST(AnalyticTime, ReversedAndScrubbedPlayGivesTheSameBits) {
     EXPECT_NE(forwards[0], forwards[1]);
 }
 
-// 0.1 is 3602879701896397 / 2^55: ten of them are 2 / 2^55 more than a turn.
+// 0.1 is stored as 3602879701896397 / 2^55, so ten of them exceed a turn by 2 / 2^55.
 TEST(AnalyticTime, TurnsAreExactProducts) {
     EXPECT_EQ(turned(0.1, 10), 1024u);
     EXPECT_EQ(turned(0.1, -10), std::uint64_t{0} - 1024);
@@ -250,14 +251,14 @@ TEST(AnalyticTime, TurnsAreExactProducts) {
     for (int i = 0; i < 1000; ++i) {
         const auto one = [&] { return static_cast<double>(random()) * 0x1p-64; };
         const double f = 8 * one(), long_s = std::floor(one() * 0x1p50), short_s = std::floor(one() * 4096);
-        // Each of the three is cut to 2^-64 of a turn.
+        // Each of the three products is truncated to 2^-64 of a turn.
         EXPECT_LE(turned(f, long_s + short_s) - turned(f, long_s) - turned(f, short_s), 1u);
     }
     for (const double time_s : {5e-324, 1e-300, 1e18, 1.7976931348623157e308})
         EXPECT_EQ(turned(0.123, time_s) + turned(0.123, -time_s), 0u) << time_s;
 }
 
-TEST(AnalyticTime, AnyFiniteTimeHasWater) {
+TEST(AnalyticTime, AnyFiniteTimeGivesFiniteSamples) {
     const AnalyticSurface water(intense());
     for (const double time_s : {-1e308, -1e20, 5e-324, 1e12, 1e308}) {
         const Answers said = in_world(water, time_s, random_places(20, 10));
@@ -265,8 +266,8 @@ TEST(AnalyticTime, AnyFiniteTimeHasWater) {
     }
 }
 
-// Lamb 1932, article 229: 100 m long waves take 8.004 s, and go 12.49 m/s.
-TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
+// Lamb 1932, article 229: waves 100 m long have a period of 8.004 s and a phase speed of 12.49 m/s.
+TEST(AnalyticPhysics, WavesTravelAtTheDeepWaterPhaseSpeed) {
     for (const auto& [wavelength_m, period_s] : {std::pair(100.0, 8.0044), {25.0, 4.0022}, {1.0, 0.80044}}) {
         const AnalyticSea sea{.waves = {{.amplitude_m = wavelength_m / 100, .wavelength_m = wavelength_m}}};
         const AnalyticSurface water(sea);
@@ -274,7 +275,8 @@ TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
         Places ahead = places;
         for (double& x : ahead.x) x += wavelength_m / period_s * 3;
         const Answers before = sample_undisplaced(water, 0, places), after = sample_undisplaced(water, 3, ahead);
-        // Five digits of the period: over 3 s the crest is within 1e-5 of 3 s / period of its place.
+        // The period is given to five digits: after 3 s the crest is within 1e-5 of 3 s / period of
+        // its exact position.
         for (std::size_t i = 0; i < places.x.size(); ++i)
             EXPECT_NEAR(after.of[height][i], before.of[height][i],
                         wavelength_m / 100 * 2 * std::numbers::pi * 3 / period_s * 2e-5);
@@ -286,14 +288,14 @@ TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
 class Trochoid : public testing::Test {
    protected:
     static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, surface_a_m = 0.38 / k;
-    /// Of particles that rest `depth_m` below the surface.
+    /// The surface of particles that are `depth_m` below the mean surface in still water.
     static AnalyticSurface at_depth(double depth_m) {
         return AnalyticSurface(
             {.waves = {{.amplitude_m = surface_a_m * std::exp(-k * depth_m), .wavelength_m = wavelength_m}}});
     }
 };
 
-TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
+TEST_F(Trochoid, ParticlesMoveOnCircles) {
     const AnalyticSurface water = at_depth(0);
     const double w = std::sqrt(9.80665 * k);
     const Places places{{3.3}, {-8}};
@@ -308,9 +310,9 @@ TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
     }
 }
 
-// Water is incompressible: d(x, y)/d(a, b) = 1 - (k A)^2 e^2kb, whatever a and t. Differences over 1 cm of floats of
-// half a metre.
-TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
+// Water is incompressible: d(x, y)/d(a, b) = 1 - (k A)^2 e^2kb for all a and t. Derivatives are
+// differences over 1 cm of floats of about half a metre.
+TEST_F(Trochoid, JacobianIsConstantOnALayer) {
     const double b = 0.4, step = 0.01;
     const AnalyticSurface above = at_depth(b - step), below = at_depth(b + step);
     const double right = 1 - 0.38 * 0.38 * std::exp(-2 * k * b);
@@ -327,8 +329,8 @@ TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
     }
 }
 
-// The pressure is the same all along the surface: acceleration and gravity together stand on it.
-TEST_F(Trochoid, SurfaceIsFree) {
+// The pressure is constant along the surface: acceleration minus gravity is normal to it.
+TEST_F(Trochoid, SurfacePressureIsConstant) {
     const AnalyticSurface water = at_depth(0);
     const double step = 1.0 / 64;
     for (int i = 0; i < 50; ++i) {
@@ -338,12 +340,13 @@ TEST_F(Trochoid, SurfaceIsFree) {
                       after = sample_undisplaced(water, t + step, places);
         const double a_x = (after.of[velocity_x][0] - before.of[velocity_x][0]) / (2 * step);
         const double a_y = (after.of[velocity_y][0] - before.of[velocity_y][0]) / (2 * step);
-        // Across the normal. Central differences over 1/64 s lose (w / 64)^2 / 6 = 1.2e-4 of the acceleration, k A g.
+        // The component along the tangent. Central differences over 1/64 s lose (w / 64)^2 / 6 =
+        // 1.2e-4 of the acceleration, k A g.
         EXPECT_NEAR(a_x * at.of[normal_y][0] - (a_y + 9.80665) * at.of[normal_x][0], 0, 2e-4 * 0.38 * 9.80665);
     }
 }
 
-TEST(AnalyticDerivatives, NormalsStandOnTheDrawnSurfaceAndWaterMovesAsItIsDrawn) {
+TEST(AnalyticDerivatives, NormalsAndVelocitiesMatchFiniteDifferences) {
     const AnalyticSea sea = intense();
     const Places places = random_places(60, 500);
     const Answers said = sample_undisplaced(AnalyticSurface(sea), 12, places);
@@ -370,7 +373,7 @@ TEST(AnalyticDerivatives, NormalsStandOnTheDrawnSurfaceAndWaterMovesAsItIsDrawn)
     }
 }
 
-TEST(AnalyticSurface, RefusesASeaThatIsTooSteep) {
+TEST(AnalyticSurface, RejectsASeaThatIsTooSteep) {
     AnalyticSea sea{.waves = {{.amplitude_m = 1, .wavelength_m = 12}}};
     try {
         AnalyticSurface water(sea);
@@ -397,13 +400,14 @@ TEST(AnalyticDeathTest, MisuseIsAsserted) {
     EXPECT_DEATH_IF_SUPPORTED(water.sample(0, places.view(), {.height_m = two}), "size\\(\\)");
 }
 
-// As docs/library.md has it.
-TEST(AnalyticExample, ABuoyOnARisingSea) {
+// The example of docs/library.md.
+TEST(AnalyticExample, SamplesFollowATransition) {
     std::vector<float> seen;
     for (const double time_s : {0.0, 30.0, 60.0}) {
         const AnalyticSea& calm = analytic_preset_named("analytic-calm")->sea;
         const AnalyticSea& rough = analytic_preset_named("analytic-intense")->sea;
-        const AnalyticSurface water(morphed(calm, rough, time_s / 60));  // rises within a minute
+        // the transition takes a minute
+        const AnalyticSurface water(morphed(calm, rough, time_s / 60));
         const double x = 12, z = -3;
         float height_m, vertical_velocity_mps;
         water.sample(time_s, {{&x, 1}, {&z, 1}},

@@ -1,4 +1,5 @@
-// An application's job system, the least there is: one thread for what should be done soon, one more for each parallel loop.
+// A minimal application job system: one thread for submitted tasks, and a second one for each
+// parallel loop.
 #pragma once
 
 #include <atomic>

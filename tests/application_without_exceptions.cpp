@@ -1,5 +1,5 @@
-// A C++ application that is compiled with -fno-exceptions and -fno-rtti, and has the sea by the C interface: mistakes are codes and a
-// line. Prints the hashes of two golden frames.
+// A C++ application compiled with -fno-exceptions and -fno-rtti that uses the C interface: errors
+// are status codes with a message of one line. It prints the hashes of two golden frames.
 #include <pelagic/pelagic.h>
 
 #include <cinttypes>

@@ -1,5 +1,6 @@
-// An application that is compiled with -fno-rtti, as many engines are: with an executor and a trace sink of its own, which the library
-// calls, and with exceptions of the library's, which it catches. Prints the hashes of two golden frames.
+// An application compiled with -fno-rtti, as many engines are. The library calls the application's
+// own executor and trace sink, and the application catches the library's exceptions. It prints the
+// hashes of two golden frames.
 #include <cstdio>
 #include <memory>
 #include <stdexcept>

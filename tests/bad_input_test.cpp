@@ -1,4 +1,5 @@
-// Bad input: exit code 2, one line that names the option, the value and what is accepted, and nothing written.
+// Invalid input gives exit code 2 and one line that names the option, the value and the accepted
+// values; no file is written.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -14,14 +15,16 @@ namespace {
 
 struct BadInput {
     std::vector<std::string>
-        arguments;                  ///< OUT becomes a folder that does not exist, CONFIG a file with `config` in it
-    std::vector<std::string> says;  ///< the line holds all of these
+        /// OUT is replaced by the path of a folder that does not exist, CONFIG by a file that holds
+        /// `config`
+        arguments;
+    std::vector<std::string> says;  ///< the error message contains each of these strings
     std::string config = {};
 };
 
 std::vector<BadInput> bad_inputs() {
     std::vector<BadInput> all = {
-        // Commands and words.
+        // Subcommands and unexpected arguments.
         {{}, {"no command", "bench", "export", "info", "quadtree"}},
         {{"exprot"}, {"exprot", "export"}},
         {{"--frobnicate"}, {"--frobnicate", "export"}},
@@ -31,7 +34,7 @@ std::vector<BadInput> bad_inputs() {
         {{"info", "--out", "OUT"}, {"--out", "unknown"}},
         {{"export", "--out", "OUT", "--seed", "1", "--seed", "2"}, {"--seed", "2 times", "once"}},
         {{"export", "--out", "OUT", "--seed"}, {"--seed", "no value"}},
-        // Where to.
+        // Output paths.
         {{"export"}, {"--out", "missing", "folder"}},
         {{"export", "--out", ""}, {"--out", "folder"}},
         {{"export", "--out", "CONFIG"}, {"--out", "CONFIG", "is a file"}},
@@ -50,7 +53,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--frames", "loop", "--loop-period", "1.01"},
          {"--frames", "loop", "24.24", "--loop-period 1 "}},
         {{"export", "--out", "OUT", "--start-number", "-1"}, {"--start-number", "-1", "0 to 999999"}},
-        // What files.
+        // Output files.
         {{"export", "--out", "OUT", "--compression", "lzw"},
          {"--compression", "is lzw", "zip, zips, piz, dwaa or none"}},
         {{"export", "--out", "OUT", "--format", "tif", "--compression", "piz"},
@@ -61,7 +64,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--pack", "bits"}, {"--pack", "is bits", "files, layers or parts"}},
         {{"export", "--out", "OUT", "--pack", "parts", "--mips"}, {"--pack", "is parts", "--tiled"}},
         {{"export", "--out", "OUT", "--pack", "layers", "--format", "tif"}, {"--pack", "is layers", "--format exr"}},
-        // The quadtree's options.
+        // Options of `pelagic quadtree`.
         {{"bench", "--sizes", "64,100"}, {"--sizes", "is 64,100", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "4096"}, {"--sizes", "is 4096", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "64,"}, {"--sizes", "is 64,", "powers of two from 16 to 2048"}},
@@ -88,7 +91,7 @@ std::vector<BadInput> bad_inputs() {
         {{"quadtree", "--time", "noon"}, {"--time", "is noon", "[-1e9, 1e9]"}},
         {{"quadtree", "--obj", ""}, {"--obj", "empty", "a file"}},
         {{"quadtree", "--wind-speed", "-3"}, {"--wind-speed", "is -3"}},
-        // Export's own options.
+        // Options of `pelagic export`.
         {{"export", "--out", "OUT", "--frames", "0"}, {"--frames", "is 0", "1 to 1000000"}},
         {{"export", "--out", "OUT", "--frames", "-4"}, {"--frames", "is -4", "1 to 1000000"}},
         {{"export", "--out", "OUT", "--frames", "2.5"}, {"--frames", "is 2.5", "whole number"}},
@@ -122,7 +125,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--trace", "/dev/null"}, {"--trace", "/dev/null", "is a device"}},
         {{"export", "--out", "OUT", "--trace", "OUT/sea.json"}, {"--trace", "OUT/sea.json", "uses that one itself"}},
         {{"export", "--out", "OUT/", "--trace", "OUT/./gradient_0000.png"}, {"--trace", "uses that one itself"}},
-        // Names.
+        // File names.
         {{"export", "--out", "OUT", "--spectrum", "jonsawp"}, {"--spectrum", "is jonsawp", "nearest is jonswap"}},
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
@@ -169,7 +172,7 @@ std::vector<BadInput> bad_inputs() {
         {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
         {{"info", "--spectrum", "phillips-paper", "--swell-height", "2"},
          {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper"}},
-        // A sea.json given as one.
+        // A file of --config that is called sea.json.
         {{"info", "--config", "CONFIG"}, {"CONFIG:3", "malformed JSON", "sea.json"}, "{\n\"sea\": {\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "malformed JSON"}, "{\"sea\": {\"seed\": 1e999}}"},
         {{"info", "--config", "CONFIG"}, {"CONFIG holds no sea", "sea.json"}, "{\"frames\": []}"},
@@ -187,12 +190,12 @@ std::vector<BadInput> bad_inputs() {
          {"cascades is 2, needs 1", "resolution"}},
         {{"export", "--out", "OUT", "--cascades", "2", "--spectrum", "phillips-paper"},
          {"cascades is 2, needs 1", "paper"}},
-        // A bad value in the file is an error even where a flag would win.
+        // An invalid value in the file is an error even where a flag overrides it.
         {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"},
          {"CONFIG:1", "-3"},
          "wind_speed = -3\n"},
     };
-    // Every number of the sea: below, above, not finite, not a number.
+    // Each number of the sea: too small, too large, infinite, NaN and not a number.
     struct Range {
         std::string flag, accepted;
         std::vector<std::string> values;
@@ -219,14 +222,15 @@ std::vector<BadInput> bad_inputs() {
                             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
                             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
         for (const std::string& value : values) {
-            // The same lines read all flags: there each has one of its values, and each kind of value is some flag's.
+            // One parser reads all flags. Under a sanitizer each flag is tried with one of its
+            // values, and each kind of value with some flag.
             if (is_sanitized && &value != &values[flag.size() % values.size()]) continue;
             all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " is " + value + ", needs", accepted}});
         }
     return all;
 }
 
-TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
+TEST(BadInput, ErrorNamesOptionValueAndRangeAndNoFileIsWritten) {
     const std::vector<BadInput> all = bad_inputs();
     EXPECT_GE(all.size(), 40u);
     for (const BadInput& bad : all) {
@@ -256,10 +260,11 @@ TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
     }
 }
 
-TEST(BadInput, AConfigFileOfMoreThan64MiBIsOne) {
+TEST(BadInput, AConfigFileOfMoreThan64MiBIsRejected) {
     const TemporaryFolder folder;
     write_file(folder / "sea.toml", "");
-    std::filesystem::resize_file(folder / "sea.toml", (std::uintmax_t{64} << 20) + 1);  // a hole, no room on the disk
+    // a sparse file, which takes no disk space
+    std::filesystem::resize_file(folder / "sea.toml", (std::uintmax_t{64} << 20) + 1);
     const Outcome outcome = run_pelagic({"info", "--config", (folder / "sea.toml").string()});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("which has more than 64 MiB, needs a TOML file"), std::string::npos) << outcome.err;
@@ -271,8 +276,9 @@ std::string repeated(const std::string& text, int times) {
     return all;
 }
 
-// toml++ recurses for each part of a key and for each nested value: 100,000 of them end the program.
-TEST(BadInput, ATomlFileOfManyLevelsIsOne) {
+// toml++ recurses for each component of a key and for each nested value: 100,000 levels would
+// overflow the stack.
+TEST(BadInput, ATomlFileOfManyLevelsIsRejected) {
     const std::string dots = repeated("a.", 100'000) + "a";
     const std::vector<std::pair<std::string, std::string>> files = {
         {dots + " = 1\n", ":1: a line of more than 4096 bytes"},
@@ -298,8 +304,9 @@ TEST(BadInput, ATomlFileOfManyLevelsIsOne) {
         << "comments may have dots";
 }
 
-// The search for the nearest name took 22 s of the processor here; a sanitizer takes ten times as long for a byte.
-TEST(BadInput, APresetNameOf60MillionBytesIsOne) {
+// The search for the nearest preset name took 22 s of CPU time for this name; a sanitizer takes ten
+// times as long per byte.
+TEST(BadInput, APresetNameOf60MillionBytesIsRejected) {
     const TemporaryFolder folder;
     const std::string name(is_sanitized ? 6'000'000 : 60'000'000, 'x');
     write_file(folder / "sea.json", R"({"sea": {"preset": ")" + name + R"("}})");
@@ -312,7 +319,7 @@ TEST(BadInput, APresetNameOf60MillionBytesIsOne) {
     EXPECT_NE(outcome.err.find("sea: preset is xxx"), std::string::npos) << outcome.err;
 }
 
-TEST(BadInput, HelpAndVersionAreNone) {
+TEST(BadInput, HelpAndVersionAreNoErrors) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"--help"}, {"--version"}, {"export", "--help"}, {"info", "--help"}}) {
         const Outcome outcome = run_pelagic(arguments);

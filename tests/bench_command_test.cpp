@@ -1,4 +1,4 @@
-// `pelagic bench`: that it measures what it was asked for and says so; how long anything takes is nobody's promise.
+// `pelagic bench` measures and prints what its options select. Times are not compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,11 +84,11 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     EXPECT_EQ(run.out.find("several threads"), std::string::npos);
     std::istringstream lines(run.out);
     std::string line;
-    std::getline(lines, line);  // the processor's name may be any
+    std::getline(lines, line);  // the name of the processor has any length
     while (std::getline(lines, line)) EXPECT_LE(line.size(), 100u) << line;
 }
 
-TEST(BenchCommand, ASeaOfSeveralCascadesHasEachJobOnce) {
+TEST(BenchCommand, JobsOfSeveralCascadesAreSummed) {
     std::vector<double> done;
     const tools::Timings timings =
         tools::time_frames({.seas = {{}}, .isas = {isas_here().back()}, .threads = {1}, .seconds = 0.1},
@@ -109,13 +109,14 @@ TEST(BenchCommand, ASeaOfSeveralCascadesHasEachJobOnce) {
     }
     EXPECT_EQ(jobs, (std::vector<std::string>{"evolve+rows", "columns+finalize", "slopes+mipmaps", "slopes tail"}));
     EXPECT_GT(sum_ms, 0);
-    EXPECT_GE(done.size(), 5u);  // turn by turn
+    EXPECT_GE(done.size(), 5u);  // progress is reported between the turns
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
     EXPECT_GT(done.front(), 0);
     EXPECT_LE(done.back(), 1);
 }
 
-// On the instruction set that every x86 has, whose registers are as wide as a headset's, so that memory is the same.
+// With the instruction set that every x86-64 processor has: its registers are as wide as a
+// headset's, so memory sizes are equal.
 json headset_rows() {
     const std::string isa(name_of(isas_here().front()));
     const Outcome run = bench({"--headset", "--threads", "3", "--isa", isa, "--json", "-"});
@@ -141,7 +142,8 @@ TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
         if (row.at("threads") == 1) {
             EXPECT_EQ(row.at("memory_bytes"), memory_by_info(row)) << rows.back();
         }
-        // Half floats; a chain of words of a cascade alone, two chains of several.
+        // Half floats. A single cascade has one mip chain of 32-bit words, several cascades have
+        // two each.
         const std::size_t cascades = row.at("cascades"), n = row.at("n"), chains = cascades == 1 ? 1 : 2;
         EXPECT_EQ(row.at("upload_bytes"), cascades * (8 * n * n + chains * 4 * (4 * n * n - 1) / 3)) << rows.back();
     }
@@ -150,12 +152,12 @@ TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
     EXPECT_EQ(rows, wanted);
 }
 
-TEST(HeadsetBench, PrintsThoseRowsWithinAHundredColumns) {
+TEST(HeadsetBench, PrintsItsRowsWithinAHundredColumns) {
     const Outcome run = bench({"--headset", "--threads", "2"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     std::istringstream lines(run.out);
     std::string line;
-    std::getline(lines, line);  // the processor's name may be any
+    std::getline(lines, line);  // the name of the processor has any length
     std::vector<std::string> rows;
     while (std::getline(lines, line)) {
         EXPECT_LE(line.size(), 100u) << line;
@@ -173,8 +175,9 @@ std::string megabytes(const json& bytes, const char* format) {
     return text;
 }
 
-// Its milliseconds are a model's (bench/instructions/headset_model.py), the rest is this program's.
-TEST(HeadsetPage, HasTheRowsOfTheCommand) {
+// The page's milliseconds come from a model (bench/instructions/headset_model.py); memory and
+// upload sizes come from this program.
+TEST(HeadsetPage, HasTheRowsOfTheBenchCommand) {
     std::vector<std::string> rows, wanted;
     std::istringstream page(read_file(PELAGIC_HEADSET_PAGE));
     for (std::string line; std::getline(page, line);) {
@@ -189,7 +192,7 @@ TEST(HeadsetPage, HasTheRowsOfTheCommand) {
     EXPECT_EQ(rows, wanted);
 }
 
-TEST(BenchCommand, AFailedWriteIsOneLineBeforeTheWorkBegins) {
+TEST(BenchCommand, AnUnwritablePathIsAnErrorBeforeTheWorkBegins) {
     const TemporaryFolder folder;
     const Outcome run =
         run_pelagic({"bench", "--seconds", "3600", "--json", (folder / "no/such/folder.json").string()});
@@ -200,20 +203,20 @@ TEST(BenchCommand, AFailedWriteIsOneLineBeforeTheWorkBegins) {
     EXPECT_TRUE(files_in(folder.path()).empty());
 }
 
-TEST(ThreadCounts, DoubleUpToTheMost) {
+TEST(ThreadCounts, DoubleUpToTheMaximum) {
     EXPECT_EQ(tools::thread_counts(1), (std::vector{1}));
     EXPECT_EQ(tools::thread_counts(6), (std::vector{1, 2, 4, 6}));
     EXPECT_EQ(tools::thread_counts(8), (std::vector{1, 2, 4, 8}));
 }
 
-TEST(StageWork, IsThatOfTheJobWhateverTheCascade) {
+TEST(StageWork, JobNamesDropTheCascade) {
     EXPECT_EQ(tools::job_of("evolve+rows c1"), "evolve+rows");
     EXPECT_EQ(tools::job_of("velocity columns"), "velocity columns");
     EXPECT_EQ(tools::job_of("c1"), "c1");
 }
 
-// What the project keeps is in the program, and read.
-TEST(StoredResults, AreThere) {
+// The stored results of the project are compiled into the program and can be read.
+TEST(StoredResults, AreCompiledIn) {
     EXPECT_FALSE(tools::stored_frames().empty());
     for (const tools::MachineFrames& frames : tools::stored_frames()) {
         EXPECT_TRUE(isa_named(frames.isa)) << frames.machine;

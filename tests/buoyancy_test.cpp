@@ -1,4 +1,5 @@
-// Floating boxes held against Archimedes, the metacentre, free heave, and waves that are long or short beside them.
+// Floating boxes, compared with Archimedes' principle, the metacentric height, free heave, and
+// waves much longer or shorter than the box.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ namespace {
 constexpr double step_s = 1.0 / 60;
 constexpr double degree = std::numbers::pi / 180;
 
-/// A frame that no ocean made: flat and at rest.
+/// A hand-made frame, not from an ocean: flat, without motion.
 class StillWater {
    public:
     StillWater() : zero_(n * n, 0.f), folds_(n) {
@@ -52,7 +53,7 @@ glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
     return glm::dquat(std::cos(angle_rad / 2), std::sin(angle_rad / 2) * axis);
 }
 
-/// Coming to rest takes long; one density is enough for a sanitizer.
+/// Settling takes many steps; under a sanitizer one density is enough.
 std::vector<double> densities(const std::vector<double>& all) { return is_sanitized ? std::vector{0.5} : all; }
 
 double heel_rad(const FloatingBox& box) {
@@ -65,8 +66,9 @@ void float_in_still_water(FloatingBox& box, double seconds) {
     for (int i = 0; i < seconds / step_s; ++i) step({&box, 1}, water.query(), step_s, hull);
 }
 
-/// Displaces its weight within 0.1 %, and neither moves up or down nor turns. It may still drift: drag that grows with
-/// the velocity squared takes forever.
+/// Expects that the box displaces its weight within 0.1 %, with vertical velocity and angular
+/// velocity near zero. It may still drift horizontally: quadratic drag takes arbitrarily long to
+/// stop it.
 void expect_reference(const FloatingBox& box) {
     EXPECT_NEAR(box.displaced_kg() / box.options().mass_kg, 1, 1e-3);
     EXPECT_LT(std::fabs(box.state().velocity_mps.y), 1e-3);
@@ -76,7 +78,7 @@ void expect_reference(const FloatingBox& box) {
 TEST(Buoyancy, ABoxAtRestDisplacesItsWeightAndFloatsLevel) {
     for (const double density : densities({0.05, 0.25, 0.5, 0.75, 0.95})) {
         SCOPED_TRACE(density);
-        // As a raft, three times as broad as high, it is stable at every density.
+        // The raft's beam is three times its height, which is stable at every density.
         FloatingBox box(
             {.length_m = 4, .height_m = 1, .beam_m = 3, .mass_kg = density * water_density_kgpm3 * 4 * 1 * 3});
         box.state().position_m.y += 0.5;
@@ -88,8 +90,9 @@ TEST(Buoyancy, ABoxAtRestDisplacesItsWeightAndFloatsLevel) {
     }
 }
 
-/// Of a box with `density` times the water's, heeled about its length: GM = KB + I/V - KG, with draught T = density H,
-/// KB = T/2, I/V = B^2 / (12 T) and KG = H/2 plus the centre of mass's place. (Any textbook of naval architecture.)
+/// Stability of a box whose density is `density` times that of water, heeled about its length: GM =
+/// KB + I/V - KG, with draught T = density H, KB = T/2, I/V = B^2 / (12 T), and KG = H/2 plus the
+/// offset of the centre of mass. (Any textbook of naval architecture.)
 struct Stability {
     Stability(const BoxOptions& box)
         : draught_m(box.mass_kg / (water_density_kgpm3 * box.length_m * box.beam_m)),
@@ -98,25 +101,25 @@ struct Stability {
     double draught_m, bm_m, gm_m;
 };
 
-/// A box of height 1 whose beam is `factor` times the one with GM = 0: (B/H)^2 = 6 s (1 - s).
+/// A box of height 1 m whose beam is `factor` times the beam of GM = 0: (B/H)^2 = 6 s (1 - s).
 BoxOptions near_critical(double density, double factor) {
     const double beam = factor * std::sqrt(6 * density * (1 - density));
     return {.length_m = 5, .height_m = 1, .beam_m = beam, .mass_kg = density * water_density_kgpm3 * 5 * beam};
 }
 
-TEST(Buoyancy, ATiltedBoxRightsItselfIfItsMetacentricHeightIsPositive) {
+TEST(Buoyancy, ATiltedBoxWithPositiveMetacentricHeightRightsItself) {
     for (const double density : densities({0.25, 0.5, 0.75})) {
         const BoxOptions options = near_critical(density, 1.03);
         ASSERT_GT(Stability(options).gm_m, 0);
         FloatingBox box(options);
         box.state().orientation = turned(5 * degree, {1, 0, 0});
-        float_in_still_water(box, 200);  // it hardly wants to
+        float_in_still_water(box, 200);  // long, because the righting moment is small
         expect_reference(box);
         EXPECT_LT(heel_rad(box), 0.1 * degree) << density;
     }
 }
 
-TEST(Buoyancy, WithANegativeMetacentricHeightItLiesAtTheAngleOfLoll) {
+TEST(Buoyancy, ABoxWithNegativeMetacentricHeightSettlesAtTheAngleOfLoll) {
     for (const double density : densities({0.25, 0.5, 0.75})) {
         const BoxOptions options = near_critical(density, 0.97);
         const Stability stability(options);
@@ -125,9 +128,10 @@ TEST(Buoyancy, WithANegativeMetacentricHeightItLiesAtTheAngleOfLoll) {
         box.state().orientation = turned(1 * degree, {1, 0, 0});
         float_in_still_water(box, 200);
         expect_reference(box);
-        // Wall-sided formula GZ = sin(heel) (GM + BM/2 tan^2(heel)): zero at tan^2 = -2 GM/BM, as long as neither
-        // deck nor bottom crosses the waterline. 12 columns have a BM that is 1/144 too small, a degree here; with
-        // their own BM a twentieth of a degree is left for coming to rest.
+        // Wall-sided formula GZ = sin(heel) (GM + BM/2 tan^2(heel)): zero at tan^2 = -2 GM/BM, as
+        // long as neither deck nor bottom crosses the waterline. 12 columns have a BM that is 1/144
+        // too small, which is a degree here. With the BM of 12 columns, a twentieth of a degree
+        // remains for settling.
         const double bm_m = stability.bm_m * (1 - 1.0 / 144), gm_m = stability.gm_m - stability.bm_m / 144;
         EXPECT_NEAR(heel_rad(box) / degree, std::atan(std::sqrt(-2 * gm_m / bm_m)) / degree, 0.05) << density;
         const double loll = std::atan(std::sqrt(-2 * stability.gm_m / stability.bm_m));
@@ -161,10 +165,11 @@ TEST(Buoyancy, BallastTurnsABoxThatIsUpsideDown) {
     EXPECT_LT(heel_rad(box), 0.1 * degree);
 }
 
-// Free heave (m + A) z'' + c z' + rho g L B z = 0: period 2 pi / (omega sqrt(1 - damping^2)), and each period takes
-// exp(-2 pi damping / sqrt(1 - damping^2)) of the amplitude. Half a percent: added mass grows with the draught and drag
-// with the velocity squared, both small at an amplitude of a twentieth of the draught, and the step is up to a
-// seventieth of the period. The amplitude feels the same drag, and more: 5 %.
+// Free heave (m + A) z'' + c z' + rho g L B z = 0: the period is 2 pi / (omega sqrt(1 -
+// damping^2)), and in each period the amplitude is multiplied by exp(-2 pi damping / sqrt(1 -
+// damping^2)). The tolerance of the period is 0.5 %: added mass grows with the draught and drag
+// with the velocity squared, both small at an amplitude of a twentieth of the draught; and the step
+// is up to a seventieth of the period. Drag affects the amplitude more: 5 %.
 TEST(Buoyancy, FreeHeaveHasThePeriodAndDampingOfTheOscillator) {
     for (const BoxOptions& options : {BoxOptions{.length_m = 4, .height_m = 1, .beam_m = 3, .mass_kg = 6000},
                                       BoxOptions{.length_m = 40, .height_m = 6, .beam_m = 12, .mass_kg = 1'500'000},
@@ -193,8 +198,9 @@ TEST(Buoyancy, FreeHeaveHasThePeriodAndDampingOfTheOscillator) {
         EXPECT_NEAR(kept / std::exp(-2 * std::numbers::pi * ratio / rest), 1, 0.05);
         RecordProperty("period" + std::to_string(options.mass_kg),
                        std::to_string((falls[2] - falls[0]) / 2 / period_s) + ", kept " + std::to_string(kept));
-        // The lower half of a long plate has rho pi/8 B^2 L (Newman, table 4.3). Less, because water gets around the
-        // ends, at most by 0.41, and here all float about half submerged.
+        // The lower half of a long plate has rho pi/8 B^2 L (Newman, table 4.3). A box has less,
+        // because water flows around its ends, by a factor of at least 0.59 (1 - 0.41). All boxes
+        // here float about half submerged.
         const double plate_kg =
             water_density_kgpm3 * std::numbers::pi / 8 * options.beam_m * options.beam_m * options.length_m;
         EXPECT_LT(box.heave_added_mass_kg(), plate_kg);
@@ -208,7 +214,7 @@ double rms(const std::vector<double>& values) {
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// How a box rides on a sea, from the moment when it has settled.
+/// Motion of a box on a sea, recorded after it has settled.
 struct Ride {
     Ride(const SeaState& sea, const BoxOptions& options, double seconds) {
         Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
@@ -216,7 +222,8 @@ struct Ride {
         HullWater hull;
         for (int i = 0; i < seconds / step_s; ++i) {
             const SurfaceQuery water(ocean.frame_at(i * step_s));
-            if (i * step_s >= 20) compare(box, water);  // the last step brought the box to this frame's moment
+            // the previous step advanced the box to the time of this frame
+            if (i * step_s >= 20) compare(box, water);
             step({&box, 1}, water, step_s, hull);
         }
     }
@@ -236,11 +243,12 @@ struct Ride {
     std::vector<double> heave, wave, off, slope, slope_off;
 };
 
-// Swell of 12 s, 225 m, under hardly any wind: its spectrum falls as omega^-13, so hardly any wave is below 60 m, twelve times
-// the box. Over its length such a wave bends by (pi/12)^2/6 = 1 % of its height. Without the water's acceleration heave would be off by k T, 4 % here.
-// Heel: the box rolls at 2.9 rad/s by itself, so waves of 60 m, 1 rad/s, tilt it by 1 / (1 - (1/2.9)^2) = 1.13 of their
-// slope, and it swings about that.
-TEST(Buoyancy, InLongSwellTheBoxFollowsTheWater) {
+// Swell of 12 s (225 m) in very weak wind: its spectrum falls as omega^-13, so almost no wave is
+// shorter than 60 m, twelve times the box. Over the box's length such a wave bends by (pi/12)^2/6 =
+// 1 % of its height. Without the water's acceleration heave would be off by k T, 4 % here.
+// Heel: the box rolls at 2.9 rad/s by itself. Waves of 60 m, 1 rad/s, tilt it by 1 / (1 -
+// (1/2.9)^2) = 1.13 of their slope, and it oscillates about that.
+TEST(Buoyancy, ABoxFollowsLongSwell) {
     if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
     const Ride ride(
         {.resolution = 128, .patch_size_m = 1600, .wind_speed_mps = 0.5, .swell_height_m = 4, .swell_period_s = 12},
@@ -253,9 +261,10 @@ TEST(Buoyancy, InLongSwellTheBoxFollowsTheWater) {
     RecordProperty("wave_rms_m", std::to_string(rms(ride.wave)));
 }
 
-// Waves of 5 m at the peak (2 pi U^2 / (0.877^2 g), Pierson and Moskowitz) under a box of 40 m by 15 m: its mean over
-// them has at most 1 / (8 pi) = 4 % of a wave along it and 1 / (3 pi) = 11 % of one across.
-TEST(Buoyancy, WavesMuchShorterThanTheBoxLeaveItAtRest) {
+// Waves of 5 m at the peak (2 pi U^2 / (0.877^2 g), Pierson and Moskowitz) under a box of 40 m by
+// 15 m. Averaged over the box, at most 1 / (8 pi) = 4 % of a wave along it remains, and 1 / (3 pi)
+// = 11 % of a wave across it.
+TEST(Buoyancy, WavesMuchShorterThanTheBoxHardlyMoveIt) {
     if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
     const Ride ride(
         {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 128, .patch_size_m = 80, .wind_speed_mps = 2.5},
@@ -290,7 +299,8 @@ std::vector<std::uint64_t> trajectory_bits(Isa isa, std::shared_ptr<Executor> ex
     ocean.schedule(0);
     for (int i = 0; i < 120; ++i) {
         const Frame& frame = ocean.complete();
-        ocean.schedule((i + 1) * step_s);  // at work while the boxes ask
+        // the next frame is computed while the boxes sample this one
+        ocean.schedule((i + 1) * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull);
         for (const FloatingBox& box : boxes)
             for (int axis = 0; axis < 3; ++axis)
@@ -301,14 +311,14 @@ std::vector<std::uint64_t> trajectory_bits(Isa isa, std::shared_ptr<Executor> ex
     return bits;
 }
 
-// FNV-1a, to hold compilers against one another.
+// FNV-1a hash, to compare compilers.
 std::uint64_t hash_of_bits(const std::vector<std::uint64_t>& bits) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const std::uint64_t word : bits) hash = (hash ^ word) * 0x100000001b3u;
     return hash;
 }
 
-TEST(BuoyancyDeterminism, ATrajectoryHasTheSameBitsOnEveryInstructionSetAndThreadCount) {
+TEST(BuoyancyDeterminism, TrajectoriesAreBitIdenticalOnEachInstructionSetAndThreadCount) {
     const std::vector<std::uint64_t> expected = trajectory_bits(isas_here().front(), make_serial_executor());
     for (const Isa isa : isas_here())
         for (const ExecutorKind& kind : executor_kinds())
@@ -317,9 +327,10 @@ TEST(BuoyancyDeterminism, ATrajectoryHasTheSameBitsOnEveryInstructionSetAndThrea
         << "the same from every compiler; a change of physics changes it, too";
 }
 
-// Thrown into a storm, turned by a radian and spinning: no box ever has more energy of motion than it would by falling
-// from 5 m above the highest crest into the lowest trough, while the fastest water carries it along.
-TEST(Buoyancy, AStormNeverMakesABoxExplode) {
+// Boxes start in a storm, rotated by one radian and spinning. The kinetic energy of a box never
+// exceeds that of a fall from 5 m above the highest crest into the lowest trough, plus the velocity
+// of the fastest water.
+TEST(Buoyancy, EnergyStaysBoundedInAStorm) {
     Ocean ocean(small_storm, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     std::vector<FloatingBox> boxes = three_boxes();
     HullWater hull;
@@ -340,7 +351,7 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
             const BoxState& state = box.state();
             const BoxOptions& options = box.options();
             const double radius_m = std::hypot(options.length_m, options.height_m, options.beam_m) /
-                                    std::sqrt(12.0);  // of gyration, most
+                                    std::sqrt(12.0);  // largest radius of gyration
             const double speed_mps =
                 std::hypot(glm::length(state.velocity_mps), radius_m * glm::length(state.spin_radps));
             ASSERT_TRUE(std::isfinite(speed_mps) && std::isfinite(glm::length(state.position_m)));
@@ -355,7 +366,7 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
     RecordProperty("most", std::to_string(max));
 }
 
-TEST(Buoyancy, TheBowUpIsPitchAndStarboardDownIsRoll) {
+TEST(Buoyancy, BowUpIsPositivePitchAndStarboardDownIsPositiveRoll) {
     BoxState state;
     state.orientation = turned(10 * degree, {0, 0, 1});  // x turns towards y
     EXPECT_NEAR(attitude_of(state).pitch_deg, 10, 1e-9);
@@ -365,7 +376,7 @@ TEST(Buoyancy, TheBowUpIsPitchAndStarboardDownIsRoll) {
     EXPECT_NEAR(attitude_of(state).roll_deg, 10, 1e-9);
 }
 
-TEST(Buoyancy, SaysWhichOptionIsWrong) {
+TEST(Buoyancy, InvalidOptionsAreNamed) {
     EXPECT_EQ(check(BoxOptions{}), "");
     EXPECT_EQ(check({.beam_m = -1}), "beam_m is -1, needs (0, 1000]");
     EXPECT_NE(check({.mass_kg = 1e6}).find("to float"), std::string::npos);

@@ -1,4 +1,4 @@
-// What an application brings: its memory, its error log and its job system, which may make mistakes.
+// An application's own memory, error log and job system, including faulty ones.
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -14,11 +14,11 @@
 namespace pelagic {
 namespace {
 
-// ---- Memory ----------------------------------------------------------------------------------------------------
+// ---- Memory -----------------------------------------------------------------------
 
 struct CallerHeap {
     std::size_t held = 0, max = SIZE_MAX, largest_alignment = 0;
-    std::size_t shift = 0;  ///< how far off its place memory is handed out
+    std::size_t shift = 0;  ///< offset of returned memory from its alignment, in bytes
     int calls = 0;
 
     static void* allocate(void* user, std::size_t bytes, std::size_t alignment) {
@@ -28,7 +28,7 @@ struct CallerHeap {
         heap->held += bytes;
         heap->largest_alignment = std::max(heap->largest_alignment, alignment);
         auto* const memory = static_cast<char*>(allocate_aligned(bytes + alignment, alignment));
-        std::memset(memory, 0xAB, bytes);  // memory comes as it is
+        std::memset(memory, 0xAB, bytes);  // memory is not zeroed
         return memory + heap->shift;
     }
     static void release(void* user, void* memory, std::size_t bytes, std::size_t) {
@@ -75,12 +75,12 @@ void expect_all_from_the_application(const pelagic_sea& sea) {
     EXPECT_EQ(heap.held, 0u);
 }
 
-TEST(CInterfaceMemory, AllThatGrowsWithTheGridComesFromTheApplication) {
+TEST(CInterfaceMemory, GridSizedMemoryComesFromTheApplication) {
     expect_all_from_the_application(small_sea(256));
     expect_all_from_the_application(stack_sea(3, 128));
 }
 
-TEST(CInterfaceMemory, WhatTheApplicationDoesNotHaveIsACodeAndNoLeak) {
+TEST(CInterfaceMemory, FailedAllocationsReturnAStatusWithoutALeak) {
     const pelagic_sea sea = small_sea(64);
     CallerHeap heap;
     std::size_t wanted = 0;
@@ -89,13 +89,13 @@ TEST(CInterfaceMemory, WhatTheApplicationDoesNotHaveIsACodeAndNoLeak) {
         pelagic_ocean* made = nullptr;
         ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK);
         wanted = heap.held;
-        // A sea that finds no memory leaves the old one.
+        // If a new sea cannot be allocated, the ocean keeps its current sea.
         heap.max = heap.held;
         EXPECT_EQ(pelagic_ocean_schedule_sea(made, &sea), PELAGIC_OUT_OF_MEMORY);
         EXPECT_EQ(pelagic_ocean_schedule(made, 0), PELAGIC_OK);
         pelagic_ocean_destroy(made);
     }
-    // The first bake holds a second spectrum, so the most that is ever held is a little more than in the end.
+    // The first bake holds a second spectrum, so the peak is slightly more than `wanted`.
     for (std::size_t max = 0; max <= wanted; max += wanted / 20) {
         heap.max = max;
         const pelagic_ocean_options options = with_heap(heap);
@@ -119,7 +119,7 @@ TEST(CInterfaceMemory, WhatTheApplicationDoesNotHaveIsACodeAndNoLeak) {
     EXPECT_STREQ(pelagic_last_error(), "allocate or release is NULL, needs both or neither");
 }
 
-// ---- Errors ----------------------------------------------------------------------------------------------------
+// ---- Errors -----------------------------------------------------------------------
 
 struct ErrorLog {
     std::vector<std::pair<pelagic_status, std::string>> lines;
@@ -131,7 +131,7 @@ struct ErrorLog {
     }
 };
 
-TEST(CInterfaceErrors, TheApplicationIsToldOfEachFailure) {
+TEST(CInterfaceErrors, TheCallbackIsCalledForEachFailure) {
     const pelagic_sea sea = small_sea();
     {
         const ErrorLog log;
@@ -144,14 +144,14 @@ TEST(CInterfaceErrors, TheApplicationIsToldOfEachFailure) {
         EXPECT_EQ(log.lines[0].second, "sea is NULL, needs a pointer");
         EXPECT_EQ(log.lines[1].second, "ocean is NULL, needs a pointer");
     }
-    // What it throws goes no further.
+    // Exceptions of the callback do not propagate.
     pelagic_set_error_callback([](void*, pelagic_status, const char*) { throw 1; }, nullptr);
     EXPECT_EQ(pelagic_sea_check(nullptr), PELAGIC_INVALID_ARGUMENT);
     pelagic_set_error_callback(nullptr, nullptr);
     EXPECT_EQ(pelagic_sea_check(nullptr), PELAGIC_INVALID_ARGUMENT);
 }
 
-TEST(CInterfaceErrors, AMessageIsOneShortLineWithoutControlCharacters) {
+TEST(CInterfaceErrors, MessagesAreOneShortLineWithoutControlCharacters) {
     const pelagic_sea sea = small_sea();
     const auto message_for = [&](const std::string& isa) -> std::string {
         auto options = sized<pelagic_ocean_options>();
@@ -170,9 +170,9 @@ TEST(CInterfaceErrors, AMessageIsOneShortLineWithoutControlCharacters) {
         ASSERT_LT(message_for("x" + std::string(length, '\xc3') + std::string(length, 'y')).size(), 300u);
 }
 
-// ---- Jobs ------------------------------------------------------------------------------------------------------
+// ---- Jobs -------------------------------------------------------------------------
 
-/// A job system that does what it is told, until told otherwise.
+/// A job system that works correctly unless a fault is selected.
 struct OddCaller {
     enum class Loop {
         honest,
@@ -193,7 +193,7 @@ struct OddCaller {
         auto* const application = static_cast<OddCaller*>(user);
         if (application->loop == Loop::throws) throw std::runtime_error("no workers");
         if (application->loop == Loop::returns_early) {
-            // The jobs are done while Pelagic already thinks that they are not.
+            // The jobs run after the loop has returned.
             application->threads.emplace_back([=] {
                 for (std::size_t i = 0; i < count; ++i) job(work, i);
             });
@@ -254,7 +254,8 @@ pelagic_status make_frame(pelagic_ocean* ocean, double time_s) {
     return status == PELAGIC_OK ? pelagic_ocean_complete(ocean, &frame) : status;
 }
 
-/// Honest frames have the right bits before and after one in which the application misbehaves, which ends as expected.
+/// Checks that frames are bit-identical to a serial ocean's before and after a frame in which the
+/// application misbehaves, and that the faulty frame returns `expected`.
 void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, const std::function<void()>& misbehave,
                                    pelagic_status expected, const std::string& message) {
     const COcean reference = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
@@ -273,7 +274,7 @@ void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, con
             EXPECT_EQ(hash_of_shown(ocean.get()), hash_of_shown(reference.get()))
                 << "the frame before is still there";
         }
-        // Another sea too.
+        // The fault affects a change of the sea in the same manner.
         const pelagic_sea sea = small_sea(128);
         EXPECT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete_sea(ocean.get()), expected) << pelagic_last_error();
@@ -285,7 +286,7 @@ void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, con
     application.join();
 }
 
-TEST(CInterfaceApplicationJobs, ALoopThatThrowsIsACodeAndALostFrame) {
+TEST(CInterfaceApplicationJobs, AThrowingLoopLosesItsFrameAndReturnsAStatus) {
     for (const bool with_submit : {false, true}) {
         OddCaller application;
         expect_an_ocean_that_survives(
@@ -297,7 +298,7 @@ TEST(CInterfaceApplicationJobs, ALoopThatThrowsIsACodeAndALostFrame) {
     }
 }
 
-TEST(CInterfaceApplicationJobs, ALoopThatReturnsTooEarlyIsACodeAndALostFrame) {
+TEST(CInterfaceApplicationJobs, AnIncompleteLoopLosesItsFrameAndReturnsAStatus) {
     for (const bool with_submit : {false, true}) {
         OddCaller application;
         const char* const message = "parallel_for returned before all of its jobs were done";
@@ -307,8 +308,9 @@ TEST(CInterfaceApplicationJobs, ALoopThatReturnsTooEarlyIsACodeAndALostFrame) {
     }
 }
 
-// Whether the other thread is done before the loop has returned is a matter of luck; the bits are not.
-TEST(CInterfaceApplicationJobs, JobsThatRunOnAfterTheirLoopDoNoHarm) {
+// The other thread may or may not finish before the loop returns; later frames are correct in both
+// cases.
+TEST(CInterfaceApplicationJobs, JobsThatOutliveTheirLoopAreHarmless) {
     OddCaller application;
     const COcean ocean = application.ocean(false);
     for (int n = 0; n < 200; ++n) {
@@ -325,7 +327,7 @@ TEST(CInterfaceApplicationJobs, JobsThatRunOnAfterTheirLoopDoNoHarm) {
     EXPECT_EQ(hash_of_shown(ocean.get()), hash_of_shown(reference.get()));
 }
 
-TEST(CInterfaceApplicationJobs, JobsThatAreCalledTwiceOrDoNotExistDoNothing) {
+TEST(CInterfaceApplicationJobs, RepeatedAndOutOfRangeJobsAreIgnored) {
     OddCaller application;
     expect_an_ocean_that_survives(
         application, true, [&] { application.loop = OddCaller::Loop::calls_twice; }, PELAGIC_OK, "");
@@ -333,7 +335,7 @@ TEST(CInterfaceApplicationJobs, JobsThatAreCalledTwiceOrDoNotExistDoNothing) {
         application, true, [&] { application.loop = OddCaller::Loop::calls_what_is_not_there; }, PELAGIC_OK, "");
 }
 
-TEST(CInterfaceApplicationJobs, ASubmitThatThrowsIsACode) {
+TEST(CInterfaceApplicationJobs, AThrowingSubmitReturnsAStatus) {
     OddCaller application;
     expect_an_ocean_that_survives(
         application, true, [&] { application.submitting = OddCaller::Submit::throws; }, PELAGIC_APPLICATION_ERROR,
@@ -343,7 +345,7 @@ TEST(CInterfaceApplicationJobs, ASubmitThatThrowsIsACode) {
         PELAGIC_APPLICATION_ERROR, "submit threw an exception");
 }
 
-TEST(CInterfaceApplicationJobs, TasksThatAreCalledTwiceOrNeverDoNoHarm) {
+TEST(CInterfaceApplicationJobs, TasksCalledTwiceOrNeverAreHarmless) {
     OddCaller application;
     expect_an_ocean_that_survives(
         application, true, [&] { application.submitting = OddCaller::Submit::twice; }, PELAGIC_OK, "");
@@ -351,12 +353,12 @@ TEST(CInterfaceApplicationJobs, TasksThatAreCalledTwiceOrNeverDoNoHarm) {
         application, true, [&] { application.submitting = OddCaller::Submit::never; }, PELAGIC_OK, "");
 }
 
-TEST(CInterfaceApplicationJobs, TasksMayComeTwiceWhenTheirOceanIsGone) {
+TEST(CInterfaceApplicationJobs, TasksCalledTwiceAfterTheirOceanIsDestroyedAreHarmless) {
     OddCaller application;
     application.submitting = OddCaller::Submit::late;
     COcean ocean = application.ocean(true);
     for (int n = 0; n < 3; ++n) ASSERT_EQ(make_frame(ocean.get(), n), PELAGIC_OK);
-    const COcean next = application.ocean(true);  // takes the memory of the first, or not
+    const COcean next = application.ocean(true);  // may reuse the memory of the first ocean
     ocean.reset();
     ASSERT_EQ(pelagic_ocean_schedule(next.get(), 5), PELAGIC_OK);
     for (int round = 0; round < 2; ++round)
@@ -365,7 +367,7 @@ TEST(CInterfaceApplicationJobs, TasksMayComeTwiceWhenTheirOceanIsGone) {
     EXPECT_EQ(pelagic_ocean_complete(next.get(), &frame), PELAGIC_OK);
 }
 
-TEST(CInterfaceApplicationJobs, AApplicationThatCannotEvenBakeGetsNoOcean) {
+TEST(CInterfaceApplicationJobs, AThrowingLoopPreventsCreationOfAnOcean) {
     OddCaller application;
     application.loop = OddCaller::Loop::throws;
     auto options = sized<pelagic_executor_options>();

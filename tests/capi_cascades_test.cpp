@@ -1,5 +1,6 @@
-// Frames of several cascades through the C interface: which cascade is where, what its texels mean, what is written into an application's
-// memory. The truth is the surface that the planes themselves describe: their Fourier series, by a slow sum in double.
+// Frames of several cascades through the C interface: the transform of each cascade, the meaning of
+// its texels, and copies to an application's memory. The reference is the surface that the planes
+// describe: their Fourier series, summed directly in double.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,7 +50,7 @@ class CInterfaceCascades : public testing::Test {
     }
 };
 
-/// A frame's textures of N = 32, in memory of the application's.
+/// Textures of a frame of N = 32, in the application's memory.
 struct ApplicationTextures {
     static constexpr std::size_t texels = 32 * 32, chain = (4 * texels - 1) / 3;
     alignas(64) std::uint16_t halves[4 * texels];
@@ -67,7 +68,7 @@ struct ApplicationTextures {
     }
 };
 
-TEST_F(CInterfaceCascades, TexturesGoIntoMemoryOfTheApplications) {
+TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
     const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
     const pelagic_frame frame = complete(usual.get(), 4);
     const std::vector<pelagic_cascade> expected = cascades_of(usual.get(), frame);
@@ -104,7 +105,7 @@ bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
            a.row_stride == b.row_stride && a.block_stride == b.block_stride;
 }
 
-TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
+TEST_F(CInterfaceCascades, TheFrameHoldsItsCoarsestCascade) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
     auto info = sized<pelagic_ocean_info>();
     ASSERT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
@@ -162,7 +163,7 @@ TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
     EXPECT_FLOAT_EQ(frame.bounds.horizontal_z_max_m, sum.horizontal_z_max_m);
 }
 
-TEST_F(CInterfaceCascades, WhatIsInACascadeIsAQuestionOfOptions) {
+TEST_F(CInterfaceCascades, OptionsSelectTheDataOfACascade) {
     for (const bool is_asked : {false, true}) {
         pelagic_ocean_options options = serial_options(serial);
         options.slopes = options.gradients = is_asked;
@@ -190,7 +191,7 @@ TEST_F(CInterfaceCascades, WhatIsInACascadeIsAQuestionOfOptions) {
     }
 }
 
-TEST_F(CInterfaceCascades, ACascadeThatIsNotThereIsNamed) {
+TEST_F(CInterfaceCascades, AnInvalidCascadeIndexIsNamed) {
     const COcean one = ocean_of(small_sea(), serial.get()), two = ocean_of(stack_sea(2), serial.get());
     complete(one.get(), 0), complete(two.get(), 0);
     pelagic_cascade cascade, untouched;
@@ -207,7 +208,7 @@ TEST_F(CInterfaceCascades, ACascadeThatIsNotThereIsNamed) {
     expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, needs 2, as the ocean was built");
 }
 
-TEST_F(CInterfaceCascades, AreThoseOfTheFrameCompletedLast) {
+TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
     const pelagic_frame first = complete(ocean.get(), 1);
     const pelagic_cascade before = cascades_of(ocean.get(), first)[1];
@@ -219,7 +220,7 @@ TEST_F(CInterfaceCascades, AreThoseOfTheFrameCompletedLast) {
     EXPECT_NE(texel_of(cascades_of(ocean.get(), second)[1].height, 3, 4), height);
     EXPECT_EQ(texel_of(before.height, 3, 4), height) << "views of the frame before are still valid";
 
-    // Another sea has other sides; the frame that is shown is still of the old one.
+    // The new sea's cascades have different sides; the current frame still shows the old sea.
     pelagic_sea storm = stack_sea(2);
     storm.wind_speed_mps = 25;
     ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &storm), PELAGIC_OK);
@@ -230,7 +231,7 @@ TEST_F(CInterfaceCascades, AreThoseOfTheFrameCompletedLast) {
     EXPECT_EQ(cascades_of(ocean.get(), third)[0].side_m, third.patch_size_m);
 }
 
-// ---- What texels mean --------------------------------------------------------------------------------------------
+// ---- Meaning of texels ------------------------------------------------------------
 
 /// A plane as the sum of its waves.
 class Series {
@@ -251,11 +252,13 @@ class Series {
     }
 
     struct Value {
-        double value, along, across;  ///< and its derivatives by u and v, whose period is 1
+        /// derivatives by u and v, of period 1 each, follow the value
+        double value, along, across;
     };
     Value at(double u, double v) const {
         Value sum{};
-        // Waves have three texels and more, so the first row and column, of two texels, hold none.
+        // Waves are three texels or longer, so the first row and column, of wavelength 2, are
+        // empty.
         for (int n = 1; n < n_; ++n) {
             for (int m = 1; m < n_; ++m) {
                 const std::complex<double> wave =
@@ -309,7 +312,7 @@ double degrees_between(const double (&a)[3], const double (&b)[3]) {
 }
 
 // Bounds as in slopes_test.cpp: normals of the summed texture are within 2 degrees, Jacobians within 0.03, rms.
-TEST_F(CInterfaceCascades, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
+TEST_F(CInterfaceCascades, DecodedSlopesSumToTheSurfacesSlopes) {
     pelagic_sea sea = stack_sea(4, 64);
     sea.wind_direction_rad = 0.7;
     const COcean ocean = ocean_of(sea, serial.get());
@@ -343,7 +346,8 @@ TEST_F(CInterfaceCascades, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
         slope_squares += (exact[0] * exact[0] + exact[1] * exact[1]) / points;
         for (const int variance : {5, 6}) EXPECT_GE(sum[variance], 0);
     }
-    // Waves move water along themselves: were an axis turned the wrong way, Dx along z would not be Dz along x.
+    // Horizontal displacement is along the wave vector, so dDx/dz = dDz/dx. A wrong sign of one
+    // axis would break this equality.
     EXPECT_LT(curl, 1e-8 * shear);
     EXPECT_GT(slope_squares, 0.01) << "the normal turns by 6 degrees, thrice the bound";
     EXPECT_GT(jacobian_variance, 0.06 * 0.06) << "twice the bound";
@@ -355,7 +359,7 @@ TEST_F(CInterfaceCascades, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
     RecordProperty("jacobian_variance", std::to_string(jacobian_variance));
 }
 
-/// The same cascade with one level of its slopes as if it were all.
+/// The cascade, reduced to one level of its slopes.
 pelagic_cascade level_of(pelagic_cascade cascade, int level) {
     cascade.slopes_rgba8 += cascade.level_offset[level];
     cascade.moments_rgba8 += cascade.level_offset[level];
@@ -363,9 +367,10 @@ pelagic_cascade level_of(pelagic_cascade cascade, int level) {
     return cascade;
 }
 
-// Over a whole cascade waves go up as much as down, and the last level is one texel of the whole: what varied between the texels of
-// a finer level varies within it. Of level 1, because level 0 is sharper for the filter's sake (docs/equations.md).
-TEST_F(CInterfaceCascades, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
+// Over a whole cascade the mean slope is zero, and the last level is one texel of the whole: the
+// variance between the texels of a finer level becomes variance within it. The sum is taken from
+// level 1, because level 0 is sharpened for the filter (docs/equations.md).
+TEST_F(CInterfaceCascades, TheLastLevelHasZeroSlopeAndTheTotalVariance) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
     for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean.get(), 3))) {
         double whole[8] = {};
@@ -385,12 +390,13 @@ TEST_F(CInterfaceCascades, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
             squares[2] += (sum[0] * sum[1] + sum[7]) / 256;
         }
         EXPECT_GT(squares[0], 10 * cascade.variance_range / 255);
-        // Half a step of the last texel, and what the rounding of all others leaves in the mean.
+        // Half a step of the last texel, plus the mean rounding error of all other texels.
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * cascade.variance_range / 127) << i;
     }
 }
 
-/// A plane of the cascade where (x, z) rests, bilinear, as pelagic.h says.
+/// A plane of the cascade at reference position (x, z), bilinearly interpolated as pelagic.h
+/// specifies.
 double bilinear(const pelagic_cascade& cascade, const pelagic_plane& plane, double x, double z) {
     const double u = (cascade.cosine * x + cascade.sine * z) / cascade.side_m * cascade.resolution;
     const double v = (cascade.cosine * z - cascade.sine * x) / cascade.side_m * cascade.resolution;
@@ -400,8 +406,8 @@ double bilinear(const pelagic_cascade& cascade, const pelagic_plane& plane, doub
     return (1 - b) * ((1 - a) * texel(0, 0) + a * texel(1, 0)) + b * ((1 - a) * texel(0, 1) + a * texel(1, 1));
 }
 
-// Without folds there is one water over each place, and a query finds it.
-TEST_F(CInterfaceCascades, AQueryFindsTheSumOfCascadesWhereItIsDrawn) {
+// Without folds there is one surface point above each position, and a query finds it.
+TEST_F(CInterfaceCascades, AQueryReturnsTheDisplacedSumOfCascades) {
     pelagic_sea sea = stack_sea(3);
     sea.choppiness = 0.3;
     const COcean ocean = ocean_of(sea, serial.get());
@@ -429,9 +435,9 @@ TEST_F(CInterfaceCascades, AQueryFindsTheSumOfCascadesWhereItIsDrawn) {
     for (std::size_t p = 0; p < count; ++p) EXPECT_NEAR(found[p], heights[p], 1e-3) << "the query's tolerance";
 }
 
-// ---- An application's memory ---------------------------------------------------------------------------------------------
+// ---- An application's memory ------------------------------------------------------
 
-/// All that a cascade of a stack has.
+/// All data of one cascade of several.
 struct StackArrays {
     explicit StackArrays(std::size_t side)
         : planes(6, std::vector<float>(side * side)), halves(4 * side * side), chain((4 * side * side - 1) / 3) {
@@ -459,7 +465,7 @@ struct StackArrays {
     std::vector<std::uint32_t> chain, gradients, slopes, moments;
 };
 
-TEST_F(CInterfaceCascades, ACopyHasEachCascadeInItsOwnBuffers) {
+TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
     pelagic_ocean_options options = serial_options(serial);
     options.velocities = options.gradients = 1;
     const COcean ocean = ocean_of(stack_sea(3), options);
@@ -493,8 +499,8 @@ TEST_F(CInterfaceCascades, ACopyHasEachCascadeInItsOwnBuffers) {
     EXPECT_NE(arrays[0], arrays[1]);
 }
 
-// Before the first complete() frame_at() shows its frame, which cascades tell of, too.
-TEST_F(CInterfaceCascades, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
+// Before the first complete(), the current frame is that of frame_at(), also for cascades.
+TEST_F(CInterfaceCascades, CascadesOfFrameAtAreAvailableBeforeTheFirstComplete) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
     pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
     nothing[0].cascade_count = 2;
@@ -506,7 +512,7 @@ TEST_F(CInterfaceCascades, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
     EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, expected.slopes_rgba8, 4 * 1024), 0);
 }
 
-TEST_F(CInterfaceCascades, BuffersThatDoNotFitAreNamed) {
+TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     const COcean ocean = ocean_of(stack_sea(2), serial_options(serial));
     complete(ocean.get(), 0);
     std::vector<StackArrays> arrays(2, StackArrays(32));
@@ -529,12 +535,12 @@ TEST_F(CInterfaceCascades, BuffersThatDoNotFitAreNamed) {
     const std::string odd = std::to_string(sizeof(pelagic_frame_buffers) - 1);
     expect_line("buffers[1].struct_size is 0, needs " + size + ", as the first's",
                 [](auto* buffers) { buffers[1].struct_size = 0; });
-    // Of the first version, which may be any number of bytes long where there is no second one.
+    // A struct of the first version, whose size is not checked unless a second struct follows it.
     expect_line("buffers.struct_size is " + odd + ", needs " + size + ", the size of the struct",
                 [](auto* buffers) { buffers[0].struct_size -= 1; });
     expect_line("buffers[1].cascade_count is 2, needs 0", [](auto* buffers) { buffers[1].cascade_count = 2; });
     for (const std::uint32_t count : {0u, 1u, 3u}) {
-        pelagic_frame_buffers alone = arrays[0].view();  // what is behind it is nobody's
+        pelagic_frame_buffers alone = arrays[0].view();  // no struct follows it
         alone.cascade_count = count;
         expect_invalid(pelagic_ocean_copy(ocean.get(), &alone),
                        "buffers.cascade_count is " + std::to_string(count) +

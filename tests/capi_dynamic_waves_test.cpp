@@ -1,4 +1,4 @@
-// Dynamic waves through the C interface: the same as in C++, bit for bit.
+// Dynamic waves through the C interface: bit-identical to those of the C++ interface.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,7 +77,7 @@ void expect_rejected(pelagic_status status, pelagic_status expected, const std::
     EXPECT_EQ(pelagic_last_error(), line);
 }
 
-TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
+TEST_F(CInterfaceDynamicWaves, AreIncludedInSurfacesAndQueries) {
     const COcean with = answering(), without = answering(false);
     std::uint32_t number = 0;
     const pelagic_disturbance source = boat();
@@ -89,7 +89,7 @@ TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
     ASSERT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_OK) << pelagic_last_error();
     ASSERT_EQ(surface.resolution, 64);
     EXPECT_EQ(surface.texel_m, 0.5);
-    // At texels, what queries tell is the cascades' height and the grid's.
+    // At texels, a query's height is the sum of the cascades' height and the dynamic-wave grid's.
     double largest = 0;
     for (std::int64_t z = surface.first_z + 4; z < surface.first_z + 60; z += 5)
         for (std::int64_t x = surface.first_x + 4; x < surface.first_x + 60; x += 5) {
@@ -106,7 +106,7 @@ TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
     EXPECT_EQ(a, b);
 }
 
-TEST_F(CInterfaceDynamicWaves, Rains) {
+TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     auto rain = sized<pelagic_rain>();
     ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
     EXPECT_EQ(rain.drops_per_m2_s, 0);
@@ -129,7 +129,8 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
     rain.radius_m = 0.6, rain.height_m = 11;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "height_m is 11, needs [-10, 10]");
-    rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
+    // drops ten texels wide, half a metre per texel
+    rain.height_m = 0.1, rain.drops_per_m2_s = 100;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
@@ -137,7 +138,7 @@ TEST_F(CInterfaceDynamicWaves, Rains) {
     EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), nullptr), PELAGIC_INVALID_ARGUMENT);
 }
 
-TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
+TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
     const COcean stays = answering(), goes = answering();
     for (const COcean* ocean : {&stays, &goes}) {
         std::uint32_t number = 0;
@@ -173,8 +174,8 @@ TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
               PELAGIC_WRONG_ORDER);
 }
 
-// Waves without an ocean take the same commands at the same times, and have the same bits.
-TEST_F(CInterfaceDynamicWaves, AloneAreThoseOfAnOcean) {
+// Waves without an ocean that get identical commands at identical times are bit-identical.
+TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
     const COcean ocean = answering();
     auto options = sized<pelagic_dynamic_waves_options>();
     ASSERT_EQ(pelagic_dynamic_waves_defaults(&options), PELAGIC_OK);
@@ -213,13 +214,14 @@ TEST_F(CInterfaceDynamicWaves, AloneAreThoseOfAnOcean) {
     EXPECT_GT(view.height_max_m, 0);
     EXPECT_EQ(pelagic_dynamic_waves_advance(alone, std::numeric_limits<double>::quiet_NaN()),
               PELAGIC_INVALID_ARGUMENT);
-    pelagic_dynamic_waves_destroy(waves_of(ocean.get()));  // the ocean's stay
+    // has no effect: the ocean owns its waves
+    pelagic_dynamic_waves_destroy(waves_of(ocean.get()));
     pelagic_dynamic_waves_destroy(alone);
     pelagic_executor_destroy(executor);
     complete(ocean, 1);
 }
 
-TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
+TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     const COcean without = answering(false), with = answering();
     auto surface = sized<pelagic_dynamic_waves_view>();
     EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_WRONG_ORDER);

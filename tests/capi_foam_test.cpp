@@ -1,4 +1,4 @@
-// Foam through the C interface: who asks for none has none, and what frames remember can be saved and taken up.
+// Foam through the C interface: it is optional, and its history can be saved and restored.
 #include <algorithm>
 #include <string>
 
@@ -46,10 +46,11 @@ class CInterfaceFoam : public testing::Test {
     }
 };
 
-TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
+TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
     const COcean ocean = gale(true);
     const pelagic_frame frame = complete(ocean, 4);
-    // Along +x, as the wind: 2 % of it, and Stokes' drift of those waves that two cascades of 32 texels hold.
+    // The drift is along the wind, +x: 2 % of the wind speed, plus the Stokes drift of the waves
+    // that two cascades of 32 texels hold.
     EXPECT_GT(frame.foam_drift_x_mps, 0.02 * 20);
     EXPECT_LT(frame.foam_drift_x_mps, 0.04 * 20);
     EXPECT_NEAR(frame.foam_drift_z_mps, 0, 0.02);
@@ -97,7 +98,7 @@ TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
     EXPECT_TRUE(saved(forgetful).empty());
 }
 
-TEST_F(CInterfaceFoam, IsSavedAndTakenUp) {
+TEST_F(CInterfaceFoam, HistoryIsSavedAndRestored) {
     const COcean first = gale(true), second = gale(true);
     EXPECT_TRUE(saved(first).empty()) << "before the first frame";
     complete(first, 7);
@@ -107,7 +108,7 @@ TEST_F(CInterfaceFoam, IsSavedAndTakenUp) {
     complete(second, 7.3);
     EXPECT_EQ(foam_hash(first), foam_hash(second));
 
-    // What is restored is what is gone on from: there is more foam than the sea makes.
+    // The next frame starts from the restored history, here with more foam than the sea produces.
     std::fill(history.begin() + 8, history.end(), std::uint8_t{255});
     ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
     complete(second, 7.3);
@@ -117,7 +118,7 @@ TEST_F(CInterfaceFoam, IsSavedAndTakenUp) {
     EXPECT_EQ(foam_hash(first), foam_hash(second));
 }
 
-TEST_F(CInterfaceFoam, HistoryThatIsNoneIsRefused) {
+TEST_F(CInterfaceFoam, InvalidHistoryIsRejected) {
     const COcean ocean = gale(true);
     complete(ocean, 1);
     std::vector<std::uint8_t> history = saved(ocean);

@@ -1,4 +1,5 @@
-// The C interface beside the C++ one that it is made of: the same cascades, and the same seas for applications of any age.
+// The C interface, compared with the C++ interface that it wraps: equal cascades, and equal seas
+// for applications of any version.
 #include <gtest/gtest.h>
 #include <pelagic/pelagic.h>
 
@@ -32,7 +33,7 @@ void expect_same(const T* c, std::span<const T> cpp) {
     EXPECT_TRUE(std::equal(cpp.begin(), cpp.end(), c));
 }
 
-TEST(CInterfaceInside, CascadesAreThoseOfTheCppInterface) {
+TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
     pelagic_executor_options serial{};
     serial.struct_size = sizeof serial;
     serial.kind = PELAGIC_EXECUTOR_SERIAL;
@@ -101,7 +102,7 @@ TEST(CInterfaceInside, CascadesAreThoseOfTheCppInterface) {
     pelagic_executor_destroy(executor);
 }
 
-TEST(CInterfaceInside, StatisticsAreThoseOfTheCppInterface) {
+TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
     pelagic_sea sea{};
     sea.struct_size = sizeof sea;
     ASSERT_EQ(pelagic_sea_preset("swell", &sea), PELAGIC_OK);
@@ -163,7 +164,7 @@ pelagic_sea older_application() {
     return sea;
 }
 
-TEST(CInterfaceInside, AnOlderApplicationHasOneCascadeOfAQuarterOfTheCoarsestSide) {
+TEST(CInterfaceInside, AnOlderApplicationGetsOneCascadeOfAQuarterOfTheCoarsestSide) {
     for (const SeaPreset& preset : sea_presets()) {
         pelagic_sea older = older_application(), today{};
         today.struct_size = sizeof today;
@@ -195,8 +196,9 @@ TEST(CInterfaceInside, AnOlderApplicationHasOneCascadeOfAQuarterOfTheCoarsestSid
     }
 }
 
-// As SurfaceQuery with that interpolation, to the bit; applications with the older struct have the linear one.
-TEST(CInterfaceInside, QueriesInterpolateAsTheyAreAsked) {
+// Bit-identical to SurfaceQuery with the given interpolation; the older struct selects linear
+// interpolation.
+TEST(CInterfaceInside, QueriesUseTheGivenInterpolation) {
     const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
     auto frame = sized<pelagic_frame>();
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 5), PELAGIC_OK);

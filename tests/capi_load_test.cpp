@@ -1,4 +1,4 @@
-// Many oceans, many times, many threads.
+// Many oceans, many repetitions, many threads.
 #include <algorithm>
 #include <atomic>
 #include <random>
@@ -25,7 +25,7 @@ std::uint64_t hash_at(const pelagic_sea& sea, double time_s) {
     return hash_of(ocean.get());
 }
 
-TEST(CInterfaceLoad, AHundredOceansAtOnceOnOneExecutor) {
+TEST(CInterfaceLoad, AHundredOceansShareOneExecutor) {
     const COceanExecutor executor = executor_of(PELAGIC_EXECUTOR_THREADS, 3);
     std::vector<COcean> oceans;
     for (std::uint32_t i = 0; i < 100; ++i) {
@@ -45,15 +45,16 @@ TEST(CInterfaceLoad, AHundredOceansAtOnceOnOneExecutor) {
     }
 }
 
-// glibc's count of bytes that are handed out; a sanitizer has its own allocator, and looks for leaks itself.
-TEST(CInterfaceLoad, TenThousandOceansLeaveNothingBehind) {
+// Uses glibc's count of allocated bytes; a sanitizer has its own allocator and leak check.
+TEST(CInterfaceLoad, TenThousandOceansDoNotLeak) {
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
     const COceanExecutor threads = executor_of(PELAGIC_EXECUTOR_THREADS, 2);
     const pelagic_sea sea = small_sea();
     const auto make_some = [&](int count) {
         for (int i = 0; i < count; ++i) {
             const COcean ocean = ocean_of(sea, i % 2 ? serial.get() : threads.get());
-            ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), i), PELAGIC_OK);  // destroyed in flight
+            // destroyed while in flight
+            ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), i), PELAGIC_OK);
         }
         for (int i = 0; i < count / 100; ++i) executor_of(PELAGIC_EXECUTOR_THREADS, 3);
     };
@@ -61,12 +62,13 @@ TEST(CInterfaceLoad, TenThousandOceansLeaveNothingBehind) {
     const std::size_t before = bytes_handed_out();
     make_some(is_sanitized ? 1000 : 10000);
     const std::size_t after = bytes_handed_out();
-    // glibc counts the blocks that a thread keeps for itself as handed out. This is less than a byte an ocean.
+    // glibc counts blocks in a thread's cache as allocated. The bound is less than a byte per
+    // ocean.
     EXPECT_LE(after, before + 8192);
 }
 
-// What a query tells is of one whole frame, whichever it meets; and the frames do not notice.
-TEST(CInterfaceLoad, EightThreadsAskWhileFramesRun) {
+// Each query reads one complete frame, and concurrent queries do not change the frames.
+TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     constexpr int frames = 40, times = 4;
     const pelagic_sea sea = small_sea(128);
     std::vector<double> x, z;

@@ -1,5 +1,5 @@
-// Every number that a struct of the C interface takes, as small as doubles and floats go: refused in one line that names it, or
-// what follows is finite.
+// Every number that a struct of the C interface holds, set to the smallest double and float values:
+// either one line that names the field rejects it, or all results are finite.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -12,7 +12,8 @@
 namespace pelagic {
 namespace {
 
-/// The least double, one whose square is 0, the least float, one whose square is 0 as a float, and one below 0.
+/// The smallest double, a double whose square is 0, the smallest float, a float whose square is 0,
+/// and a negative value.
 constexpr std::array min_values = {5e-324, 1e-300, 1.4e-45, 1e-30, -5e-324};
 
 template <class Struct>
@@ -21,7 +22,7 @@ struct Named {
     double Struct::*member;
 };
 
-/// Empty, or the first thing that is not finite.
+/// Records the first value that is not finite; empty if there is none.
 class Findings {
    public:
     void number(const char* name, double value) {
@@ -82,7 +83,7 @@ void look_at(const pelagic_shore_surface& shore, Findings& found) {
     found.number("parts_change_per_m", static_cast<double>(shore.parts_change_per_m));
 }
 
-/// Frames at some times, all that they show, and queries of them.
+/// Frames at several times, all of their outputs, and queries of them.
 std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& options) {
     Findings found;
     for (const double time_s : {0.0, 0.02, 0.3, 1.1}) {
@@ -141,7 +142,7 @@ void expect_rejected(pelagic_status status, const std::string& what, const char*
 
 using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;
 
-/// \pre `options` are what make() takes
+/// \pre `options` are accepted by make()
 void expect_rejected_or_finite(const std::string& what, const char* name, const pelagic_ocean_options& options,
                                const Make& make) {
     pelagic_ocean* made = nullptr;
@@ -151,7 +152,7 @@ void expect_rejected_or_finite(const std::string& what, const char* name, const 
     EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
 }
 
-/// Each field with each of the least values, others as they are.
+/// Each field is set to each of `min_values`; the others are unchanged.
 template <class Struct, std::size_t count, class Try>
 void walk(const Struct& all, const Named<Struct> (&fields)[count], const std::string& which, Try attempt) {
     for (const auto& field : fields)
@@ -195,7 +196,7 @@ constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patc
 struct Kind {
     const char* name;
     std::int32_t waves, spectrum, spreading;
-    bool has_side = false;  ///< of its one cascade
+    bool has_side = false;  ///< the side of its one cascade is given
     double swell_height_m = 0;
 };
 constexpr Kind kinds[] = {
@@ -220,7 +221,7 @@ pelagic_sea sea_of(const Kind& kind) {
 
 pelagic_sea two_cascades() { return stack_sea(2); }
 
-TEST(CInterfaceLeastValues, OfASea) {
+TEST(CInterfaceLeastValues, FieldsOfASeaAreRejectedOrFinite) {
     const pelagic_ocean_options options = all_options();
     for (const Kind& kind : kinds)
         walk(sea_of(kind), sea_fields, kind.name,
@@ -231,7 +232,7 @@ TEST(CInterfaceLeastValues, OfASea) {
              });
 }
 
-TEST(CInterfaceLeastValues, OfTheQueriesTolerance) {
+TEST(CInterfaceLeastValues, QueryToleranceIsRejectedOrFinite) {
     constexpr Named<pelagic_ocean_options> fields[] = {
         {"query_tolerance_m", &pelagic_ocean_options::query_tolerance_m}};
     const pelagic_sea sea = two_cascades();
@@ -243,7 +244,7 @@ TEST(CInterfaceLeastValues, OfTheQueriesTolerance) {
          });
 }
 
-TEST(CInterfaceLeastValues, OfAChange) {
+TEST(CInterfaceLeastValues, FieldsOfATransitionAreRejectedOrFinite) {
     constexpr Named<pelagic_change> fields[] = {{"from_s", &pelagic_change::from_s},
                                                 {"over_s", &pelagic_change::over_s},
                                                 {"swell_from_m", &pelagic_change::swell_from_m}};
@@ -294,7 +295,7 @@ pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
 
 constexpr std::int32_t steps[] = {PELAGIC_DYNAMIC_WAVES_SPECTRAL, PELAGIC_DYNAMIC_WAVES_VERLET};
 
-TEST(CInterfaceLeastValues, OfDynamicWaves) {
+TEST(CInterfaceLeastValues, FieldsOfDynamicWavesAreRejectedOrFinite) {
     constexpr Named<pelagic_dynamic_waves_options> fields[] = {
         {"side_m", &pelagic_dynamic_waves_options::side_m},
         {"border_m", &pelagic_dynamic_waves_options::border_m},
@@ -318,7 +319,7 @@ TEST(CInterfaceLeastValues, OfDynamicWaves) {
              });
 }
 
-TEST(CInterfaceLeastValues, OfADisturbance) {
+TEST(CInterfaceLeastValues, FieldsOfADisturbanceAreRejectedOrFinite) {
     constexpr Named<pelagic_disturbance> fields[] = {{"x_m", &pelagic_disturbance::x_m},
                                                      {"z_m", &pelagic_disturbance::z_m},
                                                      {"radius_m", &pelagic_disturbance::radius_m},
@@ -351,7 +352,7 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
     }
 }
 
-TEST(CInterfaceLeastValues, OfRain) {
+TEST(CInterfaceLeastValues, FieldsOfRainAreRejectedOrFinite) {
     constexpr Named<pelagic_rain> fields[] = {{"drops_per_m2_s", &pelagic_rain::drops_per_m2_s},
                                               {"radius_m", &pelagic_rain::radius_m},
                                               {"height_m", &pelagic_rain::height_m}};
@@ -373,7 +374,7 @@ TEST(CInterfaceLeastValues, OfRain) {
     }
 }
 
-TEST(CInterfaceLeastValues, OfAShore) {
+TEST(CInterfaceLeastValues, FieldsOfAShoreAreRejectedOrFinite) {
     constexpr Named<pelagic_shore_options> fields[] = {{"corner_x_m", &pelagic_shore_options::corner_x_m},
                                                        {"corner_z_m", &pelagic_shore_options::corner_z_m},
                                                        {"metres_a_sample", &pelagic_shore_options::metres_a_sample},
@@ -386,7 +387,7 @@ TEST(CInterfaceLeastValues, OfAShore) {
     usual.resolution = 64;
     usual.metres_a_sample = 10;
     usual.corner_x_m = usual.corner_z_m = -70;
-    for (const float sign : {1.f, 0.f}) {  // a beach; heights that are least numbers, too
+    for (const float sign : {1.f, 0.f}) {  // a beach whose heights also include the smallest values
         std::vector<float> heights;
         for (int j = 0; j < usual.rows; ++j)
             for (int i = 0; i < usual.columns; ++i)
@@ -403,8 +404,8 @@ TEST(CInterfaceLeastValues, OfAShore) {
     }
 }
 
-// The least that is accepted is good for frames, too.
-TEST(CInterfaceLeastValues, ThatAreAccepted) {
+// The smallest accepted values also give finite frames.
+TEST(CInterfaceLeastValues, SmallestAcceptedValuesGiveFiniteFrames) {
     const pelagic_sea sea = two_cascades();
     std::vector<float> heights(9, -1);
     heights[4] = 1;
@@ -434,7 +435,7 @@ TEST(CInterfaceLeastValues, ThatAreAccepted) {
     }
 }
 
-/// An ocean with the one input.
+/// An ocean with `input` as its only wave input.
 pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pelagic_ocean_options& options,
                           pelagic_ocean** ocean) {
     if (status != PELAGIC_OK) return status;
@@ -447,7 +448,7 @@ pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pel
     return status;
 }
 
-TEST(CInterfaceLeastValues, OfARipple) {
+TEST(CInterfaceLeastValues, FieldsOfARippleAreRejectedOrFinite) {
     constexpr Named<pelagic_ripple> fields[] = {{"x_m", &pelagic_ripple::x_m},
                                                 {"z_m", &pelagic_ripple::z_m},
                                                 {"wavelength_m", &pelagic_ripple::wavelength_m},
@@ -472,7 +473,7 @@ struct Wave {
     double amplitude_m = 0.3, wavelength_m = 20, direction_rad = 1, phase_rad = 1, choppiness = 1;
 };
 
-TEST(CInterfaceLeastValues, OfWaves) {
+TEST(CInterfaceLeastValues, FieldsOfAWaveListAreRejectedOrFinite) {
     constexpr Named<Wave> fields[] = {{"amplitude_m", &Wave::amplitude_m},
                                       {"wavelength_m", &Wave::wavelength_m},
                                       {"direction_rad", &Wave::direction_rad},
@@ -495,7 +496,7 @@ TEST(CInterfaceLeastValues, OfWaves) {
     });
 }
 
-TEST(CInterfaceLeastValues, OfACallbacksSlope) {
+TEST(CInterfaceLeastValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
     constexpr Named<pelagic_input_callback> fields[] = {{"largest_slope", &pelagic_input_callback::largest_slope}};
     auto usual = sized<pelagic_input_callback>();
     usual.add = [](void*, const pelagic_input_rows* rows) { rows->height[0] = 1e-30f; };
@@ -510,7 +511,7 @@ TEST(CInterfaceLeastValues, OfACallbacksSlope) {
          });
 }
 
-TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
+TEST(CInterfaceLeastValues, TimesAndPositionsAreRejectedOrFinite) {
     const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
     pelagic_ocean_options options = all_options();
     options.dynamic_waves = &dynamic_waves;

@@ -1,4 +1,4 @@
-// Shores through the C interface: the same as in C++, bit for bit.
+// Shores through the C interface: bit-identical to those of the C++ interface.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -58,7 +58,7 @@ class CInterfaceShore : public testing::Test {
     ShoreOptions ours;
 };
 
-TEST_F(CInterfaceShore, IsTheSameAsInCPlusPlus) {
+TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     const pelagic_shore_options options = shore();
     const COcean ocean = ocean_of(stack_sea(2), with(&options));
     complete(ocean, 3.25);
@@ -99,7 +99,7 @@ TEST_F(CInterfaceShore, IsTheSameAsInCPlusPlus) {
     EXPECT_EQ(height, expected_height);
 }
 
-TEST_F(CInterfaceShore, SaysWhatIsWrong) {
+TEST_F(CInterfaceShore, InvalidOptionsAreNamed) {
     pelagic_shore_options wrong = shore();
     wrong.columns = 1;
     EXPECT_EQ(refused(wrong), "shore.columns is 1, needs 2 to 4096");

@@ -1,5 +1,6 @@
-// Structs of older and newer applications, as capi/pelagic.h promises: never more is read or written than struct_size says, what an
-// older application doesn't have counts as 0, and what a newer one asks for beyond this library is refused rather than ignored.
+// Structs of older and newer applications, as capi/pelagic.h specifies: the library never reads or
+// writes beyond struct_size. Fields that an older application lacks count as 0, and unknown
+// non-zero fields of a newer one are rejected.
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr unsigned char untouched = 0xAB;
 
-/// A struct of `bytes` bytes at the front of memory that nobody may read or write.
+/// A struct of `bytes` bytes; the memory around it must be neither read nor written.
 template <class T>
 class CallerStruct {
    public:
@@ -25,7 +26,7 @@ class CallerStruct {
     T* get() { return reinterpret_cast<T*>(memory_.data()); }
     unsigned char& byte(std::size_t place) { return memory_[place]; }
 
-    /// Bytes [begin, end) all are `value`.
+    /// Returns whether all bytes of [begin, end) are `value`.
     bool holds(unsigned char value, std::size_t begin, std::size_t end) const {
         return std::all_of(memory_.begin() + static_cast<std::ptrdiff_t>(begin),
                            memory_.begin() + static_cast<std::ptrdiff_t>(end),
@@ -38,7 +39,8 @@ class CallerStruct {
     std::vector<unsigned char> memory_;
 };
 
-/// Up to the last field of the first version: an application's compiler may or may not have padded it.
+/// The size up to the last field of the first version, without padding and with it: compilers
+/// differ.
 template <class T, class Field>
 std::size_t size_at_first(Field T::*last) {
     static const T value{};
@@ -57,8 +59,8 @@ class StructSizes : public testing::Test {
     }
 };
 
-/// `call` is taken with the first size and with a newer one whose new fields are 0, and not with one byte less than the
-/// first, nor with new fields that mean something.
+/// Checks that `call` accepts the first size and a newer size whose new fields are 0, and rejects
+/// one byte less than the first size and new fields that are not 0.
 template <class T, class Field, class Call>
 void expect_read_in_every_size(const T& value, Field T::*last, Call call) {
     const std::size_t first = size_at_first(last);
@@ -75,7 +77,7 @@ void expect_read_in_every_size(const T& value, Field T::*last, Call call) {
     EXPECT_EQ(call(CallerStruct<T>(4097, value).get()), PELAGIC_INVALID_ARGUMENT);
 }
 
-TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
+TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     complete_one();
     expect_read_in_every_size(small_sea(), &pelagic_sea::loop_period_s,
                               [](pelagic_sea* sea) { return pelagic_sea_check(sea); });
@@ -87,7 +89,7 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
         pelagic_executor_destroy(executor);
         return status;
     });
-    // Its first version ends before `allocate`: what stands there in an older application's memory is none of our business.
+    // The first version ends before `allocate`; an older application's memory there is undefined.
     expect_read_in_every_size(pelagic_ocean_options{}, &pelagic_ocean_options::query_tolerance_m,
                               [](pelagic_ocean_options* options) {
                                   const pelagic_sea sea = small_sea();
@@ -175,8 +177,9 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     });
 }
 
-/// `call` fills a struct of the first size and a newer one with the bytes of today's, puts 0 where it knows nothing, and
-/// leaves the size and what lies behind it alone. Structs of less than `same_from` bytes get other values.
+/// Checks that `call` fills structs of the first size and of a newer size with the bytes of the
+/// current struct. Unknown fields are set to 0; the size field and the memory after the struct are
+/// unchanged. Structs of less than `same_from` bytes get other values.
 template <class T, class Field, class Call>
 void expect_written_in_every_size(Field T::*last, Call call, std::size_t same_from = 0) {
     CallerStruct<T> today(sizeof(T));
@@ -198,8 +201,8 @@ void expect_written_in_every_size(Field T::*last, Call call, std::size_t same_fr
     EXPECT_TRUE(smaller.is_untouched_behind());
 }
 
-TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
-    // Those that end before `cascades` get one cascade: the next test.
+TEST_F(StructSizes, OutputStructsMayBeOlderOrNewer) {
+    // Structs that end before `cascades` get one cascade; the next test checks them.
     expect_written_in_every_size(
         &pelagic_sea::loop_period_s, [](pelagic_sea* sea) { return pelagic_sea_defaults(sea); }, sizeof(pelagic_sea));
     expect_written_in_every_size(
@@ -213,7 +216,7 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
                                  [&](pelagic_ocean_info* info) { return pelagic_ocean_describe(ocean.get(), info); });
     const COcean serial = ocean_of(small_sea(), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
     expect_written_in_every_size(&pelagic_frame::bounds, [&](pelagic_frame* frame) {
-        // Every other frame lies in the same memory, so two of them leave the pointers as they were.
+        // Frames alternate between two buffers, so two further frames restore the pointers.
         auto other = sized<pelagic_frame>();
         pelagic_ocean_schedule(serial.get(), 2);
         pelagic_ocean_complete(serial.get(), &other);
@@ -262,8 +265,8 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
                                  [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
 }
 
-// What stands in pelagic_sea before `cascades` is all that applications of one cascade know: whatever they ask for is that cascade.
-TEST(StructSizesOfSeas, ApplicationsThatKnowOneCascadeGetOne) {
+// Applications that use only the fields before `cascades` get one cascade with the given fields.
+TEST(StructSizesOfSeas, StructsWithoutCascadesGiveOneCascade) {
     const std::size_t at_first = size_at_first(&pelagic_sea::loop_period_s);
     const std::size_t before_cascades = offsetof(pelagic_sea, cascades);
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
@@ -279,7 +282,7 @@ TEST(StructSizesOfSeas, ApplicationsThatKnowOneCascadeGetOne) {
         for (CallerStruct<pelagic_sea>* sea : {&defaults, &preset}) {
             EXPECT_EQ(sea->get()->struct_size, bytes);
             EXPECT_TRUE(sea->is_untouched_behind()) << bytes;
-            // Also where an application sets what he likes, and 0.
+            // Also with a side that the application sets, and with 0.
             for (const double patch_size_m : {sea->get()->patch_size_m, 40.0, 0.0}) {
                 sea->get()->patch_size_m = patch_size_m;
                 sea->get()->resolution = 32;
@@ -304,8 +307,9 @@ TEST(StructSizesOfSeas, ApplicationsThatKnowOneCascadeGetOne) {
     EXPECT_EQ(today.cascades, 0);
 }
 
-// A frame of the first version ends in 4 bytes of padding on most machines: nothing that matters may lie there.
-TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
+// A frame of the first version ends in 4 bytes of padding on most machines: no new field may lie
+// there.
+TEST(StructSizesOfSeas, NewFieldsAreAfterThePaddingOfTheFirstVersion) {
     constexpr std::size_t end = offsetof(pelagic_frame, bounds) + sizeof(pelagic_bounds);
     constexpr std::size_t padded =
         (end + alignof(pelagic_frame) - 1) / alignof(pelagic_frame) * alignof(pelagic_frame);
