@@ -126,9 +126,9 @@ TEST(Allocation, MemoryBytesMatchesTheOceansBuffers) {
     // + 5.3; 0.5 for mip averages; 0.5 between column blocks. Tables add a little.
     EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 63, 1);
     // Two slots of 12 bytes of velocities, and a quarter byte of fold map.
-    Ocean asked({.resolution = 256, .patch_size_m = 250},
-                {.executor = make_serial_executor(), .queries = true, .velocities = true});
-    EXPECT_NEAR(static_cast<double>(asked.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
+    Ocean queryable({.resolution = 256, .patch_size_m = 250},
+                    {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    EXPECT_NEAR(static_cast<double>(queryable.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
 }
 
 // With two frames in flight and every output; the paper's buffers take 7.5 MB for one frame.

@@ -120,30 +120,30 @@ TEST(AnalyticCascades, AnalyticSurfaceMatchesTexels) {
     for (const SeaState& sea : {on_one_cascade, crowded}) {
         const PlaneWaves waves = waves_of_cascades(sea);
         const AnalyticSurface water(waves);
-        double rises = 0;
+        double velocity_sum = 0;
         for (const PlaneWave& wave : waves.waves)
-            rises += static_cast<double>(two_pi) * wave.frequency_hz * wave.amplitude_m;
+            velocity_sum += static_cast<double>(two_pi) * wave.frequency_hz * wave.amplitude_m;
         Ocean ocean(sea, everything());
         for (const double time_s : {3.0, 1e5}) {
             const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
             for (int j = 0; j < cascade.resolution(); j += 9) {
                 std::vector<double> x, z(static_cast<std::size_t>(cascade.resolution()), j * cascade.texel_m());
                 for (int i = 0; i < cascade.resolution(); ++i) x.push_back(i * cascade.texel_m());
-                std::vector<float> said[6];
-                for (auto& each : said) each.resize(x.size());
+                std::vector<float> sampled[6];
+                for (auto& each : sampled) each.resize(x.size());
                 water.sample_undisplaced(time_s, {x, z},
-                                         {.height_m = said[0],
-                                          .horizontal_x_m = said[1],
-                                          .horizontal_z_m = said[2],
-                                          .velocity_x_mps = said[3],
-                                          .velocity_y_mps = said[4],
-                                          .velocity_z_mps = said[5]});
+                                         {.height_m = sampled[0],
+                                          .horizontal_x_m = sampled[1],
+                                          .horizontal_z_m = sampled[2],
+                                          .velocity_x_mps = sampled[3],
+                                          .velocity_y_mps = sampled[4],
+                                          .velocity_z_mps = sampled[5]});
                 const PlaneView* planes[] = {&cascade.height,     &cascade.dx,         &cascade.dz,
                                              &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z};
                 for (int i = 0; i < cascade.resolution(); ++i)
                     for (std::size_t plane = 0; plane < 6; ++plane)
-                        ASSERT_NEAR(planes[plane]->at(i, j), said[plane][static_cast<std::size_t>(i)],
-                                    1e-5 * (plane < 3 ? amplitudes_of(waves) : rises))
+                        ASSERT_NEAR(planes[plane]->at(i, j), sampled[plane][static_cast<std::size_t>(i)],
+                                    1e-5 * (plane < 3 ? amplitudes_of(waves) : velocity_sum))
                             << plane;
             }
         }
@@ -186,14 +186,14 @@ TEST(AnalyticCascades, QueriesMatchTheAnalyticSurface) {
 }
 
 TEST(AnalyticCascades, DefaultCascadesChangeWavelengthsByLessThan7Percent) {
-    const PlaneWaves asked = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_cascades(moderate);
-    ASSERT_EQ(held.waves.size(), asked.waves.size());
+    const PlaneWaves given = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_cascades(moderate);
+    ASSERT_EQ(held.waves.size(), given.waves.size());
     double squares = 0, turned = 0;
     for (const PlaneWave& wave : held.waves) {
-        const auto same = std::find_if(asked.waves.begin(), asked.waves.end(), [&](const PlaneWave& other) {
+        const auto same = std::find_if(given.waves.begin(), given.waves.end(), [&](const PlaneWave& other) {
             return other.phase_turns == wave.phase_turns && other.amplitude_m == wave.amplitude_m;
         });
-        ASSERT_NE(same, asked.waves.end());
+        ASSERT_NE(same, given.waves.end());
         const double change = wave.turns_per_m() / same->turns_per_m() - 1;
         EXPECT_LT(std::fabs(change), 0.07) << "half a step of eight";
         squares += change * change;
@@ -222,7 +222,8 @@ TEST(AnalyticCascades, OneWaveIsATrochoid) {
     const PlaneWave wave = waves_of_cascades(sea).waves.at(0);
     const double a = wave.amplitude_m, k = static_cast<double>(two_pi) * wave.turns_per_m();
     EXPECT_GT(k * a, 0.3);
-    const double way_x = wave.turns_per_m_x / wave.turns_per_m(), way_z = wave.turns_per_m_z / wave.turns_per_m();
+    const double direction_x = wave.turns_per_m_x / wave.turns_per_m(),
+                 direction_z = wave.turns_per_m_z / wave.turns_per_m();
     const double speed = wave.frequency_hz / wave.turns_per_m();
     EXPECT_NEAR(speed, std::sqrt(9.80665 / k), 0.01 * speed) << "600 s hold a hundred periods";
     Ocean ocean(sea, everything());
@@ -230,13 +231,13 @@ TEST(AnalyticCascades, OneWaveIsATrochoid) {
         const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
         for (int j = 0; j < 128; j += 5) {
             for (int i = 0; i < 128; i += 3) {
-                const double moved = cascade.dx.at(i, j) * way_x + cascade.dz.at(i, j) * way_z,
+                const double moved = cascade.dx.at(i, j) * direction_x + cascade.dz.at(i, j) * direction_z,
                              height = cascade.height.at(i, j);
-                EXPECT_NEAR(cascade.dx.at(i, j) * way_z - cascade.dz.at(i, j) * way_x, 0, 1e-6 * a)
+                EXPECT_NEAR(cascade.dx.at(i, j) * direction_z - cascade.dz.at(i, j) * direction_x, 0, 1e-6 * a)
                     << "along the wave";
                 ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
                 const double delay =
-                    k * (i * cascade.texel_m() * way_x + j * cascade.texel_m() * way_z - speed * time_s) +
+                    k * (i * cascade.texel_m() * direction_x + j * cascade.texel_m() * direction_z - speed * time_s) +
                     static_cast<double>(two_pi) * wave.phase_turns;
                 ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(two_pi)), 0, 4e-6);
             }

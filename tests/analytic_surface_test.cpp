@@ -37,20 +37,20 @@ Truth truth(const AnalyticSea& sea, Long time_s, Long x, Long z) {
     for (const AnalyticWave& wave : sea.waves) {
         const Long k = 2 * pi / wave.wavelength_m, w = std::sqrt(g * k), a = wave.amplitude_m,
                    moved = sea.choppiness * a;
-        const Long way_x = std::cos(Long{wave.direction_rad}), way_z = std::sin(Long{wave.direction_rad});
-        const Long phase = k * (way_x * x + way_z * z) - w * time_s + wave.phase_rad;
+        const Long direction_x = std::cos(Long{wave.direction_rad}), direction_z = std::sin(Long{wave.direction_rad});
+        const Long phase = k * (direction_x * x + direction_z * z) - w * time_s + wave.phase_rad;
         const Long s = std::sin(phase), c = std::cos(phase);
         sum.height += a * c;
-        sum.x -= moved * way_x * s;
-        sum.z -= moved * way_z * s;
-        sum.slope_x -= a * k * way_x * s;
-        sum.slope_z -= a * k * way_z * s;
-        sum.xx -= moved * k * way_x * way_x * c;
-        sum.xz -= moved * k * way_x * way_z * c;
-        sum.zz -= moved * k * way_z * way_z * c;
-        sum.velocity[0] += moved * way_x * w * c;
+        sum.x -= moved * direction_x * s;
+        sum.z -= moved * direction_z * s;
+        sum.slope_x -= a * k * direction_x * s;
+        sum.slope_z -= a * k * direction_z * s;
+        sum.xx -= moved * k * direction_x * direction_x * c;
+        sum.xz -= moved * k * direction_x * direction_z * c;
+        sum.zz -= moved * k * direction_z * direction_z * c;
+        sum.velocity[0] += moved * direction_x * w * c;
         sum.velocity[1] += a * w * s;
-        sum.velocity[2] += moved * way_z * w * c;
+        sum.velocity[2] += moved * direction_z * w * c;
     }
     return sum;
 }
@@ -147,7 +147,7 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
         for (const auto& [reach_m, time_s] :
              {std::pair(100.0, 0.0), {100.0, -7654.3}, {1e6 * double(shortest), 1e6}}) {
             const Places places = random_places(150, reach_m);
-            const Answers said = sample_undisplaced(water, time_s, places);
+            const Answers sampled = sample_undisplaced(water, time_s, places);
             for (std::size_t i = 0; i < places.x.size(); ++i) {
                 const Truth t = truth(sea, time_s, places.x[i], places.z[i]);
                 const Long n[3] = {t.slope_z * t.xz - t.slope_x * (1 + t.zz), t.jacobian(),
@@ -157,7 +157,7 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
                                            n[2] / length, t.jacobian(), t.velocity[0], t.velocity[1], t.velocity[2]};
                 const Long scale[kinds] = {amplitude, amplitude, amplitude, 1, 1, 1, 1, speed, speed, speed};
                 for (int kind = 0; kind < kinds; ++kind)
-                    ASSERT_NEAR(said.of[kind][i], rounded(right[kind]), rounded(1e-6L * scale[kind]))
+                    ASSERT_NEAR(sampled.of[kind][i], rounded(right[kind]), rounded(1e-6L * scale[kind]))
                         << "kind " << kind << " at " << reach_m;
             }
         }
@@ -168,11 +168,11 @@ TEST_P(AnalyticOnEachIsa, SurfaceFoundForAWorldPointIsDisplacedThere) {
     for (const AnalyticSea& sea : {intense(), short_on_long(), sixty_four_waves()}) {
         const AnalyticSurface water(sea, GetParam());
         const Places places = random_places(600, 3000);
-        const Answers said = in_world(water, 55, places);
+        const Answers sampled = in_world(water, 55, places);
         Places rest;
         for (std::size_t i = 0; i < places.x.size(); ++i) {
-            rest.x.push_back(places.x[i] - double{said.of[horizontal_x][i]});
-            rest.z.push_back(places.z[i] - double{said.of[horizontal_z][i]});
+            rest.x.push_back(places.x[i] - double{sampled.of[horizontal_x][i]});
+            rest.z.push_back(places.z[i] - double{sampled.of[horizontal_z][i]});
         }
         for (std::size_t i = 0; i < places.x.size(); ++i) {
             const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
@@ -180,7 +180,7 @@ TEST_P(AnalyticOnEachIsa, SurfaceFoundForAWorldPointIsDisplacedThere) {
                       AnalyticSurface::tolerance_m);
             // The search stops within half of the tolerance, on faces of slope 0.4; and floats lose
             // 1.2e-5 at wave heights of 12 m.
-            ASSERT_NEAR(said.of[height][i], rounded(t.height), 4e-5);
+            ASSERT_NEAR(sampled.of[height][i], rounded(t.height), 4e-5);
         }
     }
 }
@@ -261,8 +261,8 @@ TEST(AnalyticTime, TurnsAreExactProducts) {
 TEST(AnalyticTime, AnyFiniteTimeGivesFiniteSamples) {
     const AnalyticSurface water(intense());
     for (const double time_s : {-1e308, -1e20, 5e-324, 1e12, 1e308}) {
-        const Answers said = in_world(water, time_s, random_places(20, 10));
-        for (const float at : said.of[height]) EXPECT_LE(std::fabs(at), 3.f);
+        const Answers sampled = in_world(water, time_s, random_places(20, 10));
+        for (const float at : sampled.of[height]) EXPECT_LE(std::fabs(at), 3.f);
     }
 }
 
@@ -349,7 +349,7 @@ TEST_F(Trochoid, SurfacePressureIsConstant) {
 TEST(AnalyticDerivatives, NormalsAndVelocitiesMatchFiniteDifferences) {
     const AnalyticSea sea = intense();
     const Places places = random_places(60, 500);
-    const Answers said = sample_undisplaced(AnalyticSurface(sea), 12, places);
+    const Answers sampled = sample_undisplaced(AnalyticSurface(sea), 12, places);
     const Long step = 1e-5L;
     const auto drawn = [&](Long t, Long x, Long z) {
         const Truth at = truth(sea, t, x, z);
@@ -366,10 +366,11 @@ TEST(AnalyticDerivatives, NormalsAndVelocitiesMatchFiniteDifferences) {
         const Long n[3] = {v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0]};
         const Long length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         for (int axis = 0; axis < 3; ++axis)
-            EXPECT_NEAR(said.of[normal_x + axis][i], rounded(n[axis] / length), 2e-6);
-        EXPECT_NEAR(said.of[jacobian][i], rounded(n[1]), 2e-6);
+            EXPECT_NEAR(sampled.of[normal_x + axis][i], rounded(n[axis] / length), 2e-6);
+        EXPECT_NEAR(sampled.of[jacobian][i], rounded(n[1]), 2e-6);
         const auto moves = slope(drawn(12 - step, x, z), drawn(12 + step, x, z));
-        for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(said.of[velocity_x + axis][i], rounded(moves[axis]), 1e-5);
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(sampled.of[velocity_x + axis][i], rounded(moves[axis]), 1e-5);
     }
 }
 

@@ -18,7 +18,7 @@ struct BadInput {
         /// OUT is replaced by the path of a folder that does not exist, CONFIG by a file that holds
         /// `config`
         arguments;
-    std::vector<std::string> says;  ///< the error message contains each of these strings
+    std::vector<std::string> expected;  ///< the error message contains each of these strings
     std::string config = {};
 };
 
@@ -253,7 +253,7 @@ TEST(BadInput, ErrorNamesOptionValueAndRangeAndNoFileIsWritten) {
         EXPECT_EQ(outcome.out, "") << command;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << "\n" << outcome.err;
         EXPECT_TRUE(outcome.err.starts_with("pelagic: ")) << outcome.err;
-        for (const std::string& word : bad.says)
+        for (const std::string& word : bad.expected)
             EXPECT_NE(outcome.err.find(filled_in(word)), std::string::npos) << command << "\n"
                                                                             << outcome.err << "lacks " << word;
         EXPECT_EQ(files_in(folder.path()).size(), 1u) << command << " wrote something";
@@ -289,14 +289,15 @@ TEST(BadInput, ATomlFileOfManyLevelsIsRejected) {
         {"a = " + repeated("[\n", 100'000), ""},
         {"a = " + repeated("[{a.a.a.a.a.a.a.a = \n", 30'000), ""},
         {repeated("# the sea of the film\n", 100'000), ":1: TOML of more than 1 MiB"}};
-    for (const auto& [text, says] : files)
+    for (const auto& [text, expected] : files)
         for (const char* option : {"--config", "--weather"}) {
             const TemporaryFolder folder;
             write_file(folder / "sea.toml", text);
             const Outcome outcome = run_pelagic({"info", option, (folder / "sea.toml").string()});
             EXPECT_EQ(outcome.exit_code, 2) << option << text.substr(0, 40);
             EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-            EXPECT_NE(outcome.err.find("sea.toml" + says), std::string::npos) << outcome.err << "lacks " << says;
+            EXPECT_NE(outcome.err.find("sea.toml" + expected), std::string::npos)
+                << outcome.err << "lacks " << expected;
         }
     const TemporaryFolder folder;
     write_file(folder / "sea.toml", "# " + repeated(".", 80) + "\nseed = 7 # " + repeated(".", 80) + "\n");

@@ -14,7 +14,7 @@ class CInterfaceDynamicWaves : public testing::Test {
    protected:
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
-    COcean answering(bool has_dynamic_waves = true, double side_m = 32) const {
+    COcean with_dynamic_waves(bool has_dynamic_waves = true, double side_m = 32) const {
         auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
         EXPECT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
         dynamic_waves.resolution = 64;
@@ -78,7 +78,7 @@ void expect_rejected(pelagic_status status, pelagic_status expected, const std::
 }
 
 TEST_F(CInterfaceDynamicWaves, AreIncludedInSurfacesAndQueries) {
-    const COcean with = answering(), without = answering(false);
+    const COcean with = with_dynamic_waves(), without = with_dynamic_waves(false);
     std::uint32_t number = 0;
     const pelagic_disturbance source = boat();
     ASSERT_EQ(pelagic_dynamic_waves_add_source(waves_of(with.get()), &source, &number), PELAGIC_OK);
@@ -112,7 +112,7 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     EXPECT_EQ(rain.drops_per_m2_s, 0);
     rain.drops_per_m2_s = 4, rain.radius_m = 0.6;
     const auto hash_with = [&] {
-        const COcean ocean = answering();
+        const COcean ocean = with_dynamic_waves();
         EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_OK) << pelagic_last_error();
         for (int tick = 0; tick < 20; ++tick) complete(ocean, tick / 60.0);
         return dynamic_waves_hash(ocean);
@@ -122,7 +122,7 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     rain.seed = 9;
     EXPECT_NE(hash_with(), first);
 
-    const COcean ocean = answering();
+    const COcean ocean = with_dynamic_waves();
     rain.radius_m = 3;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
@@ -134,12 +134,13 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
                     "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
-    EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(answering(false).get()), &rain), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(with_dynamic_waves(false).get()), &rain),
+              PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), nullptr), PELAGIC_INVALID_ARGUMENT);
 }
 
 TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
-    const COcean stays = answering(), goes = answering();
+    const COcean stays = with_dynamic_waves(), goes = with_dynamic_waves();
     for (const COcean* ocean : {&stays, &goes}) {
         std::uint32_t number = 0;
         const pelagic_disturbance source = boat();
@@ -165,7 +166,7 @@ TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
     EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size() - 1),
               PELAGIC_INVALID_ARGUMENT);
     expect_rejected(
-        pelagic_dynamic_waves_restore_state(waves_of(answering(true, 48).get()), saved.data(), saved.size()),
+        pelagic_dynamic_waves_restore_state(waves_of(with_dynamic_waves(true, 48).get()), saved.data(), saved.size()),
         PELAGIC_INVALID_ARGUMENT, "the saved state has other options, needs those of these dynamic waves");
     ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
     EXPECT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), saved.size(), &count),
@@ -176,7 +177,7 @@ TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
 
 // Waves without an ocean that get identical commands at identical times are bit-identical.
 TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
-    const COcean ocean = answering();
+    const COcean ocean = with_dynamic_waves();
     auto options = sized<pelagic_dynamic_waves_options>();
     ASSERT_EQ(pelagic_dynamic_waves_defaults(&options), PELAGIC_OK);
     options.resolution = 64, options.side_m = 32, options.border_m = 6;
@@ -222,7 +223,7 @@ TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
 }
 
 TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
-    const COcean without = answering(false), with = answering();
+    const COcean without = with_dynamic_waves(false), with = with_dynamic_waves();
     auto surface = sized<pelagic_dynamic_waves_view>();
     EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_WRONG_ORDER);
     complete(without, 0);

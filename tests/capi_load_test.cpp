@@ -101,13 +101,13 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
     std::atomic<bool> stop = false;
-    std::atomic<int> asked = 0, torn = 0;
+    std::atomic<int> ready = 0, torn = 0;
     std::vector<std::thread> askers;
     for (int i = 0; i < 8; ++i) {
         askers.emplace_back([&] {
             while (!stop) {
                 const std::vector<float> heights = ask(ocean.get());
-                ++asked;
+                ++ready;
                 if (std::find(expected.begin(), expected.end(), heights) == expected.end()) ++torn;
             }
         });
@@ -117,7 +117,7 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         EXPECT_EQ(hash_of(ocean.get()), hashes[static_cast<std::size_t>(n % times)]);
     }
-    while (asked < 8) std::this_thread::yield();
+    while (ready < 8) std::this_thread::yield();
     stop = true;
     for (std::thread& asker : askers) asker.join();
     EXPECT_EQ(torn, 0);

@@ -1,4 +1,4 @@
-// Oceans of the C interface that tests share.
+// Seas and oceans of the C interface that several tests use.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ T sized() {
     return value;
 }
 
-/// Of one cascade.
+/// A sea of one cascade.
 inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
@@ -25,7 +25,7 @@ inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     return sea;
 }
 
-/// Of several.
+/// A sea of several cascades.
 inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
@@ -34,7 +34,7 @@ inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32
     return sea;
 }
 
-/// The ocean's dynamic waves; null without any.
+/// Returns the ocean's dynamic waves, null if it has none.
 inline pelagic_dynamic_waves* waves_of(const pelagic_ocean* ocean) {
     pelagic_dynamic_waves* waves = nullptr;
     pelagic_ocean_dynamic_waves(const_cast<pelagic_ocean*>(ocean), &waves);
@@ -66,7 +66,7 @@ inline COcean ocean_of(const pelagic_sea& sea, const pelagic_ocean_options& opti
     return COcean(ocean);
 }
 
-/// With queries and velocities.
+/// An ocean with queries and velocities.
 inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor) {
     auto options = sized<pelagic_ocean_options>();
     options.queries = options.velocities = 1;
@@ -78,7 +78,7 @@ inline float texel_of(const pelagic_plane& plane, int i, int j) {
     return plane.data[i / plane.block_columns * plane.block_stride + j * plane.row_stride + i % plane.block_columns];
 }
 
-/// Arrays for frame_at(), as long as it wants them.
+/// Arrays for pelagic_ocean_frame_at(), of the required sizes.
 struct FrameArrays {
     explicit FrameArrays(std::int32_t resolution)
         : planes(6, std::vector<float>(static_cast<std::size_t>(resolution) * resolution)),

@@ -1,5 +1,5 @@
-// The C interface: the same sea as in C++, every misuse a code and a line, nothing a crash. Linked against the shared
-// library alone.
+// The C interface: results equal those of C++, and every misuse returns a status and a message of
+// one line. Linked against the shared library only.
 #include <atomic>
 #include <cctype>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
-/// The call fails as stated, with a message that holds `words`.
+/// Checks that the call fails with status `expected` and a message that contains `words`.
 void expect_failure(pelagic_status status, pelagic_status expected, const std::string& words) {
     EXPECT_EQ(status, expected) << pelagic_last_error();
     const std::string message = pelagic_last_error();
@@ -52,8 +52,8 @@ TEST(CInterface, HasTheVersionOfTheProject) {
                      .c_str());
 }
 
-// The weather of the C++ interface, bit for bit: it is checked there.
-TEST(CInterface, WeatherMayBeGivenAtOnceOrChangeByChange) {
+// Bit-identical to the transitions of the C++ interface, which have their own tests.
+TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
     const pelagic_sea before = small_sea();
     pelagic_sea after = before, other = before;
     after.wind_speed_mps = 5;
@@ -104,7 +104,7 @@ TEST(CInterface, WeatherMayBeGivenAtOnceOrChangeByChange) {
     expect_wrong_order(pelagic_ocean_schedule_change(live.get(), &changes[0]), "a sea is being baked");
 }
 
-// A hash of tests/golden, 0 if there is none of that name.
+// The hash of `wanted` in tests/golden, 0 if there is no such name.
 std::uint64_t golden_hash(const std::string& wanted) {
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");
     for (std::string name, hash; file >> name >> hash;)
@@ -112,7 +112,7 @@ std::uint64_t golden_hash(const std::string& wanted) {
     return 0;
 }
 
-TEST(CInterface, GivesTheGoldenFrame) {
+TEST(CInterface, FramesHaveTheGoldenHash) {
     auto sea = sized<pelagic_sea>();
     ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
     pelagic_ocean* ocean = nullptr;
@@ -124,7 +124,7 @@ TEST(CInterface, GivesTheGoldenFrame) {
     pelagic_ocean_destroy(ocean);
 }
 
-TEST(CInterface, PresetsAreSeas) {
+TEST(CInterface, PresetsAreValidSeas) {
     for (const char* name : {"calm", "lake", "swell", "moderate", "rough", "storm", "beaufort-0", "beaufort-12"}) {
         auto sea = sized<pelagic_sea>();
         EXPECT_EQ(pelagic_sea_preset(name, &sea), PELAGIC_OK);
@@ -138,8 +138,8 @@ TEST(CInterface, PresetsAreSeas) {
     expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
 }
 
-// The lines are those of check(SeaState).
-TEST(CInterface, BadSeasAreNamedFieldByField) {
+// Messages equal those of check(SeaState).
+TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
     const std::map<std::string, std::function<void(pelagic_sea&)>> mistakes = {
         {"spectrum is no known model", [](pelagic_sea& sea) { sea.spectrum = -1; }},
         {"resolution is 17, needs a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
@@ -190,7 +190,7 @@ TEST(CInterface, BadSeasAreNamedFieldByField) {
     }
 }
 
-TEST(CInterface, NullIsNamed) {
+TEST(CInterface, NullPointersAreNamed) {
     const COcean ocean = make_ocean();
     auto sea = small_sea();
     auto frame = sized<pelagic_frame>();
@@ -252,7 +252,7 @@ TEST(CInterface, NullIsNamed) {
     expect_invalid(pelagic_ocean_poll_sea(ocean.get(), nullptr), "is_ready is NULL");
 }
 
-TEST(CInterface, AWrongSizeOfAStructIsNamed) {
+TEST(CInterface, WrongStructSizesAreNamed) {
     const COcean ocean = make_ocean();
     frame_at(ocean.get(), 0);
     for (const std::uint32_t size : {0u, 1u, 4u, 7u, 100000u, 0xffffffffu}) {
@@ -301,8 +301,8 @@ TEST(CInterface, AWrongSizeOfAStructIsNamed) {
     }
 }
 
-// What is reserved today may mean something tomorrow.
-TEST(CInterface, ReservedFieldsHaveToBe0) {
+// Reserved fields may get a meaning in a later version.
+TEST(CInterface, ReservedFieldsMustBeZero) {
     const COcean ocean = make_ocean();
     frame_at(ocean.get(), 0);
     auto executor_options = sized<pelagic_executor_options>();
@@ -357,7 +357,7 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
     expect_invalid(ocean_with([](auto& o) { o.query_tolerance_m = -1; }), "query_tolerance_m is -1");
 }
 
-TEST(CInterface, TheWrongOrderIsAnErrorThatChangesNothing) {
+TEST(CInterface, CallsInTheWrongOrderFailAndChangeNothing) {
     const COcean ocean = make_ocean();
     auto frame = sized<pelagic_frame>();
     auto buffers = sized<pelagic_frame_buffers>();
@@ -388,7 +388,7 @@ TEST(CInterface, TheWrongOrderIsAnErrorThatChangesNothing) {
     expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &other), "resolution is 32, needs 16");
 }
 
-TEST(CInterface, TimesThatAreNoneAreNamed) {
+TEST(CInterface, InvalidTimesAreNamed) {
     const COcean ocean = make_ocean();
     auto buffers = sized<pelagic_frame_buffers>();
     expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, needs a finite number");
@@ -397,7 +397,7 @@ TEST(CInterface, TimesThatAreNoneAreNamed) {
     for (const double time_s : {1e300, -1e300, -0.0, 5e-324}) frame_at(ocean.get(), time_s);
 }
 
-TEST(CInterface, HugeCountsAndOddPlacesAreNoCrash) {
+TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
     const COcean ocean = make_ocean();
     frame_at(ocean.get(), 1);
     auto points = sized<pelagic_points>();
@@ -441,7 +441,7 @@ TEST(CInterface, HugeCountsAndOddPlacesAreNoCrash) {
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.origin_m is nan");
 }
 
-TEST(CInterface, SaysWhatTheOceanLacks) {
+TEST(CInterface, MissingOceanOptionsAreNamed) {
     const pelagic_sea sea = small_sea();
     pelagic_ocean* plain = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &plain), PELAGIC_OK);
@@ -455,7 +455,7 @@ TEST(CInterface, SaysWhatTheOceanLacks) {
     expect_invalid(pelagic_ocean_frame_at(plain, 0, &buffers, nullptr), "velocity_x is wanted");
 }
 
-TEST(CInterface, MessagesAreTheThreadsOwn) {
+TEST(CInterface, EachThreadHasItsOwnMessage) {
     expect_invalid(pelagic_sea_check(nullptr), "sea is NULL");
     std::thread([] { EXPECT_STREQ(pelagic_last_error(), ""); }).join();
     const pelagic_sea sea = small_sea();
@@ -463,7 +463,7 @@ TEST(CInterface, MessagesAreTheThreadsOwn) {
     EXPECT_NE(std::string(pelagic_last_error()), "") << "success leaves the last message";
 }
 
-TEST(CInterface, MessagesAreOneShortLineWithTheNumberThatWasGiven) {
+TEST(CInterface, MessagesAreOneShortLineWithTheGivenValue) {
     const pelagic_sea sea = small_sea(16);
     for (const std::string& isa : {std::string("\n\n"), std::string("\x1b[2J"), std::string(5000, 'x')}) {
         auto options = sized<pelagic_ocean_options>();
@@ -485,7 +485,7 @@ TEST(CInterface, MessagesAreOneShortLineWithTheNumberThatWasGiven) {
     }
 }
 
-TEST(CInterface, FrameAtWritesTheFrameAndLeavesTheOthersAlone) {
+TEST(CInterface, FrameAtDoesNotChangeOtherFrames) {
     const COcean ocean = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
     const pelagic_frame shown = frame_at(ocean.get(), 1);
     std::uint64_t before = 0, after = 0;
@@ -518,8 +518,8 @@ TEST(CInterface, FrameAtWritesTheFrameAndLeavesTheOthersAlone) {
     EXPECT_EQ(std::memcmp(&frame.bounds, &bounds, sizeof bounds), 0);
 }
 
-// For a frame that complete() computes itself, waiting for poll() would be for ever.
-TEST(CInterface, PollSaysYesInTheEnd) {
+// If complete() computes the frame itself, poll() must not report "not ready" forever.
+TEST(CInterface, PollReportsReadyEventually) {
     for (const std::int32_t kind : {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_THREADS}) {
         for (const std::int32_t resolution : {16, 256}) {
             const COcean ocean = ocean_of(small_sea(resolution), executor_of(kind, 2).get());
@@ -541,8 +541,8 @@ TEST(CInterface, PollSaysYesInTheEnd) {
     }
 }
 
-// As Ocean::is_ready(): there is nothing to wait for.
-TEST(CInterface, PollSaysYesWhereNothingIsInFlight) {
+// Equal to Ocean::is_ready(): no work is pending.
+TEST(CInterface, PollReportsReadyIfNothingIsInFlight) {
     const COcean ocean = make_ocean();
     const pelagic_sea sea = small_sea();
     const auto expect_ready = [&] {
@@ -589,8 +589,8 @@ TEST(CInterface, ACopyHasTightRows) {
     expect_invalid(pelagic_ocean_copy(ocean.get(), &height_alone), "height has 5 elements, needs 4096");
 }
 
-// As a C++ application asks the frame that frame_at() hands out.
-TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
+// Equal to a C++ application that queries the frame of frame_at().
+TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
     const COcean ocean = make_ocean(64);
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
@@ -607,7 +607,7 @@ TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
         FrameArrays arrays(64), copied(64);
         const pelagic_frame_buffers buffers = arrays.view(), copied_buffers = copied.view();
         ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), time_s, &buffers, nullptr), PELAGIC_OK);
-        const float asked = height_by_query();
+        const float queried = height_by_query();
         ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &copied_buffers), PELAGIC_OK);
         EXPECT_EQ(copied, arrays) << "copy tells of it too";
         std::uint64_t hash = 0, expected = 0;
@@ -620,9 +620,10 @@ TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
         samples.height_m = &other_height;
         EXPECT_EQ(pelagic_ocean_query(other.get(), &points, &samples), PELAGIC_OK);
         samples.height_m = &height;
-        EXPECT_EQ(asked, other_height);
+        EXPECT_EQ(queried, other_height);
     }
-    // From the first complete() on it is that frame, whatever frame_at() makes.
+    // After the first complete(), queries read the completed frame; later calls of frame_at() do
+    // not change it.
     frame_at(ocean.get(), 9);
     const float shown = height_by_query();
     FrameArrays arrays(64);
@@ -631,7 +632,7 @@ TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
     EXPECT_EQ(height_by_query(), shown);
 }
 
-TEST(CInterface, ARayMeetsTheWaterWhereAQueryFindsIt) {
+TEST(CInterface, RayHitsMatchQueries) {
     const COcean ocean = make_ocean(64);
     frame_at(ocean.get(), 5);
     auto ray = sized<pelagic_ray>();
@@ -653,9 +654,9 @@ TEST(CInterface, ARayMeetsTheWaterWhereAQueryFindsIt) {
     EXPECT_FALSE(hit.is_hit);
 }
 
-// ---- An application's job system -------------------------------------------------------------------------------------
+// ---- An application's job system --------------------------------------------------
 
-/// The least there is: a thread for each task, jobs in turn on two threads.
+/// A minimal job system: one thread per task, and jobs on two threads.
 struct Application {
     std::atomic<int> submitted = 0, loops = 0;
     std::vector<std::thread> threads;
@@ -675,7 +676,7 @@ struct Application {
         ++application->submitted;
         application->threads.emplace_back(task, work);
     }
-    /// Tasks are called, but only when it is too late.
+    /// Tasks are called only after complete() has done their work.
     static void submit_late(void* user, void (*task)(void*), void* work) {
         auto* application = static_cast<Application*>(user);
         ++application->submitted;
@@ -700,7 +701,7 @@ std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
     return all;
 }
 
-void expect_the_same_bits_of_a_applications_jobs(const pelagic_sea& sea) {
+void expect_bit_identical_frames_of_application_jobs(const pelagic_sea& sea) {
     const std::uint64_t expected =
         hash_of_frames(ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get()).get(), 10);
     for (const pelagic_submit submit :
@@ -715,25 +716,25 @@ void expect_the_same_bits_of_a_applications_jobs(const pelagic_sea& sea) {
         pelagic_executor* executor = nullptr;
         ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
         COcean ocean = ocean_of(sea, executor);
-        pelagic_executor_destroy(executor);  // the ocean keeps what it needs
+        pelagic_executor_destroy(executor);  // the ocean keeps a reference
         auto info = sized<pelagic_ocean_info>();
         EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
         EXPECT_STREQ(info.executor, "application");
         EXPECT_EQ(info.threads, 2);
         EXPECT_EQ(hash_of_frames(ocean.get(), 10), expected);
-        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);  // destroyed in flight
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);  // destroyed while in flight
         ocean.reset();
         EXPECT_EQ(application.submitted > 0, submit != nullptr);
         EXPECT_GT(application.loops, 0);
     }
 }
 
-TEST(CInterface, AApplicationsOwnJobsGiveTheSameBits) {
-    expect_the_same_bits_of_a_applications_jobs(small_sea(128));
-    expect_the_same_bits_of_a_applications_jobs(stack_sea(2, 128));
+TEST(CInterface, ApplicationJobsGiveBitIdenticalFrames) {
+    expect_bit_identical_frames_of_application_jobs(small_sea(128));
+    expect_bit_identical_frames_of_application_jobs(stack_sea(2, 128));
 }
 
-TEST(CInterface, AMaskOfCoresHoldsThePool) {
+TEST(CInterface, ACpuMaskIsAccepted) {
     if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
     auto options = sized<pelagic_executor_options>();
     options.kind = PELAGIC_EXECUTOR_THREADS;

@@ -1,4 +1,5 @@
-// Waves that applications add through the C interface: those that they ask for, a callback in C beside a batch, and what is refused.
+// Wave inputs through the C interface: analytic waves, a C callback next to a wave list, and
+// invalid values.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -25,10 +26,10 @@ pelagic_sea flat_sea(std::int32_t resolution = 64) {
     return sea;
 }
 
-/// One wave of five periods along x and three along z.
+/// One wave with five periods along x and three along z.
 struct OneWave {
     double amplitude = 1.5, wavelength = side_m / std::sqrt(34.0), direction = std::atan2(3.0, 5.0), phase = 0.5;
-    pelagic_waves asked() const {
+    pelagic_waves as_waves() const {
         auto waves = sized<pelagic_waves>();
         waves.count = 1;
         waves.amplitude_m = &amplitude, waves.wavelength_m = &wavelength;
@@ -68,7 +69,7 @@ CInput callback_input(pelagic_add_rows add, void* user = nullptr) {
     return CInput(made);
 }
 
-/// With velocities; the handles are destroyed before a frame is made.
+/// An ocean with velocities; the input handles are destroyed before the first frame.
 COcean ocean_with(const pelagic_sea& sea, std::vector<CInput> inputs) {
     std::vector<pelagic_input*> pointers;
     for (const CInput& input : inputs) pointers.push_back(input.get());
@@ -98,36 +99,36 @@ void expect_rejected(pelagic_status status, pelagic_status expected, const std::
     EXPECT_EQ(pelagic_last_error(), line);
 }
 
-TEST(CInterfaceInputs, AWaveIsItsClosedForm) {
+TEST(CInterfaceInputs, AWaveMatchesItsFormula) {
     const OneWave wave;
     std::vector<CInput> inputs;
-    inputs.push_back(waves_input(wave.asked()));
+    inputs.push_back(waves_input(wave.as_waves()));
     const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
     const pelagic_frame frame = frame_of(ocean, 12.5);
     const double x = 5 / std::sqrt(34.0);
     for (int j = 0; j < 64; j += 3)
-        for (int i = 0; i < 64; ++i) {  // the wind's own waves are of micrometres
+        for (int i = 0; i < 64; ++i) {  // the wind waves themselves are micrometres high
             const double angle = wave.angle(i, j, 64, 12.5);
             EXPECT_NEAR(texel_of(frame.height, i, j), 1.5 * std::cos(angle), 1e-3);
             EXPECT_NEAR(texel_of(frame.dx, i, j), -1.5 * x * std::sin(angle), 1e-3);
         }
 }
 
-TEST(CInterfaceInputs, ACallbackAddsWhatABatchDoes) {
+TEST(CInterfaceInputs, ACallbackMatchesAWaveList) {
     const OneWave wave;
-    // Its heights and vertical velocity, in C's own words.
+    // The height of the wave, and a vertical velocity with another amplitude, from a C callback.
     const auto add = [](void* user, const pelagic_input_rows* rows) {
-        const auto& told = *static_cast<const OneWave*>(user);
+        const auto& given = *static_cast<const OneWave*>(user);
         const int n = rows->resolution;
         for (int j = 0; j < rows->row_count; ++j)
             for (int i = 0; i < n; ++i) {
-                const double angle = told.angle(i, rows->first_row + j, n, rows->time_s);
+                const double angle = given.angle(i, rows->first_row + j, n, rows->time_s);
                 rows->height[j * n + i] = static_cast<float>(1.5 * std::cos(angle));
                 rows->velocity_y[j * n + i] = static_cast<float>(rows->side_m * std::sin(angle));
             }
     };
     std::vector<CInput> batch, callback;
-    batch.push_back(waves_input(wave.asked()));
+    batch.push_back(waves_input(wave.as_waves()));
     callback.push_back(callback_input(add, const_cast<OneWave*>(&wave)));
     const COcean a = ocean_with(flat_sea(), std::move(batch)), b = ocean_with(flat_sea(), std::move(callback));
     const pelagic_frame one = frame_of(a, 7), other = frame_of(b, 7);
@@ -138,9 +139,9 @@ TEST(CInterfaceInputs, ACallbackAddsWhatABatchDoes) {
         }
 }
 
-TEST(CInterfaceInputs, AreSetBetweenFrames) {
+TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     const OneWave wave;
-    CInput waves = waves_input(wave.asked()), rings = ripple_input(0.5);
+    CInput waves = waves_input(wave.as_waves()), rings = ripple_input(0.5);
     pelagic_input* const all[] = {waves.get(), rings.get()};
     auto options = sized<pelagic_ocean_options>();
     options.velocities = 1;
@@ -166,11 +167,11 @@ TEST(CInterfaceInputs, AreSetBetweenFrames) {
                     "inputs[0] belongs to another ocean, needs one that is new");
 }
 
-TEST(CInterfaceInputs, WhatCanNotBeIsRefusedInOneLine) {
+TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
     pelagic_input* made = nullptr;
     OneWave wave;
     wave.wavelength = std::numeric_limits<double>::quiet_NaN();
-    pelagic_waves waves = wave.asked();
+    pelagic_waves waves = wave.as_waves();
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                     "waves[0].wavelength_m is nan, needs [0.01, 1000]");
     waves.count = 65;
@@ -201,7 +202,7 @@ TEST(CInterfaceInputs, WhatCanNotBeIsRefusedInOneLine) {
                     "inputs[0] is NULL, needs a pointer");
 }
 
-TEST(CInterfaceInputs, ACallbackThatFailsLosesItsFrameAlone) {
+TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
     int fails = 0;
     const auto add = [](void* user, const pelagic_input_rows* rows) {
         const int how = *static_cast<const int*>(user);

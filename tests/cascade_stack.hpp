@@ -1,4 +1,5 @@
-// A frame of several cascades that no ocean made: waves of several oceans of one cascade each, turned against one another.
+// A hand-made frame of several cascades: frames of several one-cascade oceans, rotated against one
+// another.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ class CascadeStack {
     struct Part {
         SeaState sea;
         double turn_rad = 0;
-        double factor = 1;  ///< of all displacements
+        double factor = 1;  ///< multiplies all displacements
     };
 
     CascadeStack(const std::vector<Part>& parts, double time_s, Isa isa = choose_isa()) {
@@ -33,7 +34,8 @@ class CascadeStack {
 
     const Frame& frame() const { return frame_; }
 
-    /// Seas of one wind each whose cascades have texels of the longest waves of the next, much as the bands of one sea.
+    /// One sea per cascade, each with its own wind speed. A cascade's texel is as long as the
+    /// longest waves of the next, similar to the bands of one sea.
     static std::vector<Part> of_scales(std::size_t cascades, double wind_speed_mps, double choppiness,
                                        std::uint32_t seed, int resolution = 128) {
         std::vector<Part> parts;

@@ -1,4 +1,5 @@
-// Each cascade of a stack against the sum of its waves by definition: turned grids, shared bands, draws of its own.
+// Each cascade of a stack, compared with the sum of its waves by definition: rotated grids,
+// disjoint bands, separate random numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,13 +23,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// One wave of a cascade, along the world's axes.
+/// One wave of a cascade, with its wave vector in world axes.
 struct OracleWave {
     double kx, kz;
-    std::complex<double> height;  ///< h~ at the moment
+    std::complex<double> height;  ///< amplitude h~ at the given time
 };
 
-/// The mean of the spectrum over that part of a cell of wave vectors which is in the band, times the part: 40 x 40 places.
+/// The integral of the spectrum over the band's share of a cell of wave vectors, divided by the
+/// area of the cell; sampled at 40 x 40 points.
 double energy_of_cell(const SeaState& sea, const CascadePlan& cascade, int m, int n) {
     constexpr int places = 40;
     double sum = 0;
@@ -69,10 +71,11 @@ std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade
     return waves;
 }
 
-// The library takes a cell's mean from 8 x 8 places where a band's end cuts it, and from 4 x 4 elsewhere near k = 0. On the flank
-// below the peak, where all waves of so small a coarsest cascade are, the spectrum doubles within a cell: they are within 5 % there, half
-// of that in amplitude. A wrong sign, turn or draw is off by 100 %.
-TEST(CascadeStack, EveryCascadeHoldsTheSumOfItsWaves) {
+// The library averages a cell over 8 x 8 points where the edge of a band cuts it, and over 4 x 4
+// points elsewhere near k = 0. All waves of so small a coarsest cascade are on the flank below the
+// peak, where the spectrum doubles within a cell: energies are within 5 % there, amplitudes within
+// half of that. A wrong sign, rotation or random number would give an error of 100 %.
+TEST(CascadeStack, EachCascadeIsTheSumOfItsWaves) {
     const SeaState sea{.cascades = 3, .resolution = 32, .wind_direction_rad = 0.7, .choppiness = 0.9, .seed = 5};
     const double time_s = 12.34;
     Ocean ocean(sea, {.executor = make_serial_executor()});
@@ -109,8 +112,8 @@ TEST(CascadeStack, EveryCascadeHoldsTheSumOfItsWaves) {
 
 std::size_t octave(double k) { return static_cast<std::size_t>(std::log2(k) + 20); }
 
-/// Which octaves the energy of a cell of wave vectors comes from, and which parts of it: what stands at the cell's middle is that
-/// of the whole cell, as far as it is in the band.
+/// For each octave, the fraction of a cell's energy that comes from it. The wave at the cell's
+/// centre represents the share of the whole cell that is in the band.
 std::map<std::size_t, double> octaves_of_cell(const CascadeWaves& waves, int m, int n) {
     constexpr int places = 12;
     const CascadePlan& cascade = waves.cascade();
@@ -130,8 +133,9 @@ std::map<std::size_t, double> octaves_of_cell(const CascadeWaves& waves, int m, 
     return parts;
 }
 
-// No energy twice and none lost: of the height, of the slope, and of each octave, whatever the cascades.
-TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
+// The cascades together hold the variance of height and of slope, and of each octave, once each,
+// for any number of cascades.
+TEST(CascadeStack, BandsCoverTheWaveNumbersOnce) {
     for (const double wind_speed_mps : {3.0, 12.0, 25.0}) {
         for (const auto& [cascades, resolution] : {std::pair{1, 256}, {2, 128}, {3, 64}, {3, 128}, {4, 128}}) {
             const SeaState sea{.cascades = cascades, .resolution = resolution, .wind_speed_mps = wind_speed_mps};
@@ -156,7 +160,7 @@ TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
                         for (const auto& [of, part] : octaves_of_cell(waves, m, n)) held[of] += part * energy;
                     }
                 }
-                // The model over the same band: the midpoint rule in log k, in steps of 0.1 %.
+                // Integral of the model over the band: midpoint rule in log k, in steps of 0.1 %.
                 for (double k = std::max(cascade.min_k, 1e-5); k < cascade.max_k; k *= 1.001) {
                     const double next = std::min(k * 1.001, cascade.max_k), middle = (k + next) / 2;
                     model[octave(middle)] += waves.spectrum().radial_density(middle) * (next - k);
@@ -179,7 +183,8 @@ TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
     }
 }
 
-/// Correlation of the heights of two points that are (x, z) apart, in the mean over time and place: from what this seed drew.
+/// Correlation of the heights of two points that are (x, z) apart, averaged over time and position,
+/// from the amplitudes drawn for this seed.
 double correlation(const std::vector<CascadeWaves>& cascades, double x, double z) {
     double together = 0, all = 0;
     for (const CascadeWaves& waves : cascades) {
@@ -209,10 +214,12 @@ double largest_correlation(SeaState sea) {
     return max;
 }
 
-// From above a sea shows no pattern that comes again. Waves of one cascade of 250 m do, wholly, after 250 m.
-TEST(CascadeStack, HeightsComeAgainNowhereWithin900Metres) {
+// A sea must show no repeated pattern from above. A single cascade of 250 m repeats completely
+// after 250 m.
+TEST(CascadeStack, HeightsDoNotRepeatWithin900Metres) {
     SeaState sea = sea_preset_named("moderate")->sea;
-    sea.resolution = 64;  // what matters are the long waves; the coarsest cascade is as wide
+    // only long waves matter here; the side of the coarsest cascade does not change
+    sea.resolution = 64;
     const double stack = largest_correlation(sea);
     EXPECT_LT(stack, 0.25);
     sea.patch_size_m = 250;

@@ -1,4 +1,4 @@
-// Queries of several cascades held against an oracle that looks everywhere, in double.
+// Queries of several cascades, compared with an exhaustive search in double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,9 +35,10 @@ double significant_wave_height_m(const Frame& frame) {
     return 4 * std::sqrt(variance);
 }
 
-/// Height within 1 mm + 1e-4 Hs; normals, Jacobians and velocities within 2e-3 where the surface isn't folded: the search
-/// stops 16 micrometres away, of the finest texels' 26 mm, over which slopes change by less than 1. Near a fold's edge
-/// the reference point moves much faster than what is drawn.
+/// Checks that heights are within 1 mm + 1e-4 Hs, and normals, Jacobians and velocities within 2e-3
+/// where the surface is not folded. The search stops within 16 micrometres; the finest texels are
+/// 26 mm wide, and slopes change by less than 1 over them. Near a fold's edge the reference
+/// position changes much faster than the displaced position.
 std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned) {
     const oracle::Stack stack(frame);
     Samples samples(points.x.size());
@@ -49,8 +50,10 @@ std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_o
         EXPECT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
         if (intersections.empty()) continue;
         folded += intersections.size() > 1;
-        // A point has an odd number of intersections: a map that moves no point further than a bound has the degree 1. Of an even number the
-        // oracle's Newton missed one beside a fold's edge; an answer above those that it found is that one, within its own error.
+        // Each point has an odd number of intersections: a continuous map with bounded displacement
+        // has degree 1. If the number is even, the oracle's Newton iteration missed one near a
+        // fold's edge. A queried height above all that it found belongs to the missed intersection,
+        // whose error estimate must be within the tolerance.
         if (intersections.size() % 2 == 0 &&
             static_cast<double>(samples.height[i]) > intersections.front().height_m + bound) {
             EXPECT_LE(samples.error[i], SurfaceQuery::default_tolerance_m);
@@ -75,7 +78,7 @@ std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_o
     return folded;
 }
 
-TEST(CascadeStackQuery, AnswersAsTheOracleForTwoToFourTurnedCascades) {
+TEST(CascadeStackQuery, MatchesTheOracleForTwoToFourRotatedCascades) {
     for (const std::size_t cascades : {2, 3, 4}) {
         for (const double wind_mps : {5.0, 12.0, 25.0}) {
             for (const double choppiness : {0.0, 0.8, 1.0}) {
@@ -88,13 +91,13 @@ TEST(CascadeStackQuery, AnswersAsTheOracleForTwoToFourTurnedCascades) {
     }
 }
 
-/// The same with its displacements several times as large: it folds.
+/// The cascades with displacements multiplied by `factor`, so that the surface folds.
 std::vector<CascadeStack::Part> exaggerated(std::vector<CascadeStack::Part> parts, double factor) {
     for (CascadeStack::Part& part : parts) part.factor *= factor;
     return parts;
 }
 
-TEST(CascadeStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
+TEST(CascadeStackQuery, ReturnsTheHighestOfSeveralSheets) {
     std::size_t folded = 0;
     for (const std::size_t cascades : {2, 3, 4}) {
         for (const double factor : {6.0, 12.0, 20.0}) {
@@ -106,8 +109,8 @@ TEST(CascadeStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
 }
 
-/// Bits don't depend on the batch, the order, the thread or the instruction set.
-TEST(CascadeStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
+/// Results are bit-identical for each batch size, order, thread and instruction set.
+TEST(CascadeStackQuery, ResultsAreBitIdenticalForEachBatchThreadAndInstructionSet) {
     const std::size_t count = 1000;
     const Points points = random_points(count, 2000, 8);
     for (const double factor : {1.0, 4.0}) {
@@ -138,7 +141,7 @@ TEST(CascadeStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
     }
 }
 
-TEST(CascadeStackQuery, APlaceThatIsNoneIsNotConverged) {
+TEST(CascadeStackQuery, InvalidPositionsDoNotConverge) {
     const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3, 1e9}, {0, 0, 0, nan, 0, 4, -1e9}};
@@ -153,7 +156,7 @@ TEST(CascadeStackQuery, APlaceThatIsNoneIsNotConverged) {
     EXPECT_TRUE(samples.converged[6]) << "a million kilometres away";
 }
 
-TEST(CascadeStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
+TEST(CascadeStackQuery, ErrorIsReportedIfTheToleranceIsBelowFloatPrecision) {
     const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const Points points = random_points(500, 1000, 5);
     Samples samples(500);
@@ -164,7 +167,7 @@ TEST(CascadeStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
     }
 }
 
-TEST(CascadeStackQuery, SaysThatAFrameOfSeveralCascadesLacksWhatQueriesNeed) {
+TEST(CascadeStackQuery, RejectsFramesWithoutQueryData) {
     Ocean plain({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
     EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
     Ocean asked({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor(), .queries = true});
@@ -172,8 +175,8 @@ TEST(CascadeStackQuery, SaysThatAFrameOfSeveralCascadesLacksWhatQueriesNeed) {
     EXPECT_EQ(query.texel_m(), asked.frame_at(0).cascades[2].texel_m());
 }
 
-/// What a sea of the default cascades asks its queries, from calm to storm; every preset.
-TEST(CascadeStackQuery, AnswersAsTheOracleOnEveryPreset) {
+/// Queries of the default cascades, for every preset, from calm to storm.
+TEST(CascadeStackQuery, MatchesTheOracleOnEveryPreset) {
     unsigned seed = 0;
     for (const SeaPreset& preset : sea_presets()) {
         SCOPED_TRACE(preset.name);
@@ -187,7 +190,7 @@ TEST(CascadeStackQuery, AnswersAsTheOracleOnEveryPreset) {
     EXPECT_GT(seed, 5u);
 }
 
-TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
+TEST(CascadeStackQuery, ThereIsOneSheetWhereTheContractionMapProvesIt) {
     std::size_t proven = 0, folded = 0;
     for (const double factor : {8.0, 24.0, 40.0}) {
         std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(2, 12, 1, 4, 32);
@@ -222,8 +225,9 @@ TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
     EXPECT_GT(folded, is_sanitized ? 0u : 50u);
 }
 
-/// The first place where a ray changes sides, looked for at every tenth of the finest texel, and whether it passes through there
-/// for long enough that first_hit() says it is seen.
+/// The distance at which a ray first crosses the surface, searched in steps of a tenth of the
+/// finest texel. `is_certain` is true if the ray stays on the other side for six steps or more,
+/// which first_hit() is specified to detect.
 struct BruteForceHit {
     double distance_m;
     bool is_certain;
@@ -253,7 +257,7 @@ std::optional<BruteForceHit> brute_force_hit(const SurfaceQuery& query, const Su
     return {};
 }
 
-TEST(CascadeStackRay, FirstHitIsTheOneOfSmallSteps) {
+TEST(CascadeStackRay, FirstHitMatchesASearchInSmallSteps) {
     int hits = 0, misses = 0, from_below = 0;
     for (const std::size_t cascades : {2, 3, 4}) {
         for (const double choppiness : {0.8, 1.0}) {
@@ -286,8 +290,9 @@ TEST(CascadeStackRay, FirstHitIsTheOneOfSmallSteps) {
     EXPECT_GT(from_below, is_sanitized ? 0 : 30);
 }
 
-// What lets rays skip: between any two places the heights may differ by so much and no more, and it is no idle bound.
-TEST(CascadeStackRay, HeightsDifferByNoMoreThanTheBound) {
+// Rays skip distances by this bound on height differences. The test also checks that the bound is
+// not much too large.
+TEST(CascadeStackRay, HeightDifferencesAreWithinTheBound) {
     for (const double factor : {1.0, 6.0}) {
         const CascadeStack stack(exaggerated(CascadeStack::of_scales(3, 12, 1, 3, 32), factor), 6);
         const SurfaceQuery query(stack.frame());

@@ -1,4 +1,5 @@
-// Caustics against what geometry says of lenses, and the floor's heights. Needs no driver.
+// Caustics, compared with the geometric optics of lenses, and the heights of the sea floor. No
+// OpenGL driver is needed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi, water_index = 1.333;
 
-/// One cascade whose height is a function of x, in metres.
+/// One cascade whose height is a function of x, both in metres.
 struct HandMadeSea {
     template <class Height>
     HandMadeSea(int n, double side_m, Height height_of)
@@ -36,7 +37,7 @@ struct HandMadeSea {
     Frame frame;
 };
 
-/// Light at texels of the finest level.
+/// Light intensity at the texels of the finest level.
 std::vector<double> baked(const Frame& frame, double depth_m, glm::vec3 sun = {0, 1, 0}) {
     gl::CausticsBaker baker(make_serial_executor());
     baker.schedule(frame, {.depth_m = depth_m, .sun = sun});
@@ -45,43 +46,46 @@ std::vector<double> baked(const Frame& frame, double depth_m, glm::vec3 sun = {0
     return light;
 }
 
-TEST(Caustics, OfFlatWaterAreExactlyEven) {
+TEST(Caustics, FlatWaterGivesUniformLight) {
     const HandMadeSea sea(64, 20, [](double) { return 0.0; });
     for (const glm::vec3 sun : {glm::vec3(0, 1, 0), glm::normalize(glm::vec3(0.6f, 0.5f, -0.2f)), glm::vec3(1, 0, 0)})
         for (const double light : baked(sea.frame, 7, sun)) ASSERT_EQ(light, 1);
 }
 
-// A wave a cos(k x) is a lens of radius 1 / (a k^2) at its crest: parallel light meets n / ((n - 1) a k^2) below. On the way, at
-// a part p of that, light has grown to 1 / (1 - p) below crests, and shrunk to 1 / (1 + p) below troughs.
-TEST(Caustics, OfAWaveGrowAsALensGathersAndFocusWhereItDoes) {
+// A wave a cos(k x) acts as a lens of radius 1 / (a k^2) at its crest: parallel light focuses n /
+// ((n - 1) a k^2) below. At a fraction p of that depth, the intensity is 1 / (1 - p) below crests
+// and 1 / (1 + p) below troughs.
+TEST(Caustics, AWaveFocusesLightLikeALens) {
     constexpr int n = 128;
     constexpr double side_m = 16, a = 0.02, k = 2 * pi / 8;  // slopes up to 0.016: rays are paraxial
     const double focus_m = water_index / ((water_index - 1) * a * k * k);
     const HandMadeSea sea(n, side_m, [&](double x) { return a * std::cos(k * x); });
-    // Of a sine the root of the mean square is a part 1/sqrt(2) of the most; differences over a texel lose 0.05 %.
+    // The root mean square of a sine is 1/sqrt(2) of its maximum; differences over a texel lose
+    // 0.05 %.
     EXPECT_NEAR(gl::focus_of(sea.cascade), focus_m * std::sqrt(2) / 1.5, 0.005 * focus_m);
 
     constexpr int side = gl::Caustics::side;
     const auto below_crest = [&](const std::vector<double>& light) { return light[side / 2]; };
-    // The mean of seven texels: where light is spread, the parts that it is cut into show as a grain of 3 %.
+    // The mean of seven texels: where light is spread out, its discrete pieces cause noise of 3 %.
     const auto below_trough = [&](const std::vector<double>& light) {
         double sum = 0;
         for (int i = -3; i <= 3; ++i) sum += light[static_cast<std::size_t>(side / 4 + i)];
         return sum / 7;
     };
-    for (const double part : {0.25, 0.5, 0.75}) {
-        const std::vector<double> light = baked(sea.frame, part * focus_m);
-        // Texels are a 128th of the wave: the curve's top is flat within one.
-        EXPECT_NEAR(below_crest(light), 1 / (1 - part), 0.03 / (1 - part)) << part;
-        EXPECT_NEAR(below_trough(light), 1 / (1 + part), 0.01) << part;
+    for (const double fraction : {0.25, 0.5, 0.75}) {
+        const std::vector<double> light = baked(sea.frame, fraction * focus_m);
+        // A texel is a 128th of the wave: the light is constant over it.
+        EXPECT_NEAR(below_crest(light), 1 / (1 - fraction), 0.03 / (1 - fraction)) << fraction;
+        EXPECT_NEAR(below_trough(light), 1 / (1 + fraction), 0.01) << fraction;
     }
-    // The brightest line of all depths. Behind the focus two lines part, and are a texel from each other at 1.12 of it.
+    // The brightest line over all depths. Beyond the focus the line splits into two, which are a
+    // texel apart at 1.12 of the focal depth.
     double brightest = 0, at = 0;
-    for (double part = 0.6; part < 1.6; part += 0.05) {
-        const double light = below_crest(baked(sea.frame, part * focus_m));
+    for (double fraction = 0.6; fraction < 1.6; fraction += 0.05) {
+        const double light = below_crest(baked(sea.frame, fraction * focus_m));
         if (light > brightest) {
             brightest = light;
-            at = part;
+            at = fraction;
         }
     }
     EXPECT_GE(at, 0.95);
@@ -89,14 +93,15 @@ TEST(Caustics, OfAWaveGrowAsALensGathersAndFocusWhereItDoes) {
     EXPECT_GT(brightest, 8);
 }
 
-TEST(Caustics, OfARealSeaLoseNoLight) {
+TEST(Caustics, ARealSeaConservesLight) {
     Ocean ocean(sea_preset_named("moderate")->sea, {.executor = make_serial_executor(), .slopes = true});
     const Frame& frame = ocean.frame_at(3);
     for (const double depth_m : {1.0, 5.0, 30.0}) {
         gl::CausticsBaker baker(make_serial_executor());
         baker.schedule(frame, {.depth_m = depth_m, .sun = glm::normalize(glm::vec3(0.4f, 0.8f, 0.3f))});
         const gl::Caustics& caustics = baker.complete();
-        // Areas before and after: the surface's squares, as the sun sees them, add up to the cascade's.
+        // Total light before and after: the surface's cells, projected along the sun's direction,
+        // sum to the cascade's area.
         EXPECT_NEAR(caustics.light, 1, 0.005) << depth_m;
         double sum = 0, squares = 0;
         constexpr std::size_t texels = std::size_t{gl::Caustics::side} * gl::Caustics::side;
@@ -106,14 +111,14 @@ TEST(Caustics, OfARealSeaLoseNoLight) {
             sum += light;
             squares += light * light;
         }
-        // Halves round to even: 2e-4 of each, and less of the mean.
+        // Halves round to even, within 2e-4 of each value; the error of the mean is smaller.
         EXPECT_NEAR(sum / texels, 1, 5e-4) << depth_m;
         EXPECT_GT(squares / texels, 1.02) << "no pattern at " << depth_m << " m";
         EXPECT_NEAR(glm::unpackHalf1x16(caustics.halves.back()), 1, 1e-3) << depth_m;
     }
 }
 
-TEST(Caustics, AreTheSameForAnyNumberOfThreads) {
+TEST(Caustics, ResultsDoNotDependOnTheNumberOfThreads) {
     Ocean ocean(sea_preset_named("rough")->sea, {.executor = make_serial_executor(), .slopes = true});
     const Frame& frame = ocean.frame_at(1);
     std::vector<std::uint16_t> first;
@@ -126,7 +131,7 @@ TEST(Caustics, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Caustics, ComeFromTheCascadeWhoseWavesFocusThere) {
+TEST(Caustics, TheCascadeIsSelectedByFocalDepth) {
     Ocean ocean(sea_preset_named("moderate")->sea, {.executor = make_serial_executor(), .slopes = true});
     const Frame& frame = ocean.frame_at(0);
     gl::CausticsBaker baker(make_serial_executor());
@@ -142,7 +147,7 @@ TEST(Caustics, ComeFromTheCascadeWhoseWavesFocusThere) {
     EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs [0.001, 1000]");
 }
 
-TEST(SeaFloor, SaysWhatIsWrongWithIt) {
+TEST(SeaFloor, InvalidValuesAreNamed) {
     EXPECT_EQ(gl::check(gl::SeaFloor{}), "");
     EXPECT_EQ(gl::check(gl::SeaFloor{.columns = 1, .rows = 2}),
               "columns is 1, needs 2 to 4096, or 0 for an even floor");
@@ -152,7 +157,7 @@ TEST(SeaFloor, SaysWhatIsWrongWithIt) {
               "heights_m is 100000, needs [-11000, 9000]");
 }
 
-TEST(SeaFloor, HasTexelsThatHalveToItsMeanAndHeightsBetweenSamples) {
+TEST(SeaFloor, MipsAverageToTheMeanAndHeightsAreInterpolated) {
     gl::SeaFloor floor{.columns = 4, .rows = 2, .corner_m = {10, 20}, .metres_a_texel = 5};
     floor.heights_m = {-8, -4, 0, 4, -6, -2, 2, 6};
     const gl::FloorTexels texels = gl::texels_of(floor);

@@ -1,4 +1,5 @@
-// The corners of the command line: values and names that would break the one line, and output that goes nowhere.
+// Edge cases of the command line: values and names that could break the one-line error message, and
+// output that cannot be written.
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,12 +15,13 @@ namespace pelagic {
 namespace {
 
 struct Edge {
-    std::vector<std::string> arguments;  ///< OUT becomes a folder that does not exist
-    std::string says;
-    std::string config = {};  ///< given as --config if not empty
+    /// OUT is replaced by the path of a folder that does not exist
+    std::vector<std::string> arguments;
+    std::string expected;
+    std::string config = {};  ///< passed as --config if not empty
 };
 
-TEST(CommandLineEdges, AreOneLineAndExitCode2) {
+TEST(CommandLineEdges, ErrorsAreOneLineAndExitCode2) {
     const Edge edges[] = {
         {{"info", "--wind-speed", "3\n4"}, "--wind-speed is 3\\n4, needs (0, 60]"},
         {{"info", "--wind-speed", "\x1b[2J"}, "--wind-speed is \\x1b[2J, needs (0, 60]"},
@@ -30,7 +32,8 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
         {{"export", "--out", "OUT", "info"}, "info"},
         {{"info"}, ":1: wind_speed is \"9\", needs a number without quotes: (0, 60]", "wind_speed = \"9\"\n"},
         {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},
-        {{"info"}, ": malformed table, needs lines such as", "[ *\n"},  // a fuzzer's find: toml++ asserts
+        // found by fuzzing: toml++ fails an assertion
+        {{"info"}, ": malformed table, needs lines such as", "[ *\n"},
         {{"info"}, "unknown key a\\nb", "\"a\\nb\" = 1\n"},
         {{"info"}, "preset is a\\x00b, needs pond", "preset = \"a\\u0000b\"\n"},
         {{"info", "--wind-speed",
@@ -50,12 +53,12 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
             arguments.insert(arguments.end(), {"--config", (folder / "sea.toml").string()});
         }
         const Outcome outcome = run_pelagic(arguments);
-        EXPECT_EQ(outcome.exit_code, 2) << edge.says;
-        EXPECT_EQ(outcome.out, "") << edge.says;
+        EXPECT_EQ(outcome.exit_code, 2) << edge.expected;
+        EXPECT_EQ(outcome.out, "") << edge.expected;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
         EXPECT_LT(outcome.err.size(), 300u) << outcome.err;
-        EXPECT_NE(outcome.err.find(edge.says), std::string::npos) << outcome.err << "lacks " << edge.says;
-        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << edge.says;
+        EXPECT_NE(outcome.err.find(edge.expected), std::string::npos) << outcome.err << "lacks " << edge.expected;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << edge.expected;
     }
 }
 
@@ -64,7 +67,7 @@ TEST(CommandLineEdges, VersionWorksForEachCommand) {
         EXPECT_EQ(run_pelagic({command, "--version"}).out, run_pelagic({"--version"}).out);
 }
 
-TEST(StandardOutput, ThatIsFullIsAnError) {
+TEST(StandardOutput, AFullDeviceIsAnError) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info", "--json"}, {"--help"}}) {
         const Outcome outcome = run_pelagic(arguments, [] { ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO); });
         EXPECT_EQ(outcome.exit_code, 1);
@@ -72,7 +75,7 @@ TEST(StandardOutput, ThatIsFullIsAnError) {
     }
 }
 
-TEST(TiffHalves, StayHalves) {
+TEST(TiffHalves, AreWrittenUnconverted) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "250",
                            "--format", "tif", "--half"})

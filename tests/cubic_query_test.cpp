@@ -1,4 +1,5 @@
-// Cubic interpolation held against its transfer function, an oracle in double, and the statistics of the sea.
+// Cubic interpolation, compared with its transfer function, an oracle in double, and the statistics
+// of the sea.
 #include "pelagic/sim/surface_query.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// One cascade of a plane wave without horizontal displacement, of `m` and `n` waves along its axes.
+/// One cascade with a plane wave of `m` and `n` periods along its axes, without horizontal
+/// displacement.
 class PlaneWave {
    public:
     static constexpr int side = 32;
@@ -53,8 +55,9 @@ class PlaneWave {
     OneCascadeFrame water_;
 };
 
-/// Of the variance of a wave of `k` radians a texel, along one axis, what is left of it and of its slope's: the mean over a
-/// cell of the squared sum of weights times the texels' phases.
+/// The fraction of the variance of a wave that interpolation along one axis preserves, for its
+/// values and its slopes. `k` is in radians per texel. It is the mean over a cell of the squared
+/// sum of weights times the texels' phases.
 struct Kept {
     double value, slope;
 };
@@ -80,9 +83,10 @@ Kept kept_by_cubic(double k) {
     return kept;
 }
 
-// Linear: (2 + cos k) / 3 of the heights' variance along each axis, and (sin k / k)^2 of that of the slopes'. Rounding to float and the
-// finite grid of points (27 x 27 a cell, all cells) leave 1e-3.
-TEST(CubicQuery, OfAWaveAsMuchIsLeftAsItsTransferFunctionSays) {
+// Linear interpolation preserves (2 + cos k) / 3 of the heights' variance along each axis, and (sin
+// k / k)^2 of the slopes'. Rounding to float and the finite grid of points (27 x 27 per cell, all
+// cells) add an error of 1e-3.
+TEST(CubicQuery, PreservedVarianceMatchesTheTransferFunction) {
     for (const auto& [m, n] : {std::pair{1, 0}, {3, 0}, {5, 0}, {4, 3}, {8, 2}, {10, 0}, {2, 9}}) {
         const PlaneWave wave(m, n);
         Points points;
@@ -127,7 +131,7 @@ TEST(CubicQuery, OfAWaveAsMuchIsLeftAsItsTransferFunctionSays) {
     }
 }
 
-/// Hm0 and slope variance at points of the world, over those that the frame holds at rest.
+/// Hm0 and slope variance at points of the world, relative to the frame's values.
 struct Ratios {
     double hm0, slopes;
 };
@@ -155,9 +159,10 @@ Ratios ratios_of(const SeaState& sea, Interpolation interpolation, std::size_t c
     return {4 * std::sqrt(squares - mean * mean) / measured_significant_wave_height_m(frame), slopes / resolved};
 }
 
-TEST(CubicQuery, OfTheDefaultSeaHeightsAndSlopesAreThoseOfItsWaves) {
+TEST(CubicQuery, DefaultSeaKeepsItsHeightAndSlopes) {
     const std::size_t count = is_sanitized ? 40000 : 400000;
-    // Hm0 of so many random points has a standard deviation of 0.3 % or 0.1 %; between two and three of them.
+    // Hm0 of that many random points has a standard deviation of 0.3 % or 0.1 %; the bound is two
+    // to three deviations.
     const double scatter = is_sanitized ? 0.008 : 0.002;
     for (const double choppiness : {0.0, 0.8}) {
         SCOPED_TRACE(choppiness);
@@ -165,20 +170,23 @@ TEST(CubicQuery, OfTheDefaultSeaHeightsAndSlopesAreThoseOfItsWaves) {
         const Ratios cubic = ratios_of(sea, Interpolation::cubic, count);
         EXPECT_NEAR(cubic.hm0, 1, 0.015 + scatter);
         EXPECT_NEAR(cubic.slopes, 1, 0.05);
-        const Ratios linear = ratios_of(sea, Interpolation::linear, count);  // what docs say that it loses
+        // the documented loss of linear interpolation
+        const Ratios linear = ratios_of(sea, Interpolation::linear, count);
         EXPECT_NEAR(linear.hm0, 0.93, 0.01);
         EXPECT_NEAR(linear.slopes, 0.67, 0.02);
     }
 }
 
-/// As in cascade_stack_query_test.cpp: heights within the tolerance on faces of 1 : 1 and float's rounding of some metres; the others
-/// where the surface isn't folded.
+/// As in cascade_stack_query_test.cpp: heights are within the tolerance on slopes of 1 : 1, plus
+/// the float rounding of several metres. The other values are compared where the surface is not
+/// folded.
 void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned, std::size_t& folded) {
     const oracle::Stack stack(frame, Interpolation::cubic);
     Samples samples(points.x.size());
     SurfaceQuery(frame, {.interpolation = Interpolation::cubic}).sample(points.view(), samples.view());
     const double coarsest_m =
-        frame.cascades.size() == 1 ? frame.cascades.front().texel_m() : 0;  // a search in texels ends at 4e-6
+        // a search in texels ends at 4e-6 texels
+        frame.cascades.size() == 1 ? frame.cascades.front().texel_m() : 0;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         const std::vector<oracle::StackIntersection> intersections = stack.intersections_at(points.x[i], points.z[i]);
         ASSERT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
@@ -203,7 +211,7 @@ void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturn
     }
 }
 
-TEST(CubicQuery, AnswersAsTheOracle) {
+TEST(CubicQuery, MatchesTheOracle) {
     std::size_t folded = 0;
     for (const std::size_t cascades : {2, 3, 4})
         for (const double choppiness : {0.0, 0.8, 1.0}) {
@@ -220,7 +228,7 @@ TEST(CubicQuery, AnswersAsTheOracle) {
         }
 }
 
-TEST(CubicQuery, OfSheetsOverOneAnotherTheHighestCounts) {
+TEST(CubicQuery, ReturnsTheHighestOfSeveralSheets) {
     std::size_t folded = 0;
     for (const std::size_t cascades : {2, 3})
         for (const double factor : {6.0, 12.0}) {
@@ -242,8 +250,8 @@ TEST(CubicQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     }
 }
 
-// A ray meets what is drawn, whichever way the query reads heights.
-TEST(CubicQuery, RaysMeetTheLinearSurface) {
+// Rays are intersected with the drawn surface, independently of the query's interpolation.
+TEST(CubicQuery, RaysHitTheLinearSurface) {
     Ocean ocean({.resolution = 64}, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(3);
     for (int i = 0; i < 20; ++i) {

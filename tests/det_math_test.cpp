@@ -1,4 +1,4 @@
-// Our own elementary functions against libm in long double.
+// The library's elementary functions, compared with libm in long double.
 #include "pelagic/simd/det_math.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ double relative_error(double value, long double truth) {
     return static_cast<double>(std::fabs((static_cast<long double>(value) - truth) / truth));
 }
 
-// The bounds are the header's: a few rounding errors of 1.1e-16 each.
+// The bounds are those of the header: a few rounding errors of 1.1e-16 each.
 TEST(DetMath, LogIsWithinFewUlps) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> exponent(-300, 300), near_one(-1e-3, 1e-3);
@@ -44,7 +44,7 @@ TEST(DetMath, ExpIsWithinFewUlps) {
     EXPECT_EQ(det::exp(1000), std::numeric_limits<double>::infinity());
 }
 
-TEST(DetMath, PowErrorGrowsWithItsExponentOnly) {
+TEST(DetMath, PowErrorGrowsOnlyWithTheResultsLogarithm) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> base(1e-6, 1e6), power(-8, 8);
     for (int i = 0; i < samples; ++i) {

@@ -1,4 +1,5 @@
-// One sea, bit for bit: whatever the instruction set, the executor, the threads, the order and the age.
+// Frames and queries are bit-identical for every instruction set, executor, number of threads,
+// order of times, and age of the ocean.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -51,7 +52,7 @@ std::uint64_t hash_at(const SeaState& sea, double time_s, Isa isa = choose_isa()
     return hash_of(ocean.frame_at(time_s));
 }
 
-/// Everything that can be asked about a point, as bits.
+/// All values that a query returns per point, as bits.
 struct Answers {
     explicit Answers(std::size_t count) : values(9, std::vector<float>(count)), converged(count) {}
     SurfaceSamples view() {
@@ -63,7 +64,7 @@ struct Answers {
         for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = std::bit_cast<std::uint32_t>(values[i][point]);
         return bits;
     }
-    /// FNV-1a over the bits, point by point.
+    /// FNV-1a hash of the bits, point by point.
     std::uint64_t hash() const {
         std::uint64_t hash = 0xcbf29ce484222325u;
         for (std::size_t point = 0; point < converged.size(); ++point)
@@ -74,7 +75,7 @@ struct Answers {
     std::vector<std::uint8_t> converged;
 };
 
-/// Points that no library's distribution has a say in.
+/// Random points without a standard library's distribution, whose results differ.
 struct QueryPoints {
     explicit QueryPoints(std::size_t count) {
         std::mt19937 random(5);
@@ -95,7 +96,7 @@ const SeaState overturning_sea{.spectrum = SpectrumModel::phillips_paper,
                                .choppiness = 1};
 const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
 const SeaState sea_of_cascades{.cascades = 4, .resolution = 64, .choppiness = 1};
-/// Of few waves.
+/// A sea of a few analytic waves.
 const SeaState analytic_sea_state{.waves = WaveModel::analytic, .resolution = 64, .choppiness = 1};
 const SeaState pond{.waves = WaveModel::pond, .resolution = 64};
 
@@ -113,7 +114,7 @@ Answers answers_at(const SeaState& sea, double time_s, Isa isa, const QueryPoint
     return answers;
 }
 
-TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
+TEST(Determinism, FramesAreBitIdenticalOnEveryInstructionSetExecutorAndThreadCount) {
     for (const int n : {16, 64, 128, 256}) {
         for (const double choppiness : {0.0, 1.0}) {
             const SeaState sea{
@@ -127,7 +128,7 @@ TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
     }
 }
 
-TEST(Determinism, SeasOfFewWavesHaveTheSameBitsEverywhereToo) {
+TEST(Determinism, AnalyticAndPondFramesAreBitIdenticalEverywhere) {
     for (const SeaState& of_few : {analytic_sea_state, pond}) {
         for (const int n : {16, 128}) {
             SeaState sea = of_few;
@@ -143,9 +144,9 @@ TEST(Determinism, SeasOfFewWavesHaveTheSameBitsEverywhereToo) {
     }
 }
 
-TEST(Determinism, LargeSeasToo) {
+TEST(Determinism, LargeFramesAreBitIdenticalEverywhere) {
     for (const int n : {512, 1024, 2048}) {
-        if ((is_sanitized || is_emulated) && n > 512) break;  // larger sizes have no jobs of their own
+        if ((is_sanitized || is_emulated) && n > 512) break;  // larger sizes run no other jobs
         const SeaState sea{.resolution = n, .patch_size_m = 250};
         const std::uint64_t expected = hash_at(sea, 3.5, isas_here().front());
         for (const Isa isa : isas_here())
@@ -153,7 +154,7 @@ TEST(Determinism, LargeSeasToo) {
     }
 }
 
-TEST(Determinism, WholeLoopsGiveTheBitsOfTimeZero) {
+TEST(Determinism, WholeLoopPeriodsGiveTheFrameOfTimeZero) {
     for (const double period : {200.0, 8.0, 0.1, 7.3, 86400.0}) {
         Ocean ocean({.resolution = 32, .patch_size_m = 250, .loop_period_s = period},
                     {.executor = make_serial_executor()});
@@ -164,16 +165,16 @@ TEST(Determinism, WholeLoopsGiveTheBitsOfTimeZero) {
     }
 }
 
-TEST(Determinism, TenHoursLaterFrameZeroHasTheSameBits) {
+TEST(Determinism, FrameZeroIsBitIdenticalAfterTenHours) {
     Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = make_serial_executor()});
     const std::uint64_t start = hash_of(ocean.frame_at(0)), later = hash_of(ocean.frame_at(1.25));
-    // Ten hours at 1 Hz, drawn; the loop is 200 s, so 36000 s is a whole number of them.
+    // A sample of ten hours at 1 Hz; the loop is 200 s, so 36000 s is a whole number of periods.
     for (int second = 0; second < 36000; second += 97) ocean.frame_at(second);
     EXPECT_EQ(hash_of(ocean.frame_at(36000)), start);
     EXPECT_EQ(hash_of(ocean.frame_at(36001.25)), later);
 }
 
-TEST(Determinism, AnyOrderOfFramesGivesTheSameBits) {
+TEST(Determinism, FramesDoNotDependOnTheirOrder) {
     std::vector<double> times;
     for (int i = 0; i < 24; ++i) times.push_back(i * 8.3 - 40);
     const SeaState sea{.resolution = 128, .patch_size_m = 250};  // smaller frames are computed without jobs
@@ -188,7 +189,7 @@ TEST(Determinism, AnyOrderOfFramesGivesTheSameBits) {
     }
 }
 
-TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
+TEST(Determinism, AFrameIsValidWhileTheNextOneIsComputed) {
     const SeaState sea{.resolution = 128, .patch_size_m = 250};
     Ocean ocean(sea, {.executor = make_thread_executor(2)});
     ocean.schedule(0);
@@ -203,7 +204,7 @@ TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
     ocean.complete();
 }
 
-TEST(Determinism, AWindChangeWaitsForTheApplicationAndThenIsWholeInOneFrame) {
+TEST(Determinism, ANewSeaAppliesCompletelyAfterCompleteSea) {
     const SeaState before{.resolution = 128, .patch_size_m = 250},
         after{.resolution = 128, .patch_size_m = 250, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
     for (const Application& application : applications()) {
@@ -216,7 +217,7 @@ TEST(Determinism, AWindChangeWaitsForTheApplicationAndThenIsWholeInOneFrame) {
     }
 }
 
-TEST(Determinism, OceansMayBeDestroyedInFlight) {
+TEST(Determinism, OceansCanBeDestroyedWhileFramesAreInFlight) {
     for (const Application& application : applications()) {
         for (int i = 0; i < 10; ++i) {
             Ocean ocean({.resolution = 128, .patch_size_m = 250}, {.executor = application.executor});
@@ -226,15 +227,15 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
     }
 }
 
-TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
+TEST(Determinism, QueryDataDoesNotChangeTheFrame) {
     for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond})
         for (const Application& application : applications())
             EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), application.executor)->frame_at(7)), hash_at(sea, 7))
                 << application.name;
 }
 
-// After a jump, with a tick, and between two.
-TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
+// Three frames: after a jump in time, with a tick, and between two ticks.
+TEST(Determinism, FoamIsBitIdenticalOnEveryInstructionSetExecutorAndThreadCount) {
     const SeaState sea{.cascades = 2, .resolution = 64, .wind_speed_mps = 18};
     const auto hashes = [&](Isa isa, std::shared_ptr<Executor> executor) {
         Ocean ocean(sea, {.executor = std::move(executor), .isa = isa, .foam = true});
@@ -252,7 +253,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
         EXPECT_EQ(hashes(choose_isa(), application.executor), expected) << application.name;
 }
 
-TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
+TEST(Determinism, QueriesAreBitIdenticalOnEveryInstructionSet) {
     const QueryPoints points(20000);
     for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond}) {
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
@@ -263,7 +264,7 @@ TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     }
 }
 
-TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
+TEST(Determinism, QueriesDoNotDependOnOtherPointsOfTheBatch) {
     const QueryPoints points(1000);
     for (const auto& [sea, interpolation] : {std::pair{overturning_sea, Interpolation::linear},
                                              {smooth_sea, Interpolation::linear},
@@ -293,14 +294,14 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
                     ASSERT_EQ(some.of(i), expected.of(order[first + i])) << "batch of " << batch;
             }
         }
-        // Nor on what else is asked about it.
+        // Nor does a value depend on the set of requested outputs.
         std::vector<float> height(points.x.size());
         query.sample(points.view(), {.height_m = height});
         EXPECT_EQ(height, expected.values[0]);
     }
 }
 
-TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
+TEST(Determinism, QueriesAreBitIdenticalOnEveryExecutorAndThreadCount) {
     const QueryPoints points(30001);
     const auto ocean = queryable_ocean(overturning_sea);
     const SurfaceQuery query(ocean->frame_at(3));
@@ -316,8 +317,8 @@ TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
     }
 }
 
-// The frame before is asked while the next one is computed; whoever asks waits for nobody.
-TEST(Determinism, EightThreadsAskWhileFramesRun) {
+// Threads query the completed frame without waiting while the next one is computed.
+TEST(Determinism, EightThreadsQueryWhileFramesAreComputed) {
     const SeaState& sea = overturning_sea;
     const QueryPoints points(is_sanitized ? 200 : 2000);
     const auto executor = make_thread_executor(3);
@@ -336,7 +337,7 @@ TEST(Determinism, EightThreadsAskWhileFramesRun) {
                 if (t % 2) {
                     query.sample(points.view(), answers.view());
                 } else {
-                    SurfaceQueryJobs jobs(executor);  // beside the frame
+                    SurfaceQueryJobs jobs(executor);  // on the executor that computes the frame
                     jobs.sample(query, points.view(), answers.view());
                 }
                 hashes[t] = answers.hash();
@@ -349,7 +350,7 @@ TEST(Determinism, EightThreadsAskWhileFramesRun) {
     ocean->complete();
 }
 
-TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
+TEST(Determinism, RayHitsAreBitIdenticalOnEveryInstructionSet) {
     std::vector<double> expected;
     for (const Isa isa : isas_here()) {
         const auto ocean = queryable_ocean(overturning_sea, isa);
@@ -365,14 +366,15 @@ TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
     }
 }
 
-// Engines switch threads to flush-to-zero or another rounding mode; the sea must not notice, and must put it back.
-TEST(Determinism, TheApplicationsFloatingPointEnvironmentDoesNotReachTheSea) {
+// Engines set flush-to-zero or another rounding mode per thread. Frames must not depend on it, and
+// the library must restore it.
+TEST(Determinism, FramesDoNotDependOnTheCallersFloatingPointEnvironment) {
     const SeaState sea{
         .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
     const QueryPoints points(2000);
     const std::uint64_t expected_answers = answers_at(overturning_sea, 5, choose_isa(), points).hash();
-#if !defined(__wasm__)  // which has one way to round
+#if !defined(__wasm__)  // WebAssembly has one rounding mode
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const std::uint64_t hash = hash_at(sea, 5);
@@ -393,7 +395,7 @@ TEST(Determinism, TheApplicationsFloatingPointEnvironmentDoesNotReachTheSea) {
 #endif
 }
 
-/// FNV-1a over the bits of all displacement planes, row by row.
+/// FNV-1a hash of the bits of all displacement planes, row by row.
 std::uint64_t hash_of_displacement(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const Cascade& cascade : frame.cascades)
@@ -404,7 +406,7 @@ std::uint64_t hash_of_displacement(const Frame& frame) {
     return hash;
 }
 
-/// Seas of one cascade over deep water, which were defaults and presets before there were stacks of cascades.
+/// Seas of one cascade in deep water: the defaults and presets of the first version.
 std::map<std::string, SeaState> seas_of_one_cascade() {
     std::map<std::string, SeaState> seas = {
         {"one-cascade-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},
@@ -437,9 +439,9 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
     return seas;
 }
 
-// The waves of one deep cascade have had these bits since the first version; its normals, whose roughness was the user's alone
-// then, are in the hashes of whole frames.
-TEST(Determinism, ADeepCascadeKeepsItsDisplacement) {
+// The displacement of a deep cascade equals that of the first version. Its normals, which then used
+// only the roughness option, are covered by the hashes of whole frames.
+TEST(Determinism, DeepCascadesHaveTheGoldenDisplacement) {
     std::map<std::string, std::string> golden;
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/displacement_hashes.txt");
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
@@ -457,8 +459,8 @@ TEST(Determinism, ADeepCascadeKeepsItsDisplacement) {
     EXPECT_EQ(golden.size(), compared) << "lines that no test reads";
 }
 
-// A change of these is a change of everybody's sea: the commit must say why.
-TEST(Determinism, GoldenHashesNeverChange) {
+// A change of these hashes changes every user's sea; its commit message must give the reason.
+TEST(Determinism, FramesHaveTheGoldenHashes) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
     for (const SpectrumModel model : spectrum_models())
         seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64, .patch_size_m = 250};
@@ -488,7 +490,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
             ++compared;
         }
     }
-    // Foam that lasts, of four cascades and of one.
+    // Accumulated foam, of four cascades and of one.
     for (const auto& [name, sea] : {std::pair{"foam-cascades", sea_of_cascades}, {"foam-folded", overturning_sea}}) {
         Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
         std::ostringstream hash;
@@ -496,7 +498,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
         EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();
         ++compared;
     }
-    // Answers to queries, velocities included.
+    // Query results, velocities included.
     const QueryPoints points(5000);
     for (const auto& [name, sea] : {std::pair{"queries-folded", overturning_sea},
                                     {"queries-smooth", smooth_sea},

@@ -1,4 +1,5 @@
-// Dynamic waves, as bits: the same on every instruction set and executor, through grids that move, saved and restored.
+// Bit-exact tests of dynamic waves: equal on every instruction set and executor, after moves of the
+// grid, and after save and restore.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,10 +28,11 @@ DynamicWavesOptions small(DynamicWavesStep step) {
     return {.step = step, .resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.05};
 }
 
-/// From -1 to 1 and again, without a libm, whose bits differ.
+/// A sawtooth from -1 to 1, without libm, whose results differ between systems.
 double sawtooth(int tick, int period) { return 2.0 * (tick % period) / period - 1; }
 
-/// What happens at tick n of a log: somebody who is followed, a hull beside him, rain.
+/// Applies the inputs of tick n: a moved centre, a hull at the centre, a relaxation source, and
+/// drops.
 void happen(DynamicWaveGrid& grid, int tick) {
     const double x = 0.05 * tick, z = 5 * sawtooth(tick, 70);
     grid.set_center(x, z);
@@ -61,7 +63,7 @@ std::uint64_t replayed(const DynamicWavesOptions& options, Isa isa, std::shared_
     return pool.grid.hash();
 }
 
-TEST(DynamicWaveReplay, HasTheSameBitsEverywhere) {
+TEST(DynamicWaveReplay, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         for (const int resolution : {64, 128}) {
             DynamicWavesOptions options = small(step);
@@ -77,8 +79,9 @@ TEST(DynamicWaveReplay, HasTheSameBitsEverywhere) {
     }
 }
 
-// tests/golden/dynamic_waves.txt: what another compiler, processor or version has to find as well.
-TEST(DynamicWaveReplay, HasTheGoldenBits) {
+// tests/golden/dynamic_waves.txt holds the hashes that every compiler, processor and version must
+// reproduce.
+TEST(DynamicWaveReplay, HasTheGoldenHash) {
     std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/dynamic_waves.txt");
     int lines = 0;
     for (std::string name, hash; golden >> name >> hash; ++lines) {
@@ -91,7 +94,7 @@ TEST(DynamicWaveReplay, HasTheGoldenBits) {
     EXPECT_EQ(lines, 2);
 }
 
-TEST(GridPlacementMoves, AndKeepsEveryTexelThatItStillCovers) {
+TEST(GridPlacementMoves, KeepTexelsThatStayInsideTheGrid) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavePool pool(small(step));
         DynamicWaveGrid& grid = pool.grid;
@@ -113,7 +116,7 @@ TEST(GridPlacementMoves, AndKeepsEveryTexelThatItStillCovers) {
             std::vector<Texel> before;
             for (std::int64_t z = z0; z < z0 + n; ++z)
                 for (std::int64_t x = x0; x < x0 + n; ++x) before.push_back(read(x, z));
-            // Texels, not metres: the last moves leave nothing behind.
+            // Moves in texels, not metres. The last moves are large enough to leave no overlap.
             std::uniform_int_distribution<int> step_of(move < 50 ? -9 : -80, move < 50 ? 9 : 80);
             const double texel = grid.texel_m(), half = static_cast<double>(n / 2);
             grid.set_center((static_cast<double>(x0) + half + step_of(random) + 0.4) * texel,
@@ -131,7 +134,7 @@ TEST(GridPlacementMoves, AndKeepsEveryTexelThatItStillCovers) {
     }
 }
 
-TEST(GridPlacementMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
+TEST(GridPlacementMoves, VerletInteriorIsBitIdenticalToALargerGrid) {
     DynamicWavesOptions narrow = small(DynamicWavesStep::verlet), wide = narrow;
     narrow.border_m = wide.border_m = 4;
     wide.resolution = 256;
@@ -144,7 +147,7 @@ TEST(GridPlacementMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
             pool->tick();
         }
     }
-    // A tick carries what the border does by one texel, and there are 8 of it.
+    // The border is 8 texels wide, and its influence spreads by one texel per tick.
     double largest = 0;
     for (std::int64_t z = -32 + 8 + ticks; z < 32 - 8 - ticks; ++z)
         for (std::int64_t x = -32 + 8 + ticks; x < 32 - 8 - ticks; ++x) {
@@ -154,7 +157,7 @@ TEST(GridPlacementMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
     EXPECT_GT(largest, 0.05);
 }
 
-TEST(DynamicWaveState, IsAsIfOneHadNeverLeft) {
+TEST(DynamicWaveState, RestoredGridContinuesBitIdentically) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavePool stays(small(step)), goes(small(step)), late(small(step));
         const auto go_on = [](DynamicWavePool& pool, int from, int to) {
@@ -166,7 +169,7 @@ TEST(DynamicWaveState, IsAsIfOneHadNeverLeft) {
         go_on(stays, 0, 80);
         go_on(goes, 0, 37);
         const std::vector<std::uint8_t> saved = goes.grid.saved();
-        go_on(goes, 37, 60);  // a prediction that turns out wrong
+        go_on(goes, 37, 60);  // a prediction that is rolled back
         goes.grid.restore(saved);
         late.grid.restore(saved);
         go_on(goes, 37, 80);
@@ -177,7 +180,7 @@ TEST(DynamicWaveState, IsAsIfOneHadNeverLeft) {
     }
 }
 
-TEST(DynamicWaveState, OfSomethingElseIsRefusedAndSpoilsNothing) {
+TEST(DynamicWaveState, InvalidStateIsRejectedWithoutAChange) {
     DynamicWavePool pool(small(DynamicWavesStep::spectral));
     for (int i = 0; i < 5; ++i) {
         happen(pool.grid, i);
@@ -208,7 +211,7 @@ TEST(DynamicWaveState, OfSomethingElseIsRefusedAndSpoilsNothing) {
     refuses(with(saved.size() / 2, 1e30f), "texel of the water is 1e+30, needs [-1e6, 1e6]");
 }
 
-TEST(DynamicWavesGridRefuses, WhatItCantTake) {
+TEST(DynamicWavesGridRefuses, InvalidOptions) {
     const auto reason = [](auto change) {
         DynamicWavesOptions options;
         change(options);
@@ -230,34 +233,37 @@ TEST(DynamicWavesGridRefuses, WhatItCantTake) {
     EXPECT_THROW(DynamicWaves{wrong}, std::invalid_argument);
 }
 
-TEST(DynamicWaveGrid, TakesTheFarthestPlaces) {
+TEST(DynamicWaveGrid, AcceptsTheFarthestPositions) {
     DynamicWavePool pool(small(DynamicWavesStep::spectral));
     happen(pool.grid, 0);
     pool.tick();
-    // The farthest places that are taken: texels there are a texel apart, as everywhere.
+    // The farthest valid positions, where coordinates still resolve single texels.
     pool.grid.set_center(1e8, -1e8);
     pool.grid.sources().add_impulse({.mode = Disturbance::Mode::impulse, .x_m = 1e8, .z_m = -1e8, .height_m = 0.5});
     pool.tick();
     EXPECT_GT(sum_over(pool.grid, [&](auto x, auto z) { return std::fabs(pool.grid.height_m(x, z)); }), 1);
 }
 
-/// omega dt of Verlet's waves of two texels along an axis: sin(omega dt / 2) = courant.
+/// omega dt of Verlet waves of two texels along an axis: sin(omega dt / 2) = courant.
 double rotated_by_shortest(const DynamicWavesOptions& options) {
     return 2 * std::asin(DynamicWaveGrid::courant_number(options));
 }
 
-/// How high Verlet's water stands that never rests entirely. Where one of its two heights is below s = BorderDamping::smallest and becomes 0,
-/// the other one is not, and their difference, the speed v of a tick, changes by less than s: by chance, for as many heights lie before
-/// the zero as behind. So v^2 grows by s^2 / 3 on the mean, in 2 s / (pi A) of all ticks, A the amplitude, and decay takes
-/// 2 decay dt v^2, v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega dt)^2): 16 s for the waves of two texels, which
-/// stay where they are, so that no border takes them. Six times the rms, A / sqrt 2.
+/// An upper bound of the heights that Verlet's step keeps indefinitely, in metres.
+/// If one of a texel's two heights is below s = BorderDamping::smallest and is set to 0, while the
+/// other one is not, their difference v (the velocity per tick) changes by less than s. The sign is
+/// random, because equally many heights lie on both sides of zero. So v^2 grows by s^2 / 3 on
+/// average, in 2 s / (pi A) of all ticks, with amplitude A. Decay removes 2 decay dt v^2, with v =
+/// A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega dt)^2), which is 16 s for waves
+/// of two texels. Those waves have no group velocity, so the border does not absorb them. The bound
+/// is six times the rms, A / sqrt 2.
 double verlets_unrest_m(const DynamicWavesOptions& options) {
     const double tick = 1.0 / options.ticks_per_s, turned = rotated_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
     return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(BorderDamping::smallest);
 }
 
-TEST(DynamicWavesGridLasts, WithoutDriftOrNumbersThatAreSlow) {
+TEST(DynamicWavesGridLasts, WithoutDriftOrDenormals) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavesOptions options = small(step);
         options.side_m = 16;
@@ -281,18 +287,19 @@ TEST(DynamicWavesGridLasts, WithoutDriftOrNumbersThatAreSlow) {
         const double before = largest();
         const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
         const double pushed = step == DynamicWavesStep::verlet ? verlets_unrest_m(options) : 0;
-        for (int part = 1; part <= 10; ++part) {
+        for (int tenth = 1; tenth <= 10; ++tenth) {
             pool.tick(ticks / 10);
-            const double decayed = before * std::exp(-options.decay_per_s * part * ticks / 10 * pool.grid.tick_s());
-            EXPECT_LT(largest(), decayed + pushed) << "after " << part << " tenths";
+            const double decayed = before * std::exp(-options.decay_per_s * tenth * ticks / 10 * pool.grid.tick_s());
+            EXPECT_LT(largest(), decayed + pushed) << "after " << tenth << " tenths";
         }
     }
 }
 
-constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // of a round
+constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // ticks of a round
 
-/// What happens at tick n of a round: hulls, lifts and presses that last and go away again, a pull that comes and goes, stones and
-/// holes, in a grid that is off for 6 m and returns.
+/// Applies the inputs of tick n of a round: hulls and pressure sources that are added and removed,
+/// an intermittent relaxation source, and positive and negative impulses. The grid's centre moves
+/// away by up to 12 m and returns.
 void bustle(DynamicWaveGrid& grid, int tick) {
     constexpr int change_ticks = 400, numbers = 6, last_change = busy_ticks / change_ticks;
     if (tick % change_ticks == 0 && tick <= busy_ticks) {
@@ -334,7 +341,7 @@ struct Texels {
 Texels texels_of(const DynamicWaveGrid& grid) {
     const std::vector<std::uint8_t> saved = grid.saved();
     const std::size_t count = static_cast<std::size_t>(grid.options().resolution) * grid.options().resolution;
-    std::vector<float> texels(3 * count);  // and heights of the tick before
+    std::vector<float> texels(3 * count);  // includes the heights of the previous tick
     std::memcpy(texels.data(), saved.data() + 3 * sizeof(std::int64_t), texels.size() * sizeof(float));
     Texels all;
     for (std::size_t i = 0; i < texels.size(); ++i) {
@@ -346,8 +353,8 @@ Texels texels_of(const DynamicWaveGrid& grid) {
     return all;
 }
 
-/// Verlet's step with its border as it is defined, in double, of water that nothing pushes any more. All that it shares with the grid is
-/// what it begins with.
+/// Verlet's step and border damping by definition, in double, without sources. Only the initial
+/// state is taken from the grid.
 class VerletInDouble {
    public:
     explicit VerletInDouble(const DynamicWaveGrid& grid)
@@ -362,7 +369,7 @@ class VerletInDouble {
         for (std::int64_t i = 0; i < n_; ++i) {
             const double from_edge = (static_cast<double>(std::min(i, n_ - 1 - i)) + 0.5) * grid.texel_m();
             const double within = std::max(0.0, 1 - from_edge / options.border_m);
-            left_.push_back(std::exp(-12 * options.wave_speed_mps / options.border_m * within * within * tick));
+            damping_.push_back(std::exp(-12 * options.wave_speed_mps / options.border_m * within * within * tick));
         }
         decay_ = std::exp(-options.decay_per_s * tick);
         coupling_ = std::pow(options.wave_speed_mps * tick / grid.texel_m(), 2);
@@ -372,7 +379,8 @@ class VerletInDouble {
         for (std::int64_t z = 0; z < n_; ++z)
             for (std::int64_t x = 0; x < n_; ++x)
                 for (std::vector<double>* plane : {&now_, &before_})
-                    (*plane)[at(x, z)] *= left_[static_cast<std::size_t>(x)] * left_[static_cast<std::size_t>(z)];
+                    (*plane)[at(x, z)] *=
+                        damping_[static_cast<std::size_t>(x)] * damping_[static_cast<std::size_t>(z)];
         for (std::int64_t z = 0; z < n_; ++z)
             for (std::int64_t x = 0; x < n_; ++x) {
                 const double here = now_[at(x, z)];
@@ -407,12 +415,13 @@ class VerletInDouble {
 
     std::int64_t n_;
     std::array<std::int64_t, 2> first_;
-    std::vector<double> now_, before_, left_;
+    std::vector<double> now_, before_, damping_;
     double decay_ = 1, coupling_ = 0;
 };
 
-// A hundred rounds at night, a million ticks: each has the energies of the first, as nothing is left of what was before.
-TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
+// A hundred rounds in the nightly sweep, a million ticks. Each round has the energies of the first
+// one, because nothing remains of earlier rounds.
+TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesWithoutResidue) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavesOptions options = small(step);
         options.side_m = 16;
@@ -444,8 +453,9 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
                 if (tick + 1 == busy_ticks + quiet_ticks) left_over = std::max(left_over, texels.highest);
             }
             if (in_double) {
-                // Each of a tick's four roundings pushes a texel by 2^-24 of its height at most, at random from tick to tick, and the
-                // waves of two texels, which carry nothing away, make a height of a push by 1 / (omega dt).
+                // Each of a tick's four roundings changes a texel by at most 2^-24 of its height,
+                // randomly from tick to tick. The waves of two texels have no group velocity, and
+                // turn such a change into a height 1 / (omega dt) times as large.
                 const double pushed = 4 * 0x1p-24 * std::sqrt(quiet_squares) / rotated_by_shortest(options);
                 EXPECT_LT(in_double->farthest_from(pool.grid), pushed);
                 EXPECT_LT(pushed, 0.01 * in_double->highest_m()) << "what is left is no rounding";
@@ -457,24 +467,26 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         RecordProperty(name + "squares_off_the_first_round", std::to_string(farthest));
         RecordProperty(name + "highest_at_rest_m", std::to_string(left_over));
         EXPECT_EQ(denormal, 0);
-        // A minute's rest takes waves through the border a few times. What it leaves of amplitudes, a part of them, moves squares
-        // by twice that part. Of Verlet's it leaves the longest waves, which a border of a quarter of the grid sends back, and those of
-        // two texels, which do not move: as many as the step in double leaves.
+        // During a minute without sources waves cross the border several times. If a fraction of
+        // their amplitude remains, squares differ by twice that fraction. With Verlet's step the
+        // longest waves remain, which a border of a quarter of the grid reflects, and waves of two
+        // texels, which do not travel. The step in double leaves the same amount.
         EXPECT_LT(left_over, 5e-4 * highest);
         EXPECT_LT(farthest, 1e-3 * max);
         EXPECT_GT(highest, 0.3);
     }
 }
 
-TEST(DynamicWavesFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
+TEST(DynamicWavesFoam, AppearsWhereWaterIsHighAndDecays) {
     DynamicWavesOptions options = small(DynamicWavesStep::spectral);
     options.foam_height_m = 0.2;
     DynamicWavePool pool(options);
     pool.grid.sources().add_impulse({.mode = Disturbance::Mode::impulse, .radius_m = 3, .height_m = 0.6});
     pool.tick();
-    EXPECT_EQ(pool.grid.foam(0, 0), 255);  // over twice the threshold
+    EXPECT_EQ(pool.grid.foam(0, 0), 255);  // the height is more than twice the threshold
     EXPECT_EQ(pool.grid.foam(15, 0), 0);
-    // 90 bytes a second: empty 2.9 seconds after the water has sunk for good.
+    // Decay by 90 byte steps per second: zero 2.9 seconds after the height falls below the
+    // threshold.
     pool.tick(4 * 60);
     EXPECT_EQ(pool.grid.foam(0, 0), 0);
 }

@@ -1,4 +1,4 @@
-// a dynamic-wave grid, with an executor of its own.
+// A dynamic-wave grid with its own executor.
 #pragma once
 
 #include <cstring>
@@ -39,7 +39,8 @@ class DynamicWavePool {
     std::unique_ptr<GraphRun> run_;
 };
 
-/// Water that was made elsewhere, by texels of the torus of a grid around the origin.
+/// Sets the grid's heights and companions; both functions take texel coordinates relative to the
+/// origin, wrapped periodically.
 template <class Height, class Companion>
 void fill(DynamicWaveGrid& grid, Height height, Companion companion) {
     std::vector<std::uint8_t> state = grid.saved();
@@ -57,7 +58,7 @@ void fill(DynamicWaveGrid& grid, Height height, Companion companion) {
     grid.restore(state);
 }
 
-/// The sum of f over the texels of the grid.
+/// Returns the sum of f over the texels of the grid.
 template <class OfTexel>
 double sum_over(const DynamicWaveGrid& grid, OfTexel of_texel) {
     double sum = 0;

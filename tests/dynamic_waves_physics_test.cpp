@@ -1,4 +1,5 @@
-// Dynamic waves, as physics: dispersion, energy, borders, wakes, against closed forms and a slow oracle in double.
+// Physical tests of dynamic waves: dispersion, energy, borders and wakes, compared with analytic
+// solutions and a slow oracle in double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// No border, nothing that fades: what is left is the step.
+/// Options without border, viscosity and decay, so that only the step acts.
 DynamicWavesOptions bare(DynamicWavesStep step, int resolution = 64, double side_m = 32) {
     return {.step = step,
             .resolution = resolution,
@@ -29,7 +30,7 @@ DynamicWavesOptions bare(DynamicWavesStep step, int resolution = 64, double side
             .decay_per_s = 0};
 }
 
-/// h and w of a wave that runs, (kx, kz) in whole waves a grid.
+/// Height h and companion w of a travelling wave; kx and kz are in rad/m.
 struct RunningWave {
     double kx, kz, omega, texel_m, amplitude = 0.1;
     double phase(std::int64_t x, std::int64_t z, double time_s) const {
@@ -38,13 +39,13 @@ struct RunningWave {
     double height(std::int64_t x, std::int64_t z, double time_s) const {
         return amplitude * std::cos(phase(x, z, time_s));
     }
-    /// That of dh/dt over omega.
+    /// (dh/dt) / omega.
     double companion(std::int64_t x, std::int64_t z, double time_s) const {
         return amplitude * std::sin(phase(x, z, time_s));
     }
 };
 
-TEST(DynamicWavesWaves, RunAsDeepAndShallowWaterHasIt) {
+TEST(DynamicWavesWaves, TravelAtTheSpeedOfDeepAndShallowWater) {
     for (const double depth : {1e4, 2.0, 0.3}) {
         for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
             DynamicWavesOptions options = bare(DynamicWavesStep::spectral);
@@ -61,14 +62,16 @@ TEST(DynamicWavesWaves, RunAsDeepAndShallowWaterHasIt) {
             sum_over(pool.grid, [&](auto x, auto z) {
                 return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - wave.height(x, z, 100.0 / 30)));
             });
-            // Cosine and sine of a tick's phase are floats, 6e-8 off at most, each way the same a hundred times; and the transforms.
+            // Cosine and sine of a tick's phase are floats, in error by up to 6e-8 in the same
+            // direction in each of 100 ticks. The transforms add rounding errors.
             EXPECT_LT(worst, 2e-5 * wave.amplitude) << i << ", " << j << " at " << depth << " m";
         }
     }
 }
 
-// sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion without decay; to lowest order omega = speed k.
-TEST(DynamicWavesWaves, OfVerletRunAsItsDiscreteEquation) {
+// The dispersion relation of the discrete step without decay: sin^2(omega dt / 2) = c (sin^2(kx dx
+// / 2) + sin^2(kz dx / 2)). To lowest order omega = speed k.
+TEST(DynamicWavesWaves, OfVerletFollowItsDiscreteDispersionRelation) {
     const DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
     for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
         DynamicWavePool pool(options);
@@ -89,19 +92,20 @@ TEST(DynamicWavesWaves, OfVerletRunAsItsDiscreteEquation) {
         sum_over(pool.grid, [&](auto x, auto z) {
             return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - wave.height(x, z, 100 * tick)));
         });
-        // Rounding of (2 h - h_before) adds up as the square of the ticks over the phase a tick, at least 0.04: 1e4 / 2 x 6e-8.
+        // Rounding errors of (2 h - h_before) grow with the square of the number of ticks, divided
+        // by the phase per tick, at least 0.04: 1e4 / 2 x 6e-8.
         EXPECT_LT(worst, 3e-4 * wave.amplitude) << i << ", " << j;
     }
 }
 
-/// Waves that run along x with decay: h'' + 2 decay h' = speed^2 lap h has e^(-decay t) cos(k x - omega t), where
-/// omega^2 = (speed k)^2 - decay^2.
+/// Parameters of a wave along x with decay: h'' + 2 decay h' = speed^2 lap h has the solution
+/// e^(-decay t) cos(k x - omega t), where omega^2 = (speed k)^2 - decay^2.
 struct DecayingWave {
     double decay_per_s, side_m, speed_mps;
     int ticks_per_s, waves;
 };
 
-TEST(DynamicWavesWaves, OfVerletDecayAndRunAsSet) {
+TEST(DynamicWavesWaves, OfVerletHaveTheSetDecayAndSpeed) {
     for (const DecayingWave& set : {DecayingWave{0.01, 40, 3, 60, 1},
                                     {0.01, 40, 3, 60, 2},
                                     {0.08, 40, 3, 60, 1},
@@ -129,7 +133,7 @@ TEST(DynamicWavesWaves, OfVerletDecayAndRunAsSet) {
             return sum;
         };
         const std::complex<double> first = moment();
-        // An eighth of a period leaves no doubt about the phase.
+        // Sampled every eighth of a period, so that the phase is unambiguous.
         const double seconds = std::min(3 / set.decay_per_s, 20 * pi / omega);
         const int ticks = static_cast<int>(seconds / tick),
                   apart = std::max(1, static_cast<int>(0.25 * pi / omega / tick));
@@ -145,10 +149,12 @@ TEST(DynamicWavesWaves, OfVerletDecayAndRunAsSet) {
             before = now;
         }
         const double amplitude = std::abs(before / first), time_s = done * tick;
-        // A tick leaves e^(-decay tick) of a wave. What begins as one of the continuous equation is one of the grid's by all but half of
-        // what their speeds are apart, and the rest runs the other way.
+        // Each tick multiplies the wave by e^(-decay tick). The initial state is a solution of the
+        // continuous equation. On the grid a small fraction, half the relative error of the speed,
+        // travels in the opposite direction.
         EXPECT_NEAR(amplitude / std::exp(-set.decay_per_s * time_s), 1, 5e-3) << set.decay_per_s;
-        // Differences make waves slower by (k texel)^2 / 24 and ticks faster by (omega tick)^2 / 24: 0.8 % at 9 waves of 128 texels.
+        // Spatial differences slow waves down by (k texel)^2 / 24, time differences speed them up
+        // by (omega tick)^2 / 24: 0.8 % at 9 waves of 128 texels.
         EXPECT_NEAR(turned / time_s / omega, 1, 1e-2) << set.decay_per_s << ", " << set.waves;
         if (omega > 20 * set.decay_per_s) {
             EXPECT_NEAR(turned / time_s / k, set.speed_mps, 1e-2 * set.speed_mps);
@@ -156,7 +162,8 @@ TEST(DynamicWavesWaves, OfVerletDecayAndRunAsSet) {
     }
 }
 
-// Decay is of waves: a level that all of the grid has is none, and neither is its share of other water.
+// Decay acts on waves only: a constant level of the grid does not decay, with or without waves on
+// it.
 TEST(DynamicWavesWaves, OfVerletKeepTheMeanLevel) {
     DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
     options.decay_per_s = 0.5;
@@ -169,31 +176,34 @@ TEST(DynamicWavesWaves, OfVerletKeepTheMeanLevel) {
     for (int second = 1; second <= 20; ++second) {
         pool.tick(options.ticks_per_s);
         const double mean = sum_over(pool.grid, [&](auto x, auto z) { return pool.grid.height_m(x, z); }) / 4096;
-        // Floats of 0.3 m are 3e-8 apart, and there are 64 different ones, so rounding pushes the mean by 2e-9 a tick at random. A push
-        // is 30 ticks old when decay has ended it: 600 of them are 2e-9 x 30 sqrt(600) = 1.5e-6 rms; six times that.
+        // Floats near 0.3 m are spaced by 3e-8, and 64 of them are distinct, so rounding changes
+        // the mean by 2e-9 per tick at random. Decay removes such a change after about 30 ticks:
+        // 600 changes give 2e-9 x 30 sqrt(600) = 1.5e-6 rms. The bound is six times that.
         EXPECT_NEAR(mean, 0.3, 1e-5) << "after " << second << " s";
     }
 }
 
 struct Shown {
-    std::vector<double> height_m, vertical_velocity_mps;  ///< rows and columns of the torus
+    /// rows and columns, wrapped periodically
+    std::vector<double> height_m, vertical_velocity_mps;
 };
 
-/// What a frame shows `part` of the way from the tick before to the last one.
-Shown shown(const DynamicWaveGrid& grid, double part) {
+/// What a frame shows at `fraction` in [0, 1] of the time between the last two ticks.
+/// 1].
+Shown shown(const DynamicWaveGrid& grid, double fraction) {
     const auto n = static_cast<std::size_t>(grid.options().resolution);
     AlignedBuffer<float> height(n * n), rise(n * n), edge(n);
     std::vector<std::uint8_t> foam(n * n);
     for (std::size_t item = 0; item < n / DynamicWaveGrid::rows_an_item; ++item)
-        grid.show(static_cast<float>(part), item,
+        grid.show(static_cast<float>(fraction), item,
                   {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
     return {{height.data(), height.data() + n * n}, {rise.data(), rise.data() + n * n}};
 }
 
-// 4.4 rad/s, of which a difference between ticks is half a tick, 3.7 %, behind or ahead. The derivative of a parabola through three ticks is
-// off by (3 part^2 - 1) / 6 (omega tick)^2 of itself, 0.18 % at most, and by terms of (omega tick)^3, 4e-4 of which there are fewer than
-// a quarter.
-TEST(DynamicWavesWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
+// At omega = 4.4 rad/s, a difference between ticks is half a tick (3.7 %) early or late. The
+// derivative of a parabola through three ticks has a relative error of (3 fraction^2 - 1) / 6 (omega
+// tick)^2, at most 0.18 %. Terms of (omega tick)^3 = 4e-4 add less than a quarter of that value.
+TEST(DynamicWavesWaves, VerticalVelocityMatchesTheShownTime) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavesOptions options = bare(step);
         options.ticks_per_s = 60;
@@ -210,23 +220,25 @@ TEST(DynamicWavesWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
             pool.grid, [&](auto x, auto z) { return wave.height(x, z, 0); },
             [&](auto x, auto z) { return is_verlet ? wave.height(x, z, -tick) : wave.companion(x, z, 0); });
         pool.tick(8);
-        for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            const Shown water = shown(pool.grid, part);
-            const double time_s = (7 + part) * tick;
+        for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const Shown water = shown(pool.grid, fraction);
+            const double time_s = (7 + fraction) * tick;
             double worst = 0;
             for (std::int64_t x = 0; x < options.resolution; ++x) {
                 const double rise = wave.amplitude * omega * std::sin(wave.phase(x, 0, time_s));
                 worst = std::max(worst, std::fabs(water.vertical_velocity_mps[static_cast<std::size_t>(x)] - rise));
             }
-            const double turned = omega * tick, bound = std::fabs(3 * part * part - 1) / 6 * turned * turned + 1e-4;
-            EXPECT_LT(worst / (wave.amplitude * omega), bound) << part << (is_verlet ? " Verlet" : " spectral");
+            const double turned = omega * tick,
+                         bound = std::fabs(3 * fraction * fraction - 1) / 6 * turned * turned + 1e-4;
+            EXPECT_LT(worst / (wave.amplitude * omega), bound) << fraction << (is_verlet ? " Verlet" : " spectral");
         }
     }
 }
 
-// A drop is there at once and at rest. It falls with no more than -h'' = height g sqrt(pi) / radius (deep water, the integral of
-// e^(-k^2 radius^2 / 4) k^2 dk height radius^2 g / 2), of which a parabola makes half as much again within a tick.
-TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
+// An impulse adds its height at once, with zero velocity. The water then falls with at most -h'' =
+// height g sqrt(pi) / radius (deep water; the integral of e^(-k^2 radius^2 / 4) k^2 dk, times
+// height radius^2 g / 2). A parabola overestimates that by a factor of up to 1.5 within a tick.
+TEST(DynamicWavesWaves, OfImpulsesStartWithZeroVelocity) {
     DynamicWavePool pool({.resolution = 64, .side_m = 16, .border_m = 3});
     const double drop_m = 0.4;
     pool.tick(2);
@@ -235,14 +247,14 @@ TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
     EXPECT_NEAR(shown(pool.grid, 0).height_m[0], drop_m, 1e-6);
     const double fastest = 1.5 * drop_m * 9.80665 * std::sqrt(pi) * pool.grid.tick_s();
     for (int tick = 0; tick < 2; ++tick, pool.tick())
-        for (const double part : {0.0, 0.5, 1.0}) {
-            const double rise = shown(pool.grid, part).vertical_velocity_mps[0];
-            EXPECT_LE(rise, 0) << tick << ' ' << part;
-            EXPECT_GT(rise, -(tick + 1) * fastest) << tick << ' ' << part;
+        for (const double fraction : {0.0, 0.5, 1.0}) {
+            const double rise = shown(pool.grid, fraction).vertical_velocity_mps[0];
+            EXPECT_LE(rise, 0) << tick << ' ' << fraction;
+            EXPECT_GT(rise, -(tick + 1) * fastest) << tick << ' ' << fraction;
         }
 }
 
-/// One step of the definition: z_k exp(-i omega dt - (2 nu k^2 + decay) dt), by sums in double.
+/// One step by definition: z_k exp(-i omega dt - (2 nu k^2 + decay) dt), as sums in double.
 std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const DynamicWavesOptions& o) {
     const int n = o.resolution;
     const auto size = static_cast<std::size_t>(n);
@@ -274,7 +286,7 @@ std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>
     return along(along(waves, false, true), false, false);
 }
 
-TEST(DynamicWavesWaves, StepAsAnOracleInDouble) {
+TEST(DynamicWavesWaves, StepMatchesAnOracleInDouble) {
     DynamicWavesOptions options = bare(DynamicWavesStep::spectral);
     options.viscosity_m2ps = 0.01;
     options.decay_per_s = 0.5;
@@ -300,7 +312,8 @@ TEST(DynamicWavesWaves, StepAsAnOracleInDouble) {
         const std::complex<double> texel(pool.grid.height_m(x, row), pool.grid.companion_m(x, row));
         return worst = std::max(worst, std::abs(texel - after[place(x, row)]));
     });
-    // Two transforms of float there and back; a frame's own are promised within 2e-6 of the largest.
+    // Two float transforms, forward and backward; a frame's transforms are specified within 2e-6 of
+    // the largest value.
     EXPECT_LT(worst, 2e-6 * largest);
 }
 
@@ -310,7 +323,8 @@ double spectral_energy(const DynamicWaveGrid& grid) {
     });
 }
 
-/// What Verlet's step keeps where nothing fades: |(h - h_before) / dt|^2 + speed^2 grad h . grad h_before.
+/// The energy that Verlet's step conserves without decay: |(h - h_before) / dt|^2 + speed^2 grad h
+/// . grad h_before.
 double verlet_energy(const DynamicWaveGrid& grid) {
     const double over_tick = 1 / grid.tick_s(), over_texel = grid.options().wave_speed_mps / grid.texel_m();
     return sum_over(grid, [&](auto x, auto z) {
@@ -323,7 +337,7 @@ double verlet_energy(const DynamicWaveGrid& grid) {
     });
 }
 
-/// Pushed at in many places for half a second.
+/// Applies pressure at many positions for one second.
 void stir(DynamicWavePool& pool) {
     for (int i = 0; i < 30; ++i) {
         pool.grid.sources().add_impulse(
@@ -333,7 +347,7 @@ void stir(DynamicWavePool& pool) {
 }
 
 TEST(DynamicWavesWaves, NeverGrowWithoutASource) {
-    // Rounding may add 1e-7 of the energy a tick.
+    // Rounding may add 1e-7 of the energy per tick.
     DynamicWavesOptions options = {
         .resolution = 64, .side_m = 32, .border_m = 4, .viscosity_m2ps = 0, .decay_per_s = 1e-4};
     DynamicWavePool pool(options);
@@ -348,8 +362,8 @@ TEST(DynamicWavesWaves, NeverGrowWithoutASource) {
     }
 }
 
-// Its decay takes of the speed alone, and a border of both sums, so energy goes to and fro between them within a wave's period: the
-// most of a second counts.
+// Decay acts on the velocity only, and a border acts on both terms, so that energy oscillates
+// within a wave's period: the test compares the maximum of each second.
 TEST(DynamicWavesWaves, OfVerletNeverGrowWithoutASource) {
     for (const double border_m : {0.0, 4.0}) {
         DynamicWavePool pool(
@@ -371,8 +385,8 @@ TEST(DynamicWavesWaves, OfVerletNeverGrowWithoutASource) {
     }
 }
 
-// The strongest decay of the coarsest tick at the largest c: the waves of two texels along both axes, whose height changes sign from
-// texel to texel, are the first to grow where a step is not stable.
+// The strongest decay at the coarsest tick and the largest c. The waves of two texels along both
+// axes, whose heights alternate in sign, are the first to grow if a step is unstable.
 TEST(DynamicWavesWaves, OfVerletAreStableAtAnyDecay) {
     for (const double decay : {0.0, 1.0, 3.0, 10.0}) {
         DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
@@ -390,12 +404,14 @@ TEST(DynamicWavesWaves, OfVerletAreStableAtAnyDecay) {
                 return 0.0;
             });
         }
-        // At rest at one tick and the tick before, a wave has its height half a tick away: over 1 / cos(omega dt / 2) <= sqrt(5) of it.
+        // A wave with equal heights at two successive ticks has its extremum between them. The
+        // amplitude is at most 1 / cos(omega dt / 2) <= sqrt(5) of the height.
         EXPECT_LT(highest, 0.1 * std::sqrt(5) * 1.01) << decay;
     }
 }
 
-/// How much of a packet's energy is still there when all of it should have left through the border.
+/// Returns the fraction of a wave packet's energy that remains after the time to cross the border
+/// twice.
 double energy_that_stays(DynamicWavesStep step, double wave_m, double degrees) {
     DynamicWavesOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
     options.viscosity_m2ps = 0;
@@ -404,7 +420,7 @@ double energy_that_stays(DynamicWavesStep step, double wave_m, double degrees) {
     const double k = 2 * pi / wave_m, angle = degrees * pi / 180, texel = pool.grid.texel_m();
     const double speed = step == DynamicWavesStep::verlet ? options.wave_speed_mps : std::sqrt(9.80665 / k) / 2;
     const double omega = step == DynamicWavesStep::verlet ? speed * k : std::sqrt(9.80665 * k);
-    const double width = 6;  // of the packet, metres: well within the 40 that waves run freely
+    const double width = 6;  // of the packet, in metres; well within the 40 m without border
     const RunningWave wave{k * std::cos(angle), k * std::sin(angle), omega, texel};
     const auto envelope = [&](double x, double z) { return std::exp(-(x * x + z * z) / (width * width)); };
     fill(
@@ -421,13 +437,13 @@ double energy_that_stays(DynamicWavesStep step, double wave_m, double degrees) {
         return step == DynamicWavesStep::spectral ? spectral_energy(pool.grid) : verlet_energy(pool.grid);
     };
     const double before = energy();
-    // From the middle to the edge and back to the free water, along the longer of both axes.
+    // From the centre to the edge and back to the undamped water, along the longer of both axes.
     const double path = (32 + 32 - 12) / std::cos(angle > pi / 4 ? pi / 2 - angle : angle);
     pool.tick(static_cast<int>(path / speed / pool.grid.tick_s()));
     return energy() / before;
 }
 
-TEST(BorderDamping, SendsLessThanAHundredthBack) {
+TEST(BorderDamping, ReflectsLessThanOnePercentOfEnergy) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet})
         for (const double wave_m : {12.0, 6.0, 3.0})
             for (const double degrees : {0.0, 20.0, 45.0})
@@ -444,8 +460,9 @@ double highest_in(const DynamicWaveGrid& grid) {
     return highest;
 }
 
-// The water takes the shape and stays in it: h = shape solves the equation of pressed water, and waves of the beginning leave.
-TEST(DynamicWaveSources, ThatPressAtRestBecomeTheSurface) {
+// The surface takes the shape of the pressure: h = shape is the equilibrium, and the initial waves
+// leave the grid.
+TEST(DynamicWaveSources, OfConstantPressureShapeTheSurface) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
         const Disturbance press{.radius_m = 2, .height_m = -0.5};
@@ -463,7 +480,8 @@ TEST(DynamicWaveSources, ThatPressAtRestBecomeTheSurface) {
     }
 }
 
-/// J0(x) = integral of cos(x sin a) over half a turn, over pi: sums of periodic functions are exact for x < 2 points.
+/// J0(x) = integral of cos(x sin a) over half a turn, divided by pi. Sums of periodic functions are
+/// exact for x < 2 points.
 double bessel_0(double x) {
     constexpr int points = 128;
     double sum = 0;
@@ -471,8 +489,9 @@ double bessel_0(double x) {
     return sum / points;
 }
 
-/// What a Gaussian that rests becomes where all waves have one speed and decay: height radius^2 / 2 times the integral of
-/// e^(-k^2 radius^2 / 4) J0(k r) cos(speed k t) e^(-decay t) k dk.
+/// The height of a Gaussian initially at rest, where all waves have one speed and decay: height
+/// radius^2 / 2 times the integral of e^(-k^2 radius^2 / 4) J0(k r) cos(speed k t) e^(-decay t) k
+/// dk.
 double ring(double height_m, double radius_m, double speed_mps, double decay_per_s, double r, double t) {
     constexpr int steps = 300;
     const double step = 12 / radius_m / steps;
@@ -484,9 +503,10 @@ double ring(double height_m, double radius_m, double speed_mps, double decay_per
     return height_m * radius_m * radius_m / 2 * std::exp(-decay_per_s * t) * sum;
 }
 
-// Rings a tenth as high as the drop, as linear theory has them: water that is brought has no speed of its own. A pull of one tick that
-// goes all of its way brings its shape times the shape over its height, a Gaussian whose radius is smaller by sqrt 2.
-TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
+// In linear theory the rings are a tenth as high as the drop, because added water has zero initial
+// velocity. A relaxation that completes in one tick adds its shape times the shape over its height:
+// a Gaussian whose radius is smaller by sqrt 2.
+TEST(DynamicWaveSources, OfImpulseAndRelaxationMakeTheRingsOfLinearTheory) {
     for (const Disturbance::Mode mode : {Disturbance::Mode::impulse, Disturbance::Mode::relaxation}) {
         const bool is_relaxation = mode == Disturbance::Mode::relaxation;
         DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 512, .side_m = 64});
@@ -498,19 +518,21 @@ TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
         for (const int second : {1, 2, 3}) {
             pool.tick(60);
             double worst = 0, highest = 0;
-            for (int i = 0; i <= 96; ++i) {  // up to 12 m, where the border's influence is yet to come
+            // up to 12 m, which the border's influence has not reached
+            for (int i = 0; i <= 96; ++i) {
                 const double wanted = ring(drop_m, radius_m, 3, 0.01, i * 0.125, second);
                 worst = std::max(worst, std::fabs(pool.grid.height_m(i, 0) - wanted));
                 worst = std::max(worst, std::fabs(pool.grid.height_m(0, -i) - wanted));
                 highest = std::max(highest, std::fabs(wanted));
             }
-            // Waves of k = 2 / radius are slower by (k texel)^2 / 24 (1 - c), 0.2 %: 0.04 rad of a ring of 18 rad, at most.
+            // Waves of k = 2 / radius are slower by (k texel)^2 / 24 (1 - c) = 0.2 %: at most 0.04
+            // rad of a ring of 18 rad.
             EXPECT_LT(worst, 0.05 * highest) << second << (is_relaxation ? " s, pulled" : " s, added");
         }
     }
 }
 
-TEST(DynamicWaveSources, ThatPullAtRestMakeABoundedBulge) {
+TEST(DynamicWaveSources, OfConstantRelaxationMakeABoundedBulge) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
         double highest = 0;
@@ -519,14 +541,16 @@ TEST(DynamicWaveSources, ThatPullAtRestMakeABoundedBulge) {
             pool.tick();
             highest = std::max(highest, highest_in(pool.grid));
         }
-        // Water that rises towards a place may pass it, as a spring's end does, by no more than it came from below.
+        // Water that rises towards a height may overshoot it, like a spring, by at most the initial
+        // distance.
         EXPECT_LE(highest, 2 * 0.5);
         EXPECT_GT(highest, 0.1);
     }
 }
 
-// A wave number of a grid isn't one of another, so bits differ; the water doesn't.
-TEST(DynamicWaveWake, IsInASmallWindowAsInALargerOne) {
+// The two grids have different wave numbers, so results differ in bits but agree within the
+// tolerance.
+TEST(DynamicWaveWake, IsEqualInASmallAndALargeGrid) {
     DynamicWavesOptions narrow = {.step = DynamicWavesStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
     wide.resolution = 512;
     wide.side_m = 256;
@@ -540,7 +564,7 @@ TEST(DynamicWaveWake, IsInASmallWindowAsInALargerOne) {
             pool->tick();
         }
     }
-    // 16 texels within the border of 24.
+    // 16 texels inside the border of 24.
     const std::int64_t inset = 24 + 16, n = narrow.resolution;
     double off = 0, all = 0;
     for (std::int64_t z = a.grid.first_z() + inset; z < a.grid.first_z() + n - inset; ++z)
@@ -553,15 +577,16 @@ TEST(DynamicWaveWake, IsInASmallWindowAsInALargerOne) {
     EXPECT_LT(std::sqrt(off / all), 0.01);
 }
 
-/// How far inside of a wake's edge its waves are highest, at `behind` metres. Near the edge phase is cubic across the wake, so
-/// that heights are Airy's function, whose first maximum is at -1.01879: with k = g / v^2, the edge's waves at tan = 1/sqrt 2 and
-/// the phase k (x + y tan) / cos (Kelvin 1887; Ursell 1960), its third derivative there is 2 k x / sqrt 3, and that of its slope
-/// in y is k sqrt(8/3).
+/// The distance of a wake's highest waves from its edge, inwards, at a distance `behind` in metres.
+/// Near the edge the phase is cubic across the wake, so heights follow Airy's function, whose first
+/// maximum is at -1.01879. With k = g / v^2, the edge's waves at tan = 1/sqrt 2, and the phase k (x
+/// + y tan) / cos (Kelvin 1887; Ursell 1960), the third derivative of the phase there is 2 k x /
+/// sqrt 3. The derivative of its slope in y is k sqrt(8/3).
 double crest_inside_of_edge(double behind, double k) {
     return 1.01879 * std::cbrt(k * behind / std::sqrt(3.0)) / (k * std::sqrt(8.0 / 3));
 }
 
-/// Least squares of y = slope x + offset.
+/// Returns the slope of the least-squares line y = slope x + offset.
 double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     const double n = static_cast<double>(x.size());
@@ -569,7 +594,7 @@ double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) 
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-// A boat of 10 m at 5 m/s, whom the grid follows; over six of its waves.
+// A boat of 10 m at 5 m/s, followed by the grid, over six wavelengths of its wake.
 TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     DynamicWavePool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
                          make_thread_executor(2));
@@ -579,7 +604,7 @@ TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     for (int i = 0; i < 55 * 20; ++i) {
         boat = speed * i * grid.tick_s();
         pool.grid.set_center(boat, 0);
-        // Put into the water within three seconds.
+        // The draught grows over three seconds.
         pool.grid.sources().add_impulse({.shape = Disturbance::Shape::hull,
                                          .x_m = boat,
                                          .radius_m = 1.5,
@@ -591,7 +616,8 @@ TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
         return static_cast<double>(
             grid.height_m(std::llround((boat - behind) / grid.texel_m()), std::llround(aside / grid.texel_m())));
     };
-    // In the middle, where the waves run as the boat does: from one rise through zero to the last.
+    // Along the centre line, where waves travel at the boat's speed: the mean distance of upward
+    // zero crossings.
     std::vector<double> rises;
     for (double at = 2 * length; at < 6 * length; at += grid.texel_m()) {
         const double here = height(at, 0), next = height(at + grid.texel_m(), 0);
@@ -603,7 +629,8 @@ TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     for (const double side : {-1.0, 1.0}) {
         std::vector<double> places, edges;
         for (double behind = 1.5 * length; behind <= 6 * length; behind += length / 4) {
-            // Where the heights of a wave's length are largest: smoothed over five texels, outside of what runs along the middle.
+            // The position of the largest heights over one wavelength: smoothed over five texels,
+            // outside of the waves along the centre line.
             double largest = 0, edge = 0;
             for (double aside = 0.2 * behind; aside < 0.6 * behind; aside += grid.texel_m()) {
                 double sum = 0;

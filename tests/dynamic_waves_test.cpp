@@ -1,4 +1,5 @@
-// Dynamic waves, in an ocean: beside the cascades, in queries and rays, tick by tick whatever the frames do.
+// Dynamic waves in an ocean: their effect on cascades, queries and rays, and ticks at any frame
+// rate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,7 @@ namespace {
 const DynamicWavesOptions small{.resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.1};
 const SeaState breeze{.cascades = 2, .resolution = 32, .wind_speed_mps = 6, .loop_period_s = 20};
 
-OceanOptions answering(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
+OceanOptions with_dynamic_waves(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
     return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .dynamic_waves = small};
 }
 
@@ -31,7 +32,8 @@ Disturbance drop(double height_m) {
     return {.mode = Disturbance::Mode::impulse, .x_m = 1, .radius_m = 0.8, .height_m = height_m};
 }
 
-/// A boat, whom the grid follows, and drops; a frame of 72 a second after another. Returns the last one.
+/// Moves a boat, followed by the grid, and adds drops; computes frames `from` to `to` at 72
+/// frames/s. Returns the last one.
 const Frame& happen(Ocean& ocean, int from, int to) {
     const Frame* last = nullptr;
     for (int frame = from; frame < to; ++frame) {
@@ -46,8 +48,8 @@ const Frame& happen(Ocean& ocean, int from, int to) {
     return *last;
 }
 
-TEST(DynamicWaves, LeavesTheCascadesAsTheyAre) {
-    Ocean with(breeze, answering()), without(breeze, {.executor = make_serial_executor()});
+TEST(DynamicWaves, DoNotChangeTheCascades) {
+    Ocean with(breeze, with_dynamic_waves()), without(breeze, {.executor = make_serial_executor()});
     happen(with, 0, 90);
     const Frame& frame = with.frame_at(2.5);
     EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
@@ -55,24 +57,25 @@ TEST(DynamicWaves, LeavesTheCascadesAsTheyAre) {
     EXPECT_EQ(hash_of(without.frame_at(2.5).dynamic_waves), 0U);
 }
 
-TEST(DynamicWaves, HasTheSameBitsEverywhere) {
-    Ocean first(breeze, answering(isas_here().front()));
+TEST(DynamicWaves, AreBitIdenticalOnEveryInstructionSetAndExecutor) {
+    Ocean first(breeze, with_dynamic_waves(isas_here().front()));
     const std::uint64_t expected = hash_of(happen(first, 0, 120).dynamic_waves);
     for (const Isa isa : isas_here()) {
-        Ocean ocean(breeze, answering(isa));
+        Ocean ocean(breeze, with_dynamic_waves(isa));
         EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << name_of(isa);
     }
 
     for (const ExecutorKind& kind : executor_kinds()) {
-        Ocean ocean(breeze, answering(choose_isa(), kind.make(kind.threads)));
+        Ocean ocean(breeze, with_dynamic_waves(choose_isa(), kind.make(kind.threads)));
         EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << kind.name;
     }
 }
 
-// Ticks are the water's own: what lasts from the beginning is the same at the same time, however many frames there were.
-TEST(DynamicWaves, IsMadeTickByTickWhateverTheFramesAre) {
+// Ticks are independent of frames: constant sources give equal states at equal times for any number
+// of frames.
+TEST(DynamicWaves, DoNotDependOnTheFrameRate) {
     const auto after_two_seconds = [](int frames_a_second) {
-        Ocean ocean(breeze, answering());
+        Ocean ocean(breeze, with_dynamic_waves());
         ocean.dynamic_waves().add_source(boat);
         for (int frame = 0; frame <= 2 * frames_a_second; ++frame)
             ocean.frame_at(frame / static_cast<double>(frames_a_second));
@@ -83,9 +86,9 @@ TEST(DynamicWaves, IsMadeTickByTickWhateverTheFramesAre) {
         EXPECT_EQ(after_two_seconds(frames_a_second), expected);
 }
 
-// A frame between two ticks shows the way between what the two before it left, as straight as it is long.
-TEST(DynamicWaves, IsShownBetweenTicks) {
-    Ocean ocean(breeze, answering());
+// A frame between two ticks shows the last two ticks, interpolated linearly.
+TEST(DynamicWaves, AreInterpolatedLinearlyBetweenTicks) {
+    Ocean ocean(breeze, with_dynamic_waves());
     ocean.dynamic_waves().add_source(boat);
     for (int tick = 0; tick <= 60; ++tick) ocean.frame_at(tick / 60.0);
     const auto heights_at = [&](double tick) {
@@ -94,22 +97,22 @@ TEST(DynamicWaves, IsShownBetweenTicks) {
     };
     const std::vector<float> begin = heights_at(60), quarter = heights_at(60.25), half = heights_at(60.5),
                              end = heights_at(61);
-    double way = 0;
+    double largest_change = 0;
     for (std::size_t i = 0; i < begin.size(); ++i) {
-        way = std::max(way, std::fabs(static_cast<double>(end[i]) - begin[i]));
+        largest_change = std::max(largest_change, std::fabs(static_cast<double>(end[i]) - begin[i]));
         EXPECT_NEAR(quarter[i], begin[i] + 0.25 * (end[i] - begin[i]), 1e-5);
         EXPECT_NEAR(half[i], begin[i] + 0.5 * (end[i] - begin[i]), 1e-5);
     }
-    EXPECT_GT(way, 1e-3);
+    EXPECT_GT(largest_change, 1e-3);
 }
 
-TEST(DynamicWaves, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
-    Ocean ocean(breeze, answering());
+TEST(DynamicWaves, StopAtEarlierTimesAndAdvanceHalfASecondInAJump) {
+    Ocean ocean(breeze, with_dynamic_waves());
     happen(ocean, 0, 72);
     const std::uint64_t there = hash_of(ocean.frame_at(1.0).dynamic_waves);
     ocean.frame_at(0.3);
     EXPECT_EQ(hash_of(ocean.frame_at(0.3).dynamic_waves), there);
-    Ocean jumps(breeze, answering()), walks(breeze, answering());
+    Ocean jumps(breeze, with_dynamic_waves()), walks(breeze, with_dynamic_waves());
     for (Ocean* each : {&jumps, &walks}) {
         each->frame_at(0);
         each->dynamic_waves().add_impulse({.mode = Disturbance::Mode::impulse, .height_m = 0.5});
@@ -119,9 +122,9 @@ TEST(DynamicWaves, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     EXPECT_EQ(hash_of(jumps.frame_at(1e6).dynamic_waves), hash_of(walks.frame_at(0.5).dynamic_waves));
 }
 
-TEST(DynamicWaves, AddsToWhatQueriesTell) {
+TEST(DynamicWaves, AreIncludedInQueries) {
     for (const SeaState& sea : {breeze, SeaState{.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 6}}) {
-        Ocean with(sea, answering()), without(sea, answering());
+        Ocean with(sea, with_dynamic_waves()), without(sea, with_dynamic_waves());
         const Frame& moved = happen(with, 0, 100);
         const Frame& still = without.frame_at(moved.time_s);
         std::mt19937 random(3);
@@ -147,7 +150,7 @@ TEST(DynamicWaves, AddsToWhatQueriesTell) {
             EXPECT_NEAR(a[i] - b[i], dynamic_waves.height_m, 1e-6);
             EXPECT_NEAR(vertical_velocity_a[i] - vertical_velocity_b[i], dynamic_waves.vertical_velocity_mps, 1e-6);
             EXPECT_EQ(foam[i], static_cast<float>(dynamic_waves.foam));
-            // Slopes add, whatever the cascades' are.
+            // The slopes add, for any slope of the cascades.
             EXPECT_NEAR(-nx[i] / ny[i], -mx[i] / my[i] + dynamic_waves.slope_x, 1e-5);
             EXPECT_NEAR(-nz[i] / ny[i], -mz[i] / my[i] + dynamic_waves.slope_z, 1e-5);
             EXPECT_NEAR(std::hypot(nx[i], ny[i], nz[i]), 1, 1e-6);
@@ -156,9 +159,9 @@ TEST(DynamicWaves, AddsToWhatQueriesTell) {
     }
 }
 
-// Against the surface's own differences: slopes at texels are those over two texels.
-TEST(DynamicWaves, SlopesAsItsHeightsDo) {
-    Ocean ocean(breeze, answering());
+// Slopes at texels, compared with differences of heights over two texels.
+TEST(DynamicWaves, SlopesMatchDifferencesOfHeights) {
+    Ocean ocean(breeze, with_dynamic_waves());
     const DynamicWavesView& water = happen(ocean, 0, 100).dynamic_waves;
     for (std::int64_t z = water.first_z + 2; z < water.first_z + 60; z += 3)
         for (std::int64_t x = water.first_x + 2; x < water.first_x + 60; x += 3) {
@@ -174,8 +177,9 @@ TEST(DynamicWaves, SlopesAsItsHeightsDo) {
 }
 
 TEST(DynamicWaves, StopsRays) {
-    Ocean ocean(breeze, answering());
-    ocean.dynamic_waves().add_source({.radius_m = 2, .height_m = 3});  // a bulge, higher than all waves
+    Ocean ocean(breeze, with_dynamic_waves());
+    // a bulge higher than all waves
+    ocean.dynamic_waves().add_source({.radius_m = 2, .height_m = 3});
     const Frame* frame = nullptr;
     for (int tick = 0; tick < 240; ++tick) frame = &ocean.frame_at(tick / 60.0);
     const SurfaceQuery query(*frame);
@@ -187,22 +191,22 @@ TEST(DynamicWaves, StopsRays) {
     const auto down = first_hit(query, {.origin_m = {0, 50, 0}, .direction = {0, -1, 0}, .reach_m = 100});
     ASSERT_TRUE(down);
     EXPECT_NEAR(down->distance_m, 50 - static_cast<double>(height), 2e-3);
-    // Over the sea's waves, into the bulge's side.
+    // A ray above the sea's waves that hits the side of the bulge.
     const auto along = first_hit(query, {.origin_m = {-40, 1.8, 0}, .direction = {1, 0, 0}, .reach_m = 80});
     ASSERT_TRUE(along);
     EXPECT_GT(along->position_m[0], -3);
     EXPECT_LT(along->position_m[0], 0);
 }
 
-TEST(DynamicWaves, RestoredIsAsIfOneHadNeverLeft) {
-    Ocean stays(breeze, answering()), goes(breeze, answering()), late(breeze, answering());
+TEST(DynamicWaves, RestoredStateContinuesBitIdentically) {
+    Ocean stays(breeze, with_dynamic_waves()), goes(breeze, with_dynamic_waves()), late(breeze, with_dynamic_waves());
     for (Ocean* rains : {&stays, &goes})
         rains->dynamic_waves().set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
     const std::uint64_t expected = hash_of(happen(stays, 0, 150).dynamic_waves);
     happen(goes, 0, 70);
     const std::vector<std::uint8_t> saved = goes.dynamic_waves().save_state();
     happen(goes, 70, 110);
-    goes.dynamic_waves().add_impulse({.height_m = 1});  // never happened
+    goes.dynamic_waves().add_impulse({.height_m = 1});  // undone by the restore
     goes.dynamic_waves().set_rain({.drops_per_m2_s = 1});
     goes.dynamic_waves().restore_state(saved);
     EXPECT_EQ(hash_of(happen(goes, 70, 150).dynamic_waves), expected);
@@ -211,8 +215,8 @@ TEST(DynamicWaves, RestoredIsAsIfOneHadNeverLeft) {
     EXPECT_GT(late.dynamic_waves().add_source(boat), 1U) << "the boat's number is taken";
 }
 
-TEST(DynamicWaves, RestoredHasWhatWaitedForATick) {
-    Ocean stays(breeze, answering()), late(breeze, answering());
+TEST(DynamicWaves, RestoredStateIncludesPendingImpulses) {
+    Ocean stays(breeze, with_dynamic_waves()), late(breeze, with_dynamic_waves());
     stays.frame_at(0.5);
     stays.dynamic_waves().add_impulse(drop(0.3));
     stays.frame_at(0.501);  // no tick
@@ -220,19 +224,20 @@ TEST(DynamicWaves, RestoredHasWhatWaitedForATick) {
     late.dynamic_waves().restore_state(saved);
     for (Ocean* ocean : {&stays, &late}) {
         ocean->dynamic_waves().add_impulse(drop(0.2));
-        ocean->frame_at(0.501);  // time stands still for both
+        ocean->frame_at(0.501);  // no time passes for either
     }
     EXPECT_GT(stays.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
     EXPECT_EQ(hash_of(late.frame_at(0.55).dynamic_waves), hash_of(stays.frame_at(0.55).dynamic_waves));
 }
 
-/// The water at 0.6 s after a frame at 0.5 s and frames at these times, each given these drops while the frame before is in flight.
+/// Returns the hash of the dynamic waves at 0.6 s, after a frame at 0.5 s and the given frames. The
+/// drops of a frame are added while the previous frame is in flight.
 struct FrameWithDrops {
     double time_s;
     std::vector<double> drops_m;
 };
 std::uint64_t hash_after(const std::vector<FrameWithDrops>& frames) {
-    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+    Ocean ocean(breeze, with_dynamic_waves(choose_isa(), make_thread_executor(2)));
     ocean.schedule(0.5);
     for (const FrameWithDrops& frame : frames) {
         for (const double height_m : frame.drops_m) ocean.dynamic_waves().add_impulse(drop(height_m));
@@ -244,24 +249,24 @@ std::uint64_t hash_after(const std::vector<FrameWithDrops>& frames) {
 }
 
 // Ticks are at 0.5 s and 0.517 s.
-TEST(DynamicWaves, AddsUpWhatFramesBringUntilTheNextTick) {
+TEST(DynamicWaves, ImpulsesOfFramesBetweenTicksAreSummed) {
     const std::uint64_t at_once = hash_after({{0.52, {0.1, -0.2, 0.3, 0.05}}});
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.51, {-0.2, 0.3}}, {0.515, {}}, {0.52, {0.05}}}), at_once);
     EXPECT_NE(hash_after({{0.52, {0.1, -0.2, 0.3}}}), at_once);
 }
 
-TEST(DynamicWaves, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
+TEST(DynamicWaves, OnlyTheLastFramesImpulsesCountWhileTimeStandsStill) {
     const std::uint64_t expected = hash_after({{0.52, {0.1, 0.3, 0.05}}});
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.505, {-0.2}}, {0.505, {0.3}}, {0.505, {}}, {0.52, {0.05}}}), expected);
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.504, {-0.2, 1}}, {0.503, {0.3}}, {0.52, {0.05}}}), expected);
-    // Of a second of an application that is paused, with a thousand frames of five drops each.
+    // One second of a paused application: a thousand frames of five drops each.
     std::vector<FrameWithDrops> paused(1000, {0.5, {0.01, 0.02, 0.03, 0.04, 0.05}});
     paused.push_back({0.52, {0.3}});
     EXPECT_EQ(hash_after(paused), hash_after({{0.52, {0.01, 0.02, 0.03, 0.04, 0.05, 0.3}}}));
 }
 
-TEST(DynamicWaves, HasRoomForSoManyDisturbancesATick) {
-    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+TEST(DynamicWaves, ATickTakesAtMost4096Impulses) {
+    Ocean ocean(breeze, with_dynamic_waves(choose_isa(), make_thread_executor(2)));
     const auto disturb = [&](int times) {
         for (int i = 0; i < times; ++i) ocean.dynamic_waves().add_impulse(drop(1e-4));
     };
@@ -274,13 +279,13 @@ TEST(DynamicWaves, HasRoomForSoManyDisturbancesATick) {
         }
     };
     ocean.frame_at(0.5);
-    for (int frame = 0; frame < 3; ++frame) {  // time stands still
+    for (int frame = 0; frame < 3; ++frame) {  // no time passes
         disturb(4096);
         expect_full();
         ocean.frame_at(0.5);
     }
     disturb(4000);
-    ocean.frame_at(0.505);  // no tick, and no room for both
+    ocean.frame_at(0.505);  // no tick, and both do not fit into one
     disturb(96);
     expect_full();
     ocean.frame_at(0.51);
@@ -290,8 +295,8 @@ TEST(DynamicWaves, HasRoomForSoManyDisturbancesATick) {
     ocean.frame_at(0.54);
 }
 
-TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
-    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+TEST(DynamicWaves, RemovedSourcesFreeTheirPlace) {
+    Ocean ocean(breeze, with_dynamic_waves(choose_isa(), make_thread_executor(2)));
     const Disturbance press{.radius_m = 1, .height_m = 1e-4};
     std::vector<std::uint32_t> numbers;
     const auto add = [&] { numbers.push_back(ocean.dynamic_waves().add_source(press)); };
@@ -302,13 +307,13 @@ TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
         ocean.schedule(frame / 60.0);
         for (const std::size_t place : {0U, 2000U}) {
             ocean.dynamic_waves().remove_source(numbers[place]);
-            ocean.dynamic_waves().remove_source(numbers[place]);  // it makes room once
+            ocean.dynamic_waves().remove_source(numbers[place]);  // frees a place only once
             numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(place));
             ocean.dynamic_waves().remove_source(1'000'000);
             add();
             expect_full();
         }
-        ocean.dynamic_waves().remove_source(numbers.back());  // one of this frame's own
+        ocean.dynamic_waves().remove_source(numbers.back());  // a source added in this frame
         numbers.pop_back();
         add();
         expect_full();
@@ -317,7 +322,7 @@ TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
     ocean.frame_at(0.05);
     const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
     ocean.dynamic_waves().remove_source(numbers.front());
-    ocean.dynamic_waves().restore_state(saved);  // it is there again
+    ocean.dynamic_waves().restore_state(saved);  // restores the removed source
     expect_full();
     for (const std::uint32_t number : numbers) ocean.dynamic_waves().remove_source(number);
     for (int i = 0; i < 4096; ++i) add();
@@ -325,8 +330,8 @@ TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
     ocean.frame_at(0.1);
 }
 
-TEST(DynamicWaves, RefusesWhatWasSavedUnderOtherOptions) {
-    OceanOptions set = answering();
+TEST(DynamicWaves, StateOfOtherOptionsIsRejected) {
+    OceanOptions set = with_dynamic_waves();
     set.dynamic_waves->step = DynamicWavesStep::verlet;
     const auto saved_with = [&](auto change) {
         OceanOptions changed = set;
@@ -364,23 +369,25 @@ TEST(DynamicWaves, RefusesWhatWasSavedUnderOtherOptions) {
     EXPECT_NO_THROW(ocean.dynamic_waves().restore_state(saved_with([](Options&) {})));
 }
 
-// The water of the grid does not depend on the waves of the wind.
-TEST(DynamicWaves, IsRestoredInAnOceanOfAnotherSea) {
-    Ocean there(breeze, answering()), here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, answering());
+// Dynamic waves do not depend on the wind waves.
+TEST(DynamicWaves, StateCanBeRestoredInAnOceanOfAnotherSea) {
+    Ocean there(breeze, with_dynamic_waves()),
+        here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, with_dynamic_waves());
     happen(there, 0, 40);
     here.dynamic_waves().restore_state(there.dynamic_waves().save_state());
     EXPECT_EQ(hash_of(happen(here, 40, 60).dynamic_waves), hash_of(happen(there, 40, 60).dynamic_waves));
 }
 
-TEST(DynamicWaves, TakesOnlyWhatCanBeSaved) {
-    Ocean ocean(breeze, answering());
+TEST(DynamicWaves, InvalidStateIsRejectedOrHarmless) {
+    Ocean ocean(breeze, with_dynamic_waves());
     ocean.dynamic_waves().set_rain({.drops_per_m2_s = 2});
     happen(ocean, 0, 20);
     const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
     std::mt19937 random(9);
     for (int i = 0; i < 300; ++i) {
         std::vector<std::uint8_t> bytes = saved;
-        // Headers in front, sources behind: eight bytes of one of them turned into anything.
+        // Eight bytes of the header, at the front, or of the sources, at the end, are replaced by
+        // other bytes.
         const std::size_t front = 56,
                           at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 19);
         const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
@@ -389,15 +396,15 @@ TEST(DynamicWaves, TakesOnlyWhatCanBeSaved) {
             ocean.dynamic_waves().restore_state(bytes);
         } catch (const std::invalid_argument&) {
         }
-        ocean.frame_at(0.3 + i / 60.0);  // whatever was taken can be gone on with
+        ocean.frame_at(0.3 + i / 60.0);  // an accepted state must be usable
     }
     EXPECT_THROW(ocean.dynamic_waves().restore_state({}), std::invalid_argument);
     EXPECT_THROW(ocean.dynamic_waves().restore_state(std::span(saved).first(saved.size() - 1)),
                  std::invalid_argument);
 }
 
-TEST(DynamicWaves, SourcesMoveStopAndGo) {
-    Ocean ocean(breeze, answering());
+TEST(DynamicWaves, SourcesMoveStopAndAreRemoved) {
+    Ocean ocean(breeze, with_dynamic_waves());
     const std::uint32_t source =
         ocean.dynamic_waves().add_source({.radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     const auto highest_at = [&](double x, const Frame& frame) {
@@ -408,29 +415,29 @@ TEST(DynamicWaves, SourcesMoveStopAndGo) {
         for (; frame < ticks; ++frame) ocean.frame_at(frame / 60.0);
         return ocean.frame_at(frame / 60.0);
     };
-    const Frame& moved = run_to(240);  // four seconds: four metres
+    const Frame& moved = run_to(240);  // four metres in four seconds
     EXPECT_TRUE(highest_at(3.9, moved));
     EXPECT_FALSE(highest_at(0, moved));
     ocean.dynamic_waves().set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5});
     EXPECT_TRUE(highest_at(-5, run_to(600)));
-    // Set anew it moves from where it is set, not from when it was first there.
+    // After set_source() the source moves from its new position, from that time on.
     ocean.dynamic_waves().set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     EXPECT_TRUE(highest_at(-3.1, run_to(720)));
     ocean.dynamic_waves().remove_source(source);
     EXPECT_LT(run_to(1600).dynamic_waves.height_max_m, 0.02f);
-    // What is said of it afterwards, or of one that never was, is of nobody.
+    // Commands for a removed source, or for a number that never existed, have no effect.
     ocean.dynamic_waves().set_source(source, {.radius_m = 1.5, .height_m = 0.5});
     ocean.dynamic_waves().set_source(77, {.radius_m = 1.5, .height_m = 0.5});
     EXPECT_LT(run_to(1800).dynamic_waves.height_max_m, 0.02f);
 }
 
-TEST(DynamicWaves, RefusesWhatItCantTake) {
+TEST(DynamicWaves, InvalidArgumentsAreRejected) {
     Ocean plain(breeze, {.executor = make_serial_executor()});
     EXPECT_THROW(plain.dynamic_waves().add_impulse({}), std::invalid_argument);
     EXPECT_THROW(plain.dynamic_waves().set_center(0, 0), std::invalid_argument);
     EXPECT_THROW(plain.dynamic_waves().set_rain({}), std::invalid_argument);
     EXPECT_THROW(plain.dynamic_waves().save_state(), std::invalid_argument);
-    OceanOptions wrong = answering();
+    OceanOptions wrong = with_dynamic_waves();
     wrong.dynamic_waves->resolution = 65;
     try {
         const Ocean ocean(breeze, wrong);
@@ -438,7 +445,7 @@ TEST(DynamicWaves, RefusesWhatItCantTake) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(), "resolution is 65, needs 64, 128, 256, 512 or 1024");
     }
-    Ocean ocean(breeze, answering());
+    Ocean ocean(breeze, with_dynamic_waves());
     happen(ocean, 0, 20);
     const std::uint64_t before = hash_of(ocean.frame_at(0.3).dynamic_waves);
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -451,7 +458,7 @@ TEST(DynamicWaves, RefusesWhatItCantTake) {
     EXPECT_EQ(hash_of(ocean.frame_at(0.3).dynamic_waves), before);
     for (std::size_t i = 0; i < 4096; ++i) ocean.dynamic_waves().add_impulse({.height_m = 0.01});
     EXPECT_THROW(ocean.dynamic_waves().add_impulse({.height_m = 0.01}), std::invalid_argument);
-    ocean.frame_at(0.31);  // may have no tick: they wait for the next one
+    ocean.frame_at(0.31);  // may have no tick, in which case they wait for the next one
     for (std::uint32_t number = 1000; number < 10000; ++number)
         ocean.dynamic_waves().set_source(number, {.height_m = 0.01});
     EXPECT_NO_THROW(ocean.frame_at(0.5));

@@ -1,4 +1,4 @@
-// The executor as a test parameter: every kind, with several numbers of threads.
+// Executors as test parameters: every kind, with several numbers of threads.
 #pragma once
 
 #include <gtest/gtest.h>

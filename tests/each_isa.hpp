@@ -1,4 +1,5 @@
-// The instruction set as a test parameter: TEST_P(EvolveOnEachIsa, ...) runs on all that this CPU has.
+// Instruction sets as test parameters: TEST_P(EvolveOnEachIsa, ...) runs on every one that this CPU
+// supports.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ class OnEachIsa : public testing::TestWithParam<Isa> {
     const Kernels& kernels() const { return kernels_for(GetParam()); }
 };
 
-/// "sse4_2": GoogleTest allows no dots in names.
+/// Returns a test name without dots, which GoogleTest does not allow: "sse4_2".
 inline std::string isa_test_name(const testing::TestParamInfo<Isa>& info) {
     std::string name(name_of(info.param));
     std::replace(name.begin(), name.end(), '.', '_');

@@ -1,5 +1,6 @@
-// Whether an emulator runs the tests of another processor, ten to twenty times as slowly: then bits are compared, of fewer sizes
-// and times, and not executors and threads, which are the same code everywhere and have this machine's order of memory.
+// Whether an emulator runs the tests, ten to twenty times slower than native code. Then results are
+// compared at fewer sizes and times. Executors and threads are not tested: their code is the same,
+// and the memory order is the host CPU's.
 #pragma once
 
 namespace pelagic {

@@ -1,4 +1,5 @@
-// Numbers that docs/equations.md states about the paper's equations 45 to 50, and the normal of a wave known in closed form.
+// Values that docs/equations.md states about the paper's equations 45 to 50, and the normal of a
+// wave with a known solution.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,9 +19,10 @@ namespace {
 
 using std::numbers::pi;
 
-// The mean normal of a GGX surface of roughness 1 (alpha = 1): its distribution is D = 1/pi, weighted with
-// cos(theta) over the hemisphere; the mean of cos(theta) is the integral of D cos^2, which is 2/3.
-TEST(Errata, RoughSurfacesHaveNormalsOfTwoThirdsAndEquation49IsNearIt) {
+// The mean normal of a GGX surface of roughness 1 (alpha = 1). Its distribution is D = 1/pi,
+// weighted with cos(theta) over the hemisphere; the mean of cos(theta) is the integral of D cos^2,
+// which is 2/3.
+TEST(Errata, MeanNormalLengthAtRoughnessOneIsTwoThirds) {
     constexpr int steps = 100000;
     double mean = 0;
     for (int i = 0; i < steps; ++i) {
@@ -34,13 +36,13 @@ TEST(Errata, RoughSurfacesHaveNormalsOfTwoThirdsAndEquation49IsNearIt) {
     for (float r = 0; r < 1; r += 0.01f) EXPECT_GT(mean_normal_length(r), mean_normal_length(r + 0.01f));
 }
 
-TEST(Errata, OneStepOfAByteBelowLengthOneAlreadyMeansASmoothnessOf88Percent) {
+TEST(Errata, LengthOneByteStepBelowOneGivesSmoothness88Percent) {
     const double length = 1 - 1.0 / 255;
     const double t = (length - 2.0 / 3) * 3;
     EXPECT_NEAR(1 - std::sqrt(1 - t * (0.85 + 0.15 * t)), 0.88, 0.005);
 }
 
-// Equation 45 against the derivative of the same waves taken in the spectrum, where it is exact.
+// Equation 45, compared with the exact derivative taken in the spectrum.
 TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
     const SeaState sea{.resolution = 256, .patch_size_m = 250};
     const oracle::Fields fields = oracle::fields_at(sea, 1);
@@ -66,7 +68,7 @@ TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
     EXPECT_LT(lost, 0.20);
 }
 
-TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
+TEST(Errata, NormalsWithoutHorizontalDisplacementAreDegreesOff) {
     const SeaState sea{.resolution = 128, .patch_size_m = 250, .wind_speed_mps = 12, .choppiness = 1};
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(1));
@@ -84,12 +86,13 @@ TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
     EXPECT_GT(max, 3);
 }
 
-// One wave h = a cos(kx - phase) moved horizontally by -lambda a sin: x -> x + Dx is a trochoid, whose tangent along x is
-// (1 + Dx', h', 0), so its normal is (-h', 1 + Dx', 0) over their length. Through the kernel, on every instruction set.
+// One wave h = a cos(kx - phase) displaced horizontally by -lambda a sin: x -> x + Dx gives a
+// trochoid, whose tangent along x is (1 + Dx', h', 0). Its normal is (-h', 1 + Dx', 0), normalised.
+// Computed by the kernel, on every instruction set.
 class NormalOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, NormalOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
+TEST_P(NormalOnEachIsa, OfOneWaveIsTheTrochoidsNormal) {
     constexpr int n = 256;
     constexpr double patch = 100, amplitude = 2, lambda = 0.9;
     const double k = 2 * pi * 3 / patch;
@@ -127,7 +130,8 @@ TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
         job.levels[level] = levels.data() + (level - 1) * n * n;
     for (; job.first_column < n; job.first_column += GradientsJob::cascade_columns) kernels().gradients(job);
 
-    // Central differences shrink a slope by sin(k d)/(k d), d the texel: 1 - 0.0009 here, a fifth of a byte's step.
+    // Central differences reduce a slope by sin(k d)/(k d), with texel size d: 1 - 0.0009 here, a
+    // fifth of a byte's step.
     const double d = patch / n, shrunk = std::sin(k * d) / (k * d);
     EXPECT_GT(shrunk, 0.999);
     for (int i = 0; i < n; ++i) {

@@ -1,5 +1,6 @@
-// Stage `evolve` within its job, against its equation in double. At N = 16 with a single wave of kx = 0, the transform
-// along x adds only zeros, so that every column of the lines is the wave itself.
+// The stage `evolve` within its job, compared with its equation in double. At N = 16, with waves
+// only at kx = 0, the transform along x adds only zeros, so every column of the lines equals the
+// wave.
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -22,7 +23,8 @@ class EvolveOnEachIsa : public OnEachIsa {
     std::size_t lanes() const { return kernels().lanes; }
     std::size_t lines() const { return std::min(lanes(), line_count(n)); }
 
-    /// The quantity of the wave kx = 0 in lane `lane`: the first wave of the first pair of groups.
+    /// The value of `quantity` for the wave kx = 0 in lane `lane`: the first wave of the first pair
+    /// of groups.
     float& wave(WaveQuantity quantity, std::size_t lane) { return spectrum_.waves[quantity * lanes() + lane]; }
 
     AlignedBuffer<float> evolved(std::uint32_t fraction) {
@@ -43,13 +45,15 @@ class EvolveOnEachIsa : public OnEachIsa {
 };
 INSTANTIATE_TEST_SUITE_P(Isas, EvolveOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-// With S'_xy = (1, 0) and S'_zw = (0, 1) the wave is cos + i sin of its phase. The phase's rounding to a float moves
-// it by up to pi/4 2^-24, the polynomials' last two roundings by 2^-24 together: less than a step of 2^-23.
-TEST_P(EvolveOnEachIsa, RotationIsWithinOneFloatStepAllAroundTheCircle) {
+// With S'_xy = (1, 0) and S'_zw = (0, 1) the wave is cos + i sin of its phase. Rounding the phase
+// to float changes it by up to pi/4 2^-24, and the polynomials' last two roundings add 2^-24: in
+// sum less than a step of 2^-23.
+TEST_P(EvolveOnEachIsa, RotationIsWithinOneFloatStepAtEveryPhase) {
     constexpr double step = 0x1p-23;
     std::mt19937 random(7);
     std::vector<std::uint32_t> phases;
-    // Around every sixteenth of a turn, where the polynomials' range ends among them, and anywhere.
+    // Phases near each sixteenth of a turn, which include the ends of the polynomials' range, and
+    // random phases.
     for (std::uint32_t sixteenth = 0; sixteenth < 16; ++sixteenth)
         for (std::uint32_t i = 0; i < 64; ++i) phases.push_back((sixteenth << 28) + i - 32);
     while (phases.size() < 65536) phases.push_back(static_cast<std::uint32_t>(random()));
@@ -90,7 +94,8 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             const double c = std::cos(angle), s = std::sin(angle);
             const double h_re = wave(plus_cos_re, lane) * c + wave(plus_sin_re, lane) * s;
             const double h_im = wave(plus_cos_im, lane) * c + wave(plus_sin_im, lane) * s;
-            // i h along x and z, then P = -(Dx + i Dz) and R = -i (Dx - i Dz).
+            // i h times the direction's x and z components, then P = -(Dx + i Dz) and R = -i (Dx -
+            // i Dz).
             const double dx_re = -wave(direction_x, lane) * h_im, dx_im = wave(direction_x, lane) * h_re;
             const double dz_re = -wave(direction_z, lane) * h_im, dz_im = wave(direction_z, lane) * h_re;
             double expected[line_components];
@@ -100,16 +105,17 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             expected[p_im] = -(dx_im + dz_re);
             expected[r_re] = dx_im - dz_re;
             expected[r_im] = -(dx_re + dz_im);
-            // Amplitudes are up to 4, sums of four products of them: 2e-6 of that.
+            // Amplitudes are up to 4 and each value sums four products of them: a relative error of
+            // 2e-6.
             for (std::size_t c6 = 0; c6 < line_components; ++c6)
                 ASSERT_NEAR(out[(lane * line_components + c6) * lanes()], expected[c6], 4e-6) << c6;
         }
     }
 }
 
-// A zero must be the same zero on every instruction set (see determinism_test for whole frames), which a sign flipped
-// by a unary minus would break.
-TEST_P(EvolveOnEachIsa, SilenceIsPositiveZero) {
+// Zeros must have the same sign on every instruction set (see determinism_test.cpp for whole
+// frames). A sign change by unary minus would give negative zeros.
+TEST_P(EvolveOnEachIsa, ZeroAmplitudesGivePositiveZeros) {
     const AlignedBuffer<float> out = evolved(0);
     for (std::size_t i = 0; i < out.size(); ++i) EXPECT_FALSE(std::signbit(out[i])) << i;
 }
