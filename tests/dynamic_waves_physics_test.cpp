@@ -189,7 +189,6 @@ struct Shown {
 };
 
 /// What a frame shows at `fraction` in [0, 1] of the time between the last two ticks.
-/// 1].
 Shown shown(const DynamicWaveGrid& grid, double fraction) {
     const auto n = static_cast<std::size_t>(grid.options().resolution);
     AlignedBuffer<float> height(n * n), rise(n * n), edge(n);

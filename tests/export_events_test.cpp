@@ -1,5 +1,6 @@
-// Pushes at the water from a file: what is exported beside the cascades, against the ticks themselves, linear theory and queries; and
-// that the bytes depend on the events and the times alone.
+// Exports with an events file: the dynamic waves beside the cascades are compared with the grid's
+// own ticks, linear theory and queries. The exported bytes depend on the events and the frame times
+// only.
 #include <gtest/gtest.h>
 #include <math.h>
 #include <signal.h>
@@ -27,7 +28,8 @@ using Arguments = std::vector<std::string>;
 using Files = std::map<std::string, std::string>;
 using json = nlohmann::ordered_json;
 
-// A drop, a hull that runs through the grid, a pull between ticks, and what comes after the last frame.
+// A drop, a hull that moves through the grid, a relaxation between ticks, and an event after the
+// last frame.
 constexpr const char* several =
     "time,x,z,radius,strength,velocity,heading,duration,length,mode\n"
     "0.5,0,0,1,0.4,,,,,\n"
@@ -35,11 +37,11 @@ constexpr const char* several =
     "-0.258,8,-8,1.5,0.2,1,90,0.8,,relaxation\n"
     "9,0,0,1,1,,,,,\n";
 
-// The middle of a grid of 128 texels on 64 m around (-1, -1.5), which is that of the places.
+// A grid of 128 texels on 64 m around (-1, -1.5), the centre of the events' positions.
 constexpr int grid_texels = 128;
 constexpr double texel_m = 0.5;
 
-// Frames with a gap, before the first event, on ticks and between them.
+// Frames with a gap: before the first event, on ticks and between them.
 const Arguments sea = {
     "--cascades",       "2",         "--resolution",        "32",  "--start",      "-0.5", "--fps",     "7",
     "--frames",         "0-9,14-17", "--events-resolution", "128", "--wind-speed", "8",    "--no-sync", "--maps",
@@ -77,13 +79,13 @@ void expect_same(const Files& files, const Files& wanted) {
     }
 }
 
-void expect_rejected(const Outcome& outcome, const std::string& says) {
+void expect_rejected(const Outcome& outcome, const std::string& expected) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err << "lacks " << expected;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
+TEST_F(ExportEvents, ShardedAndResumedExportsEqualOneRun) {
     const Files one = made(to("one"), "one");
     EXPECT_TRUE(one.contains("dynamic-waves_0017.exr"));
     EXPECT_EQ(one.at("sea_events.csv"), several);
@@ -95,7 +97,8 @@ TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
     const Outcome verified = run_pelagic({"verify", place("shards").string(), "--sample", "all"});
     EXPECT_EQ(verified.exit_code, 0) << verified.err << verified.out;
 
-    // Killed as soon as some frames are journaled; on a machine that is faster than that it is whole, which is as good.
+    // Killed as soon as some frames are journaled. On a fast machine the export may be complete by
+    // then, which is valid too.
     const pid_t process = start_pelagic(to("killed"), place("out"), place("err"));
     for (int i = 0; i < 2000; ++i) {
         const std::string journal = read_file(place("killed") / ".pelagic-export.jsonl");
@@ -108,22 +111,23 @@ TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
     wait_for(process);
     expect_same(made(to("killed", {"--resume"}), "killed"), one);
 
-    // A frame in the middle that is made again alone has the same water.
+    // A single frame in the middle, exported again, has equal dynamic waves.
     std::filesystem::remove(place("killed") / "dynamic-waves_0008.exr");
     expect_same(made(to("killed", {"--resume"}), "killed"), one);
 }
 
-TEST_F(ExportEvents, LeaveTheCascadesAndTheirHashesAsTheyAre) {
+TEST_F(ExportEvents, DoNotChangeTheCascadesOrTheirHashes) {
     const Files pushed = made(to("pushed"), "pushed");
-    // Into the folder of an export with events, of which nothing is left then.
+    // The folder of the first export, whose dynamic waves the second export removes.
     made(to("calm"), "calm");
     Arguments calm = sea;
     const auto of_events = std::find(calm.begin(), calm.end(), "--events-resolution");
     calm.erase(of_events, of_events + 2);
     const Files still = made(with({"export", "--out", place("calm").string(), "--overwrite"}, calm), "calm");
     const std::size_t frames = 14;
-    EXPECT_EQ(still.size(), frames * 4 + 3);   // two maps of two cascades, sea.json, its record and the folder's lock
-    EXPECT_EQ(pushed.size(), frames * 5 + 4);  // the grid too, and the rows
+    // two maps of two cascades, sea.json, its record and the folder's lock
+    EXPECT_EQ(still.size(), frames * 4 + 3);
+    EXPECT_EQ(pushed.size(), frames * 5 + 4);  // also the grid's maps and the events file
     for (const auto& [name, bytes] : still) {
         if (name != "sea.json" && name != "sea_files.json") {
             EXPECT_EQ(pushed.at(name) == bytes, true) << name;
@@ -134,7 +138,7 @@ TEST_F(ExportEvents, LeaveTheCascadesAndTheirHashesAsTheyAre) {
     for (std::size_t i = 0; i < frames; ++i) {
         for (const char* key : {"hash", "foam_hash", "height_max_m"}) EXPECT_EQ(of_pushed[i][key], of_still[i][key]);
         EXPECT_FALSE(of_still[i].contains("dynamic_waves_hash"));
-        // Two frames are before the first event, and later ones move.
+        // Two frames are before the first event; later frames move.
         if (i == 1) {
             EXPECT_EQ(of_pushed[i]["dynamic_waves_hash"], of_pushed[0]["dynamic_waves_hash"]);
         } else if (i > 1) {
@@ -143,7 +147,8 @@ TEST_F(ExportEvents, LeaveTheCascadesAndTheirHashesAsTheyAre) {
     }
 }
 
-/// The same rows, said by hand to the ticks themselves: 60 a second, an event in the first tick that is not before it.
+/// The events above, applied to the grid tick by tick: 60 ticks per second. An event takes effect
+/// in the first tick that is not before its time.
 class TicksByHand {
    public:
     TicksByHand() : pool_({.resolution = grid_texels}) {
@@ -153,7 +158,8 @@ class TicksByHand {
             pool_.grid.set_source(number, source);
         };
         relaxation_ = sources.new_number();
-        // -0.258 s lies 0.48 ticks behind tick -16: tick -15 is 8 ms later, and 8 mm further south.
+        // -0.258 s is 0.48 ticks after tick -16; tick -15 is 8 ms later, when the source is 8 mm
+        // further south.
         set(relaxation_, {.mode = Disturbance::Mode::relaxation,
                           .x_m = 8,
                           .z_m = -8 + 0.008,
@@ -162,14 +168,15 @@ class TicksByHand {
                           .velocity_z_mps = 1});
     }
 
-    /// The grid that a frame shows, \param part of the way from the tick before the last one to that.
-    std::vector<float> after_tick(int tick, double part) {
+    /// The grid that a frame shows. \param fraction fraction in [0, 1] of the time between the previous
+    /// tick and `tick`
+    std::vector<float> after_tick(int tick, double fraction) {
         for (; tick_ < tick; ++tick_) before_tick(tick_ + 1), pool_.tick();
         const std::size_t texels = grid_texels * grid_texels;
         AlignedBuffer<float> height(texels), rise(texels), edge(grid_texels);
         std::vector<std::uint8_t> foam(texels);
         for (std::size_t item = 0; item < grid_texels / DynamicWaveGrid::rows_an_item; ++item)
-            pool_.grid.show(static_cast<float>(part), item,
+            pool_.grid.show(static_cast<float>(fraction), item,
                             {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
         std::vector<float> pixels;
         const auto in_torus = [](std::int64_t i) {
@@ -189,7 +196,7 @@ class TicksByHand {
         constexpr double degree = std::numbers::pi / 180;
         DynamicWaveSources& sources = pool_.grid.sources();
         if (tick == 30) sources.add_impulse({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = 0.4});
-        if (tick == 33) sources.remove(relaxation_);  // the first one behind -0.258 s + 0.8 s
+        if (tick == 33) sources.remove(relaxation_);  // the first tick after -0.258 s + 0.8 s
         if (tick == 42) {
             hull_ = sources.new_number();
             pool_.grid.set_source(hull_, {.shape = Disturbance::Shape::hull,
@@ -210,7 +217,7 @@ class TicksByHand {
     std::uint32_t relaxation_ = 0, hull_ = 0;
 };
 
-TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
+TEST_F(ExportEvents, EqualTheTicksOfTheirTimes) {
     write_file(events(), several);
     made(to("ticks"), "ticks");
     const json layout = json::parse(read_file(place("ticks") / "sea.json"))["dynamic_waves"];
@@ -219,7 +226,7 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
     TicksByHand by_hand;
     double highest = 0;
     for (const int frame : {2, 7, 9, 14, 17}) {
-        // A time that is meant to be a tick's may be rounded, so a tick begins 2^-16 of itself earlier.
+        // The time of a tick may be rounded down, so a tick begins 2^-16 of its length earlier.
         const double ticks = (-0.5 + frame / 7.0) * 60 + 0x1p-16;
         const std::vector<float> wanted =
             by_hand.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
@@ -231,14 +238,15 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
         for (std::size_t i = 0; i < wanted.size(); ++i)
             worst = std::max(worst, std::fabs(read.pixels[i] - static_cast<double>(wanted[i])));
         for (std::size_t i = 0; i < wanted.size(); i += 3) highest = std::max(highest, read.pixels[i]);
-        // Sines of headings by libm are off by a bit, and floats of half a metre by 3e-8; rises go up to 10 m/s.
+        // Sines of headings by libm differ in the last bit, and floats of half a metre by 3e-8;
+        // vertical velocities are up to 10 m/s.
         EXPECT_LT(worst, 2e-6) << "frame " << frame;
     }
     EXPECT_GT(highest, 0.1);
 }
 
-/// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: what a Gaussian that rests becomes (Lamb,
-/// Hydrodynamics, 255), with what the water of a grid loses.
+/// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: the evolution of
+/// a Gaussian initially at rest (Lamb, Hydrodynamics, 255), with the grid's damping.
 double ring(double amplitude, double radius, double r, double t, double depth) {
     constexpr int steps = 4000;
     const double max_k = 12 / radius, step = max_k / steps;
@@ -246,31 +254,33 @@ double ring(double amplitude, double radius, double r, double t, double depth) {
     for (int i = 0; i < steps; ++i) {
         const double k = (i + 0.5) * step, gravity_and_tension = 9.80665 * k + 0.074 / 1025 * k * k * k;
         const double omega = std::sqrt(gravity_and_tension * std::tanh(k * depth));
-        const double left = std::exp(-(2 * 2e-3 * k * k + 0.01) * t);
-        sum += std::exp(-k * k * radius * radius / 4) * ::j0(k * r) * std::cos(omega * t) * left * k * step;
+        const double damping = std::exp(-(2 * 2e-3 * k * k + 0.01) * t);
+        sum += std::exp(-k * k * radius * radius / 4) * ::j0(k * r) * std::cos(omega * t) * damping * k * step;
     }
     return amplitude * radius * radius / 2 * sum;
 }
 
-TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
+TEST_F(ExportEvents, ADropMakesTheRingsOfLinearTheory) {
     write_file(events(), "radius,z,x,time,strength\n1.5,0,0,0.5,0.4\n");
     for (const char* depth : {"4000", "0.5"}) {
         made(
             {"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none",
              "--resolution", "16", "--cascades", "1", "--fps", "2", "--frames", "2-5", "--no-sync", "--depth", depth},
             "drop");
-        // The drop counts from the tick at 0.5 s on, and a frame shows the tick before it: so it is as old as the times say.
+        // The drop starts at the tick of 0.5 s, and a frame shows the tick before it, so the drop's
+        // age is the difference of the times.
         for (const int frame : {2, 3, 5}) {
             const ReadImage image = map("drop", "dynamic-waves_000" + std::to_string(frame) + ".exr");
             ASSERT_EQ(image.width, 256);
             double worst = 0, max = 0;
-            for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
+            for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the border begins at 20 m
                 const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5, std::stod(depth));
                 max = std::max(max, std::fabs(wanted));
                 for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
                     worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
             }
-            // The grid has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
+            // The grid holds only waves that fit its side. On 64 m that causes an error of 1 % of
+            // the drop.
             EXPECT_LT(worst, 0.01 * 0.4) << frame << " at " << depth << " m";
             EXPECT_GT(max, 0.05);
         }
@@ -278,8 +288,9 @@ TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
     }
 }
 
-// 800 drops of 100 m at one place and moment: 80 km, and as many centimetres a second.
-TEST_F(ExportEvents, BeyondTheLargestHalfAreClampedWithOneNote) {
+// 800 drops of 100 m at one position and time: 80 km high, with vertical velocities beyond the
+// largest half as well.
+TEST_F(ExportEvents, HeightsBeyondTheLargestHalfAreClampedWithOneNote) {
     std::string rows = "time,x,z,radius,strength\n";
     for (int row = 0; row < 800; ++row) rows += "0.5,0,0,2,100\n0.5,12,0,2,-100\n";
     write_file(events(), rows);
@@ -307,7 +318,7 @@ TEST_F(ExportEvents, BeyondTheLargestHalfAreClampedWithOneNote) {
         EXPECT_EQ(*highest, 65504);
         EXPECT_EQ(*lowest, -65504);
     }
-    // KTX2 as the specification has it: no half is infinite.
+    // The KTX2 export holds no infinite half.
     const Outcome outcome = outcome_of("textures", {"--format", "ktx2", "--compression", "none"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("note: values beyond 65504"), std::string::npos) << outcome.err;
@@ -338,7 +349,7 @@ std::vector<std::vector<double>> rows_in(const std::string& text) {
     return rows;
 }
 
-TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
+TEST_F(ExportEvents, QueriesMatchTheMap) {
     const Arguments flat_cascades = {"--choppiness", "0"};
     made(to("map", flat_cascades), "map");
     const ReadImage image = map("map", "dynamic-waves_0009.exr");  // 0.785714 s
@@ -372,7 +383,7 @@ TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
         const auto& [column, row] = texels[i];
         const double height = image.at(column, row, 0);
         highest = std::max(highest, std::fabs(height));
-        // Sums of floats of a metre, and of metres a second.
+        // Rounding of sums of floats of about a metre and a metre per second.
         EXPECT_NEAR(both[i][2] - without[i][2], height, 5e-7);
         EXPECT_NEAR(both[i][7] - without[i][7], image.at(column, row, 1), 2e-6);
         const auto slope = [&](const std::vector<double>& of, std::size_t axis) { return -of[3 + axis] / of[4]; };
@@ -384,7 +395,7 @@ TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
     EXPECT_GT(highest, 0.05);
 }
 
-TEST_F(ExportEvents, AreTheSameWhateverTimesWereAskedForBefore) {
+TEST_F(ExportEvents, DoNotDependOnEarlierTimes) {
     using namespace tools;
     EventOptions options{.file = std::make_shared<const EventFile>(parse_events("events.csv", several)), .water = {}};
     options.water.resolution = 64;
@@ -400,7 +411,7 @@ TEST_F(ExportEvents, AreTheSameWhateverTimesWereAskedForBefore) {
         EXPECT_EQ(copied(player.at(time_s)) == alone(time_s), true) << time_s;
 }
 
-TEST_F(ExportEvents, OfAnotherFileAreNotResumedOrJoined) {
+TEST_F(ExportEvents, ExportsWithAnotherFileAreNotResumedOrMerged) {
     made(to("one"), "one");
     made(to("shards", {"--shard", "1/2"}), "shards");
     write_file(events(), std::string(several) + "9,1,0,1,1,,,,,\n");
@@ -408,12 +419,12 @@ TEST_F(ExportEvents, OfAnotherFileAreNotResumedOrJoined) {
     EXPECT_EQ(read_file(place("one") / "sea_events.csv"), several);
     made(to("shards", {"--shard", "2/2"}), "shards");
     EXPECT_NE(run_pelagic({"merge", place("shards").string()}).exit_code, 0);
-    // A copy that was edited is not what the record says.
+    // An edited copy differs from the record.
     write_file(place("one") / "sea_events.csv", std::string(several) + "\n");
     expect_rejected(run_pelagic({"verify", place("one").string()}), "--events is ");
 }
 
-TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
+TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
     const std::string start = "time,x,z,radius,strength";
     const std::vector<std::pair<std::string, std::string>> bad = {
         {"", " is empty, needs a CSV file whose first line names"},
@@ -433,10 +444,10 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
         {start + ",mode,duration\n0,0,0,1,1,impulse,1\n",
          ":2: mode is impulse, needs pressure or relaxation with a duration"},
         {start + "\n-90000,0,0,1,1\n", "needs 86400 s between them at most"}};
-    for (const auto& [text, says] : bad) {
+    for (const auto& [text, expected] : bad) {
         write_file(events(), text);
         const Outcome outcome = run_pelagic(to("bad"));
-        expect_rejected(outcome, says);
+        expect_rejected(outcome, expected);
         EXPECT_FALSE(std::filesystem::exists(place("bad"))) << text;
     }
     write_file(events(), several);

@@ -1,4 +1,5 @@
-// Exports that go wrong: killed, without space, without permission. Nothing half-written, and --resume mends it.
+// Failing exports: killed, without disk space, without permission. No partial file remains, and
+// --resume completes the export.
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <signal.h>
@@ -44,22 +45,22 @@ void expect_same_files(const std::filesystem::path& folder, const std::map<std::
 void expect_no_half_written_file(const std::filesystem::path& folder,
                                  const std::map<std::string, std::string>& whole) {
     for (const auto& [name, bytes] : files_in(folder)) {
-        if (name.starts_with('.')) continue;  // parts and the journal
+        if (name.starts_with('.')) continue;  // temporary files and the journal
         const auto same = whole.find(name);
         ASSERT_NE(same, whole.end()) << name;
         EXPECT_TRUE(bytes == same->second) << name << " is not whole";
     }
 }
 
-// The moment is a random share of the files, and then a random instant of the work on the next one.
-TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
+// The export is killed after a random number of files, at a random time within the next one.
+TEST(KilledExport, ResumesToIdenticalFiles) {
     const auto whole = undisturbed_export();
     const auto files_there = [](const std::filesystem::path& folder) {
         return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
     };
     std::mt19937 random(20);
     int killed_midway = 0;
-    // On a busy machine the export may be done before this looks: then there are more attempts.
+    // On a busy machine the export may finish before it is killed; then the test tries again.
     const int enough_kills = of_sweep(6, 60);
     for (int attempt = 0; killed_midway < enough_kills && attempt < 20 * enough_kills; ++attempt) {
         const TemporaryFolder folder, logs;
@@ -81,7 +82,7 @@ TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
     RecordProperty("killed_midway", killed_midway);
 }
 
-TEST(Resume, MakesTornEditedAndMissingFilesAgainAndKeepsTheRest) {
+TEST(Resume, ReplacesDamagedAndMissingFilesAndKeepsTheRest) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
     const auto whole = files_in(folder.path());
@@ -99,7 +100,7 @@ TEST(Resume, MakesTornEditedAndMissingFilesAgainAndKeepsTheRest) {
     EXPECT_EQ(std::filesystem::last_write_time(folder / "displacement_0001.exr"), untouched);
 }
 
-TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
+TEST(Resume, AnotherSeaIsRejectedWithoutAChange) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
     const auto before = files_in(folder.path());
@@ -110,8 +111,8 @@ TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
     expect_same_files(folder.path(), before);
 }
 
-// Forty frames are there, twelve shall replace them, and the disk fills up in between.
-TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
+// An export of 12 frames replaces one of 40 frames and is interrupted by a full disk.
+TEST(Resume, CompletesAnInterruptedReplacement) {
     const auto whole = undisturbed_export();
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "250",
@@ -129,7 +130,7 @@ TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
     expect_same_files(folder.path(), whole);
 }
 
-TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
+TEST(Resume, ADamagedRecordIsRejectedInOneLine) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
     write_file(folder / "sea_files.json", "{ torn");
@@ -138,7 +139,7 @@ TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST(Resume, OfNothingIsAWholeExport) {
+TEST(Resume, AnEmptyFolderGetsAWholeExport) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), undisturbed_export());
@@ -151,8 +152,8 @@ void expect_write_error(const Outcome& outcome, const std::filesystem::path& fol
     EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
 }
 
-// A real full disk where mounting is allowed (as in a root's CI); everywhere, a limit on the size of a file.
-TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
+// A full tmpfs where mounting is permitted (as root); in all cases, a limit on file sizes.
+TEST(FullDisk, GivesOneLineAndNoPartialFile) {
     const auto whole = undisturbed_export();
     const TemporaryFolder disk;
     if (::mount("tmpfs", disk.path().c_str(), "tmpfs", 0, "size=200k") == 0) {
@@ -173,12 +174,12 @@ TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
     expect_no_half_written_file(folder.path(), whole);
     for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
 
-    // Once there is space, --resume ends as if nothing had happened.
+    // With enough space, --resume completes the export.
     EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), whole);
 }
 
-TEST(ReadOnlyFolder, GivesOneLineAndNothingElse) {
+TEST(ReadOnlyFolder, GivesOneLineAndNoFile) {
     const TemporaryFolder parent;
     const std::filesystem::path folder = parent / "sea";
     std::filesystem::create_directory(folder);
@@ -190,7 +191,7 @@ TEST(ReadOnlyFolder, GivesOneLineAndNothingElse) {
     EXPECT_TRUE(files_in(folder).empty());
 }
 
-TEST(Progress, ShowsFramesAndTimeLeftOnATerminal) {
+TEST(Progress, ShowsFramesAndRemainingTimeOnATerminal) {
     const TemporaryFolder folder;
     int terminal = -1;
     const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);

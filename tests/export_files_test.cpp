@@ -1,4 +1,4 @@
-// What an export leaves on disk, read back by other programs' libraries: OpenEXR, libpng, OpenImageIO.
+// Exported files, read by independent libraries: OpenEXR, libpng and OpenImageIO.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -30,7 +30,7 @@ using nlohmann::json;
 constexpr SeaState small_sea{.resolution = 32, .patch_size_m = 250};
 const std::vector<std::string> small_flags = {"--resolution", "32", "--patch-size", "250"};
 
-/// An export of the small sea with more flags; the folder must be empty.
+/// Exports the small sea with additional flags. \pre the folder is empty
 Outcome export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
     std::vector<std::string> arguments = {"export", "--out", folder.string()};
     arguments.insert(arguments.end(), small_flags.begin(), small_flags.end());
@@ -49,7 +49,7 @@ class Library {
     Ocean ocean_;
 };
 
-/// A channel of an EXR file by OpenEXR itself, row by row; T is float or half.
+/// Reads a channel of an EXR file with OpenEXR, row by row; T is float or half.
 template <class T>
 std::vector<T> read_exr(const std::filesystem::path& file, const char* channel, Imf::PixelType type) {
     Imf::InputFile input(file.c_str());
@@ -64,7 +64,7 @@ std::vector<T> read_exr(const std::filesystem::path& file, const char* channel, 
     return pixels;
 }
 
-TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
+TEST(ExportedFiles, ExrHoldsTheFramesFloatsExactly) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--start", "1.25", "--maps", "displacement"});
     Library library;
@@ -81,7 +81,7 @@ TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000.png"));
 }
 
-TEST(ExportedFiles, ExrIsTheSameToOpenImageIO) {
+TEST(ExportedFiles, OpenImageIOReadsEqualExrPixels) {
     const TemporaryFolder folder;
     export_to(folder.path(), {});
     Library library;
@@ -96,7 +96,7 @@ TEST(ExportedFiles, ExrIsTheSameToOpenImageIO) {
                   frame.cascades[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
-TEST(ExportedFiles, HalvesAreTheFramesOwn) {
+TEST(ExportedFiles, HalvesEqualTheFramesHalves) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--half"});
     Library library;
@@ -111,7 +111,7 @@ TEST(ExportedFiles, HalvesAreTheFramesOwn) {
     }
 }
 
-/// RGBA bytes by libpng's own simplified reader, without any conversion.
+/// Reads RGBA bytes with libpng's simplified reader, without conversion.
 std::vector<std::uint8_t> read_png(const std::filesystem::path& file, unsigned side) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -144,7 +144,7 @@ TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
 }
 
-/// A map of one cascade as a program reads it that knows the files alone: bilinear and periodic.
+/// A map of one cascade, read from its files only; interpolated bilinearly and periodically.
 class ReadCascade {
    public:
     ReadCascade(const std::filesystem::path& folder, const nlohmann::json& layout)
@@ -181,8 +181,9 @@ class ReadCascade {
     std::array<std::vector<float>, 3> planes_;
 };
 
-// As docs/users/exporter.md says that cascades add up. A query answers within its tolerance of 1 mm, on slopes of less than 1.
-TEST(ExportedFiles, CascadesAddUpToTheSeaThatQueriesKnow) {
+// Cascades are added as the exporter's documentation specifies. A query is within its tolerance of
+// 1 mm, on slopes below 1.
+TEST(ExportedFiles, CascadesSumToTheSurfaceOfQueries) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run_pelagic({"export", "--out", folder.path().string(), "--cascades", "3", "--resolution", "64"});
@@ -196,7 +197,7 @@ TEST(ExportedFiles, CascadesAddUpToTheSeaThatQueriesKnow) {
                 {.executor = make_serial_executor(), .queries = true, .gradients = true});
     const Frame& frame = ocean.frame_at(0);
     const SurfaceQuery water(frame);
-    int asked = 0;
+    int compared = 0;
     for (int i = 0; i < 500; ++i) {
         const double x = 7.3 * i - 900, z = 1700 - 11.9 * i;
         double drawn_x = x, height = 0, drawn_z = z;
@@ -207,24 +208,25 @@ TEST(ExportedFiles, CascadesAddUpToTheSeaThatQueriesKnow) {
         float answer = 0, jacobian = 0;
         water.sample({.x = {&drawn_x, 1}, .z = {&drawn_z, 1}},
                      {.height_m = {&answer, 1}, .jacobian = {&jacobian, 1}});
-        if (jacobian < 0.3f) continue;  // sheets may lie over one another
-        ++asked;
+        if (jacobian < 0.3f) continue;  // the surface may have several sheets there
+        ++compared;
         ASSERT_NEAR(answer, height, 2e-3) << x << ", " << z;
     }
-    EXPECT_GT(asked, 450);
+    EXPECT_GT(compared, 450);
 
     for (std::size_t i = 1; i < frame.cascades.size(); ++i)
         expect_bytes(read_png(folder / ("gradient_c" + std::to_string(i) + "_0000.png"), 64),
                      frame.cascades[i].gradient_level(0));
 }
 
-TEST(ExportedFiles, TiffHoldsTheSame) {
+TEST(ExportedFiles, TiffHoldsTheFramesPixels) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--format", "tif"});
     Library library;
     const Frame& frame = library.frame_at(0);
     OIIO::ImageSpec as_it_is;
-    as_it_is.attribute("oiio:UnassociatedAlpha", 1);  // or the reader would multiply normals by smoothness
+    // without it, the reader multiplies normals by smoothness
+    as_it_is.attribute("oiio:UnassociatedAlpha", 1);
     auto gradient = OIIO::ImageInput::open((folder / "gradient_0000.tif").string(), &as_it_is);
     ASSERT_TRUE(gradient);
     EXPECT_EQ(gradient->spec().get_int_attribute("oiio:UnassociatedAlpha"), 1);
@@ -242,7 +244,7 @@ TEST(ExportedFiles, TiffHoldsTheSame) {
                   frame.cascades[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
-TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
+TEST(ExportedFiles, SeaJsonDescribesTheExport) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--loop-frames", "4", "--loop-period", "8", "--wind-direction", "30"});
     const json sea = json::parse(read_file(folder / "sea.json"));
@@ -260,11 +262,11 @@ TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
     ASSERT_EQ(sea["frames"].size(), 4u);
     for (int i = 0; i < 4; ++i) {
         const Frame& frame = library.frame_at(2.0 * i);
-        const json& said = sea["frames"][static_cast<std::size_t>(i)];
-        EXPECT_EQ(said["time_s"], 2.0 * i);
-        EXPECT_EQ(std::stoull(said["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
-        EXPECT_EQ(said["height_max_m"], frame.bounds.height_max_m);
-        for (const json& file : said["files"]) EXPECT_TRUE(std::filesystem::exists(folder / file["name"]));
+        const json& recorded = sea["frames"][static_cast<std::size_t>(i)];
+        EXPECT_EQ(recorded["time_s"], 2.0 * i);
+        EXPECT_EQ(std::stoull(recorded["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
+        EXPECT_EQ(recorded["height_max_m"], frame.bounds.height_max_m);
+        for (const json& file : recorded["files"]) EXPECT_TRUE(std::filesystem::exists(folder / file["name"]));
         height += measured_significant_wave_height_m(frame) / 4;
     }
     const ExpectedWaves expected = expected_waves(same);
@@ -278,33 +280,34 @@ TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
     EXPECT_EQ(sea["warnings"].get<std::vector<std::string>>(), warnings_about(same));
 }
 
-// Numbers without a short decimal form, so that a digit less would be another sea.
-TEST(ExportedFiles, SeaJsonReadsBackAsTheSameSeaBitForBit) {
+// Values without a short decimal form, so that a missing digit would change the sea.
+TEST(ExportedFiles, SeaJsonReproducesTheSeaExactly) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--preset", "rough", "--wind-direction", "33.3", "--wind-speed", "11.100000000000001",
                                "--fetch", "123456.789", "--loop-period", "61.7", "--seed", "4294967295", "--depth",
                                "0.1", "--spectrum", "phillips"});
     const std::string record = (folder / "out" / "sea.json").string();
-    const json said = json::parse(read_file(record));
+    const json recorded = json::parse(read_file(record));
     const Outcome info = run_pelagic({"info", "--json", "--config", record});
     ASSERT_EQ(info.exit_code, 0) << info.err;
-    EXPECT_EQ(json::parse(info.out)["first_frame"]["hash"], said["frames"][0]["hash"]);
-    EXPECT_EQ(json::parse(info.out)["sea"], said["sea"]);
+    EXPECT_EQ(json::parse(info.out)["first_frame"]["hash"], recorded["frames"][0]["hash"]);
+    EXPECT_EQ(json::parse(info.out)["sea"], recorded["sea"]);
 
     ASSERT_EQ(run_pelagic({"export", "--config", record, "--out", (folder / "again").string()}).exit_code, 0);
     EXPECT_EQ(files_in(folder / "again"), files_in(folder / "out"));
 
-    // What info prints reads back too, and flags win.
+    // The output of info can be read back, and flags override it.
     write_file(folder / "info.json", info.out);
     const Outcome other = run_pelagic({"info", "--json", "--config", (folder / "info.json").string(), "--seed", "2"});
     ASSERT_EQ(other.exit_code, 0) << other.err;
     json sea = json::parse(other.out)["sea"];
     EXPECT_EQ(sea["seed"], 2);
-    sea["seed"] = said["sea"]["seed"];
-    EXPECT_EQ(sea, said["sea"]);
+    sea["seed"] = recorded["sea"]["seed"];
+    EXPECT_EQ(sea, recorded["sea"]);
 }
 
-/// The value of a channel by what sea.json says of it, 0 if there is none of that name.
+/// Returns the value of the named channel, decoded as sea.json specifies; 0 if there is no such
+/// channel.
 double value_of(const json& channels, const char* name, const std::map<std::string, double>& pixel) {
     for (const json& channel : channels)
         if (channel["name"] == name)
@@ -313,8 +316,8 @@ double value_of(const json& channels, const char* name, const std::map<std::stri
     return 0;
 }
 
-// A program that knows nothing but sea.json gets from files what a surface query says of the places.
-TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
+// Pixels decoded by sea.json alone match surface queries at the pixels' positions.
+TEST(ExportedFiles, SeaJsonDefinesThePixels) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--wind-direction", "40"});
     const json record = json::parse(read_file(folder / "sea.json"));
@@ -330,8 +333,8 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
     for (const char* channel : {"R", "G", "B"})
         floats[channel] = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
     const auto at = [&](const char* line, int number) {
-        const json& said = record["layout"][line];
-        return said["scale"].get<double>() * number + said["offset"].get<double>();
+        const json& recorded = record["layout"][line];
+        return recorded["scale"].get<double>() * number + recorded["offset"].get<double>();
     };
     for (int j = 0; j < 32; ++j) {
         for (int i = 0; i < 32; ++i) {
@@ -346,14 +349,15 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
             float height[1], normal_x[1], normal_z[1], jacobian[1];
             water.sample({x, z},
                          {.height_m = height, .normal_x = normal_x, .normal_z = normal_z, .jacobian = jacobian});
-            // A millimetre horizontal, the query's tolerance, changes less than that here: texels are 8 m apart.
+            // A horizontal error of 1 mm, the query's tolerance, changes less than that here:
+            // texels are 8 m apart.
             EXPECT_NEAR(value_of(displacement, "height", numbers), height[0], 1e-3);
             const double half_a_byte = 1 / 255.0 + 1e-3;
             EXPECT_NEAR(value_of(gradient, "normal_x", parts), normal_x[0], half_a_byte);
             EXPECT_NEAR(value_of(gradient, "normal_z", parts), normal_z[0], half_a_byte);
             EXPECT_NEAR(value_of(gradient, "jacobian", parts), std::clamp(jacobian[0], -1.f, 1.f), half_a_byte);
             EXPECT_NEAR(value_of(gradient, "smoothness", parts), 1 - std::sqrt(roughness), half_a_byte);
-            // A texture holds texel i between u = i / 32 and (i + 1) / 32.
+            // Texel i covers u from i / 32 to (i + 1) / 32.
             EXPECT_NEAR(at("u_of_column", i), (i + 0.5) / 32, 1e-12);
             EXPECT_NEAR(at("v_down_of_row", j), (j + 0.5) / 32, 1e-12);
         }
@@ -361,32 +365,33 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
     EXPECT_EQ(record["layout"]["repeats_after_m"], 250.0);
 }
 
-TEST(ExportedFiles, HelpSaysWhatPixelsMean) {
+TEST(ExportedFiles, HelpDefinesThePixels) {
     const std::string help = run_pelagic({"export", "--help"}).out;
     for (const char* part : {"normal x = 2R - 1", "J = 2B - 1", "clamped to [-1, 1]", "u = (i + 0.5)/N", "upper edge",
                              "+x east, +y up, +z south", "non-colour"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 
-TEST(ExportedFiles, AreTheSameForEveryThreadCountAndInstructionSet) {
+TEST(ExportedFiles, DoNotDependOnThreadCountAndInstructionSet) {
     const TemporaryFolder first;
-    const std::vector<std::string> asked = {"--frames", "5", "--mips", "--maps",
-                                            "displacement,gradient,normal,velocity,jacobian,slope"};
-    export_to(first.path(), asked);
+    const std::vector<std::string> common_flags = {"--frames", "5", "--mips", "--maps",
+                                                   "displacement,gradient,normal,velocity,jacobian,slope"};
+    export_to(first.path(), common_flags);
     const auto expected = files_in(first.path());
-    // Each number and each instruction set once; Determinism has all pairs.
+    // Each number of threads and each instruction set is used once; the Determinism suite covers
+    // all pairs.
     const std::vector<Isa> isas = isas_here();
     for (std::size_t i = 0; i < std::max<std::size_t>(3, isas.size()); ++i) {
         const std::string threads = std::to_string(1 + i % 3), isa(name_of(isas[i % isas.size()]));
         const TemporaryFolder other;
-        auto flags = asked;
+        auto flags = common_flags;
         flags.insert(flags.end(), {"--threads", threads, "--isa", isa});
         export_to(other.path(), flags);
         EXPECT_EQ(files_in(other.path()), expected) << threads << " " << isa;
     }
 }
 
-TEST(ExportedFiles, FlagsBeatTheConfigFileBeatsThePreset) {
+TEST(ExportedFiles, FlagsOverrideTheConfigFileAndThePreset) {
     const TemporaryFolder folder;
     write_file(folder / "sea.toml", "preset = \"storm\"\nresolution = 64\nwind_speed = 7\nchoppiness = 0.25\n");
     export_to(folder / "out", {"--config", (folder / "sea.toml").string(), "--wind-speed", "9.5"});
@@ -398,7 +403,7 @@ TEST(ExportedFiles, FlagsBeatTheConfigFileBeatsThePreset) {
     EXPECT_EQ(sea["depth_m"], 4000.0);      // default
 }
 
-TEST(ExportedFiles, NothingOnStderrInAPipe) {
+TEST(ExportedFiles, NothingIsWrittenToStderrInAPipe) {
     const TemporaryFolder folder;
     const Outcome outcome = export_to(folder.path(), {"--frames", "3"});
     EXPECT_EQ(outcome.err, "");
@@ -416,7 +421,7 @@ TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
     EXPECT_EQ(files_in(folder.path()), expected);
 }
 
-TEST(Info, SaysTheSameAsTheLibrary) {
+TEST(Info, PrintsTheLibrarysValues) {
     const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32", "--patch-size", "250"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json info = json::parse(outcome.out);
@@ -432,7 +437,7 @@ TEST(Info, SaysTheSameAsTheLibrary) {
         EXPECT_NE(table.out.find(part), std::string::npos) << part;
 }
 
-TEST(Info, SaysForceStateDirectionSpreadAndSlopes) {
+TEST(Info, PrintsBeaufortNumberSeaStateDirectionSpreadAndSlopes) {
     const Outcome outcome =
         run_pelagic({"info", "--json", "--preset", "beaufort-5", "--cascades", "2", "--wind-direction", "30"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -476,7 +481,7 @@ TEST(Info, BeginsWithASummaryOfFiveLines) {
     EXPECT_NE(one.find("after 200 s and after 250 m\n"), std::string::npos) << "one cascade repeats exactly";
 }
 
-TEST(Info, HasNeitherSentinelsNorLinesThatDoNotApply) {
+TEST(Info, OmitsSentinelsAndLinesThatDoNotApply) {
     for (const std::vector<std::string>& sea :
          std::vector<std::vector<std::string>>{{},
                                                {"--preset", "pond"},
@@ -503,18 +508,18 @@ TEST(Info, HasNeitherSentinelsNorLinesThatDoNotApply) {
     }
 }
 
-TEST(Info, SaysWhereAFetchEndsAndWhatTheNotesAreAbout) {
+TEST(Info, PrintsNotesOnFetchAndResolution) {
     const Outcome limited = run_pelagic({"info", "--wind-speed", "3"});
     EXPECT_NE(limited.out.find("note: this wind's sea is fully developed after 15600 m of fetch"), std::string::npos)
         << limited.out;
     EXPECT_EQ(run_pelagic({"info", "--wind-speed", "12"}).out.find("fully developed"), std::string::npos);
-    // A grid too coarse for its waves is no short loop.
+    // A grid too coarse for its waves gets a note on resolution, not on the loop.
     const Outcome coarse = run_pelagic({"info", "--wind-speed", "3", "--patch-size", "200", "--resolution", "16"});
     EXPECT_EQ(coarse.out.find("a loop of"), std::string::npos) << coarse.out;
     EXPECT_NE(coarse.out.find("raise the resolution"), std::string::npos);
 }
 
-TEST(Info, HasMeanPeriodsPeaksApartAndTheLengthOfRepetition) {
+TEST(Info, PrintsMeanPeriodsSeparatePeaksAndRepeatLength) {
     const json info = json::parse(run_pelagic({"info", "--json", "--preset", "swell"}).out);
     const json &waves = info["waves"], &periods = waves["zero_crossing_period_s"];
     EXPECT_EQ(waves["swell"]["peak_period_s"]["expected"], 12.0);
@@ -534,7 +539,7 @@ TEST(Info, HasMeanPeriodsPeaksApartAndTheLengthOfRepetition) {
     EXPECT_EQ(json::parse(read_file(folder / "out" / "sea.json"))["repeats_after_m"], 250.0);
 }
 
-TEST(Info, WarnsOfAPatchShorterThanTwoPeakWaves) {
+TEST(Info, WarnsIfThePatchIsShorterThanTwoPeakWavelengths) {
     const Outcome outcome = run_pelagic({"info", "--patch-size", "100", "--resolution", "32"});
     EXPECT_NE(outcome.out.find("shorter than two peak wavelengths"), std::string::npos) << outcome.out;
 }

@@ -1,4 +1,5 @@
-// Foam that lasts on the command line: maps on disk, as libpng and OpenImageIO read them, columns of a query, what info says.
+// Accumulated foam on the command line: maps on disk, read by libpng and OpenImageIO; query
+// columns; the output of info.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <png.h>
@@ -21,8 +22,8 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-// A gale on a pond, so that much is white; the last two of four cascades have waves of less than a metre, which break without white
-// water.
+// A gale at short fetch, with a large whitecap cover. The last two of four cascades hold waves
+// shorter than a metre, which break without whitecaps.
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
                               "--fetch",    "100", "--loop-period", "8"};
@@ -47,7 +48,7 @@ class Library {
     Ocean ocean_{gale, {.executor = make_serial_executor(), .queries = true, .foam = true}};
 };
 
-/// Grey bytes by libpng's own simplified reader, without any conversion.
+/// Reads grey bytes with libpng's simplified reader, without conversion.
 std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& file, unsigned side) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -94,8 +95,8 @@ TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryCascade) {
     EXPECT_EQ(std::stoull(record["frames"][0]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
 }
 
-// Who asks for no foam gets the files that he always got.
-TEST(ExportedFoam, IsInNoExportThatDidNotAskForIt) {
+// An export without the foam map has no foam files, and its other files are unchanged.
+TEST(ExportedFoam, IsOmittedFromExportsWithoutTheFoamMap) {
     const TemporaryFolder folder;
     export_to(folder / "with", {"--maps", "foam,gradient,displacement"});
     export_to(folder / "without", {});
@@ -110,7 +111,7 @@ TEST(ExportedFoam, IsInNoExportThatDidNotAskForIt) {
                  record["channels"].contains("foam"));
 }
 
-TEST(ExportedFoam, TiffHoldsTheSame) {
+TEST(ExportedFoam, TiffHoldsTheFramesBytes) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--start", "2", "--maps", "foam", "--format", "tif"});
     Library library;
@@ -123,8 +124,8 @@ TEST(ExportedFoam, TiffHoldsTheSame) {
     EXPECT_EQ(bytes, foam_of(library.frame_at(2).cascades[1], 0));
 }
 
-// Farms cut a film into shards, and exports are interrupted: what foam remembers is found again.
-TEST(ExportedFoam, IsTheSameInOneRunInShardsAndResumed) {
+// The history of foam is recomputed for each shard and each resumed export.
+TEST(ExportedFoam, ShardedAndResumedExportsEqualOneRun) {
     const TemporaryFolder folder;
     const Arguments film = {"--maps", "foam", "--fps", "12.5", "--frames", "8"};
     export_to(folder / "film", film);
@@ -146,13 +147,13 @@ TEST(ExportedFoam, IsTheSameInOneRunInShardsAndResumed) {
     export_to(folder / "film", resumed);
     EXPECT_TRUE(files_in(folder / "film") == whole);
 
-    // A loop goes on where it began.
+    // The loop continues where it began.
     export_to(folder / "later", {"--maps", "foam", "--fps", "12.5", "--frames", "8", "--start", "16"});
     EXPECT_EQ(read_file(folder / "later" / "foam_0000.png"), whole.at("foam_0000.png"));
 }
 
-// An entry that says nothing of foam is none of this export's.
-TEST(ExportedFoam, ResumeMakesAFrameAgainThatAnExportWithoutFoamRecorded) {
+// A recorded frame without a foam hash does not belong to this export.
+TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--maps", "foam"});
     const auto whole = files_in(folder.path());
@@ -169,25 +170,25 @@ TEST(ExportedFoam, ResumeMakesAFrameAgainThatAnExportWithoutFoamRecorded) {
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
-TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
+TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--maps", "foam"});
-    const json said = json::parse(read_file(folder / "sea.json"))["foam"];
-    EXPECT_EQ(said, json::parse(run({"info", "--json"}).out)["foam"]);
+    const json recorded = json::parse(read_file(folder / "sea.json"))["foam"];
+    EXPECT_EQ(recorded, json::parse(run({"info", "--json"}).out)["foam"]);
 
     Library library;
     const Frame& frame = library.frame_at(0);
-    EXPECT_EQ(said["tick_s"], 0.1);
-    EXPECT_EQ(said["ticks_a_loop"], 80);
-    EXPECT_EQ(said["warm_up_ticks"], 29);
-    EXPECT_NEAR(said["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
+    EXPECT_EQ(recorded["tick_s"], 0.1);
+    EXPECT_EQ(recorded["ticks_a_loop"], 80);
+    EXPECT_EQ(recorded["warm_up_ticks"], 29);
+    EXPECT_NEAR(recorded["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
     const double x = frame.statistics.foam_drift_x_mps, z = frame.statistics.foam_drift_z_mps;
-    EXPECT_NEAR(said["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);
-    EXPECT_NEAR(said["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
+    EXPECT_NEAR(recorded["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);
+    EXPECT_NEAR(recorded["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {
         const Cascade& cascade = frame.cascades[i];
         const CascadeGrid::Place a_loop = cascade.grid.in_cascade(8 * x, 8 * z);
-        const json& of_cascade = said["cascades"][i];
+        const json& of_cascade = recorded["cascades"][i];
         const double columns = of_cascade["columns_a_loop"], rows = of_cascade["rows_a_loop"];
         EXPECT_NEAR(columns, a_loop.along / cascade.texel_m(), 0.5001);
         EXPECT_NEAR(rows, a_loop.across / cascade.texel_m(), 0.5001);
@@ -201,7 +202,7 @@ TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
         EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;
 }
 
-TEST(QueriedFoam, IsAColumnOfItsOwnForWhoAsks) {
+TEST(QueriedFoam, IsAnOptionalColumn) {
     const TemporaryFolder folder;
     std::string text = "x,z\n";
     std::vector<double> x, z;

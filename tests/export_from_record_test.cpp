@@ -1,4 +1,5 @@
-// From options to a record, and back by its values and by a command line: nothing of an export is lost on the way.
+// Export options are written to a record and restored, from the record's values and from its
+// command line, without loss.
 #include "pelagic/tools/record/export_from_record.hpp"
 
 #include <gtest/gtest.h>
@@ -19,14 +20,14 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// How an export is made, and not what is in its files.
+// Options that do not affect the content of files.
 const std::set<std::string> how = {"out",     "help",    "version", "resume", "overwrite", "no-sync", "no-lock",
                                    "preview", "threads", "isa",     "trace",  "shard",     "config",  "weather"};
 
-/// Stands for the file beside the record, where it looks for its rows.
+/// A placeholder for the path of the events file beside the record.
 const std::string the_events = "the events";
 
-// For each option that decides about the files, words that name it and another value than its default.
+// For each option that affects files, arguments that set it to a value other than the default.
 const std::map<std::string, Words> tries = {
     {"start", {"--start", "-3.25"}},
     {"frames", {"--frames", "10-20,40", "--start-number", "4"}},
@@ -91,7 +92,7 @@ ExportOptions options_of(Words words) {
     return flags.resolve();
 }
 
-/// Words that name events name those of the folder.
+/// Replaces the placeholder by an events file in `folder`, and writes that file.
 Words with_events_of(const std::filesystem::path& folder, Words words) {
     for (std::string& word : words)
         if (word == the_events) {
@@ -101,7 +102,7 @@ Words with_events_of(const std::filesystem::path& folder, Words words) {
     return words;
 }
 
-/// The words of a line without quotes.
+/// Splits a line without quotes into words.
 Words split(const std::string& line) {
     std::istringstream stream(line);
     Words words;
@@ -147,13 +148,13 @@ TEST(ExportFromRecord, KeepsEachOptionOfExport) {
     }
 }
 
-TEST(ExportFromRecord, KeepsWhatTakesTwoOptions) {
+TEST(ExportFromRecord, KeepsCombinedOptions) {
     expect_there_and_back({"--frames", "7-7"});
     expect_there_and_back({"--frames", "loop", "--loop-period", "20", "--fps", "24"});
     expect_there_and_back({"--start", "1e9", "--frames", "2"});
 }
 
-TEST(ExportFromRecord, KeepsNamesAndWeather) {
+TEST(ExportFromRecord, KeepsNamePatternsAndForecasts) {
     const TemporaryFolder folder;
     const ExportOptions named = options_of({"--out", (folder / "wave.####.tif").string()});
     const Json json = options_as_json(named);
@@ -168,7 +169,7 @@ TEST(ExportFromRecord, KeepsNamesAndWeather) {
     expect_there_and_back({"--weather", (folder / "weather.toml").string(), "--frames", "20"});
 }
 
-TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
+TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
     const TemporaryFolder folder;
     const Json usual = options_as_json(options_of({"--out", folder.path().string()}));
     const auto invalid_value_message = [&](const std::string& pointer, const ReadJson& value) -> std::string {
@@ -183,23 +184,25 @@ TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
         }
         return "accepted";
     };
-    const auto expect_says = [&](const std::string& line, const std::string& says) {
+    const auto expect_message = [&](const std::string& line, const std::string& says) {
         EXPECT_NE(line.find(says), std::string::npos) << line;
     };
-    expect_says(invalid_value_message("/version", "99.0"), "was written by pelagic 99.0, needs");
-    expect_says(invalid_value_message("/export/maps", "whales"), "--maps is whales");
-    expect_says(invalid_value_message("/export/frames", -1), "--frames is -1");
-    expect_says(invalid_value_message("/export/help", true), "sea.json: ");
-    expect_says(invalid_value_message("/export/trace", "/tmp/somewhere"), "--trace is /tmp/somewhere, not not set");
-    expect_says(invalid_value_message("/export/out", "elsewhere"), "sea.json: ");
-    expect_says(invalid_value_message("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
-    expect_says(invalid_value_message("/sea/wind_speed_mps", 1e6), "wind_speed");
+    expect_message(invalid_value_message("/version", "99.0"), "was written by pelagic 99.0, needs");
+    expect_message(invalid_value_message("/export/maps", "whales"), "--maps is whales");
+    expect_message(invalid_value_message("/export/frames", -1), "--frames is -1");
+    expect_message(invalid_value_message("/export/help", true), "sea.json: ");
+    expect_message(invalid_value_message("/export/trace", "/tmp/somewhere"),
+                   "--trace is /tmp/somewhere, not not set");
+    expect_message(invalid_value_message("/export/out", "elsewhere"), "sea.json: ");
+    expect_message(invalid_value_message("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
+    expect_message(invalid_value_message("/sea/wind_speed_mps", 1e6), "wind_speed");
     EXPECT_EQ(invalid_value_message("/export", 3), "damaged");
     EXPECT_EQ(invalid_value_message("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
 }
 
-// What is written frame by frame is JSON of the whole, with a line for each frame.
-TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
+// A record that is written frame by frame equals the JSON of the whole record, with one line per
+// frame.
+TEST(RecordFile, EqualsTheWholeRecord) {
     const TemporaryFolder folder;
     const OutputFolder place(folder.path(), Sync::no);
     const Json head = {{"version", "1"}, {"sea", {{"a", 1.5}, {"b", Json::array()}}}};
@@ -222,7 +225,7 @@ TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
         const std::string text = read_file(folder / "record");
         EXPECT_EQ(Json::parse(text), whole);
         std::string expected = head.dump(2);
-        expected.resize(expected.size() - 2);  // the last brace and the line before it
+        expected.resize(expected.size() - 2);  // the last brace and the line break before it
         expected += ",\n  \"frames\": [";
         for (int i = 0; i < count; ++i)
             expected += (i == 0 ? "\n    " : ",\n    ") + whole["frames"][static_cast<std::size_t>(i)].dump();

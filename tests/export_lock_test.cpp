@@ -1,5 +1,5 @@
-// Two exports and one folder, and what the disk is told before a frame counts. The kernel itself plays the file system that
-// refuses: a seccomp filter gives the tool's own calls an errno.
+// Two exports to one folder, and the order of file-system synchronisation. Failing file systems are
+// simulated by a seccomp filter, which makes system calls of the program fail with an errno.
 #include <gtest/gtest.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -41,7 +41,8 @@ bool comes_true(Condition condition) {
     return false;
 }
 
-/// An export of many frames that is in the middle of them, and stopped: it holds the folder for as long as the test likes.
+/// An export of many frames that is stopped by a signal while it runs, so that it holds the
+/// folder's lock until the test ends it.
 class ExportAtWork {
    public:
     explicit ExportAtWork(const std::filesystem::path& folder, const Arguments& more = {}) {
@@ -50,7 +51,7 @@ class ExportAtWork {
         process_ = start_pelagic(arguments, logs_ / "out", logs_ / "err");
         EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "gradient_0002.png"); }));
         ::kill(process_, SIGSTOP);
-        // Its threads stop one by one, and some finish a file on the way.
+        // Threads stop one by one, and some finish a file before they stop.
         int status = 0;
         EXPECT_EQ(::waitpid(process_, &status, WUNTRACED), process_);
         EXPECT_TRUE(WIFSTOPPED(status));
@@ -69,13 +70,13 @@ class ExportAtWork {
     pid_t process_;
 };
 
-void expect_one_line(const Outcome& outcome, int exit_code, const std::string& says) {
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err << "lacks " << expected;
 }
 
-/// Lets a system call of this process, and of what it becomes, fail with an errno.
+/// Makes a system call fail with an errno, in this process and in the programs that it executes.
 void let_fail(int call, int reason) {
     sock_filter filter[] = {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -88,7 +89,7 @@ void let_fail(int call, int reason) {
         std::_Exit(126);
 }
 
-TEST(FolderLock, KeepsASecondExportOutWithoutTouchingAnything) {
+TEST(FolderLock, RejectsASecondExportWithoutAChange) {
     const TemporaryFolder folder;
     ExportAtWork first(folder.path());
     const auto before = files_in(folder.path());
@@ -97,7 +98,7 @@ TEST(FolderLock, KeepsASecondExportOutWithoutTouchingAnything) {
     EXPECT_TRUE(files_in(folder.path()) == before);
 }
 
-TEST(FolderLock, IsFreeWhenItsOwnerWasKilled) {
+TEST(FolderLock, IsReleasedWhenItsOwnerIsKilled) {
     const TemporaryFolder folder;
     ExportAtWork first(folder.path());
     ASSERT_EQ(run_pelagic(export_to(folder.path())).exit_code, 2);
@@ -106,14 +107,14 @@ TEST(FolderLock, IsFreeWhenItsOwnerWasKilled) {
     EXPECT_EQ(second.exit_code, 0) << second.err;
 }
 
-TEST(FolderLock, IsNotAskedForWithNoLock) {
+TEST(FolderLock, IsNotTakenWithNoLock) {
     const TemporaryFolder folder;
     ExportAtWork first(folder.path(), {"--no-lock"});
     EXPECT_FALSE(std::filesystem::exists(folder / ".sea.lock"));
     EXPECT_EQ(run_pelagic(export_to(folder.path())).exit_code, 0);
 }
 
-TEST(FolderLock, ThatTheFileSystemLacksIsRefusedButForNoLock) {
+TEST(FolderLock, AFileSystemWithoutLocksIsRejectedExceptWithNoLock) {
     const auto without_locks = [] { let_fail(SYS_flock, ENOLCK); };
     const TemporaryFolder folder;
     expect_one_line(run_pelagic(export_to(folder.path()), without_locks), 2, "--no-lock");
@@ -121,8 +122,8 @@ TEST(FolderLock, ThatTheFileSystemLacksIsRefusedButForNoLock) {
     EXPECT_EQ(run_pelagic(export_to(folder.path(), {"--no-lock"}), without_locks).exit_code, 0);
 }
 
-// Somebody else's lock file, which may only be read, in a folder that both may write to.
-TEST(FolderLock, MayBelongToSomebodyElse) {
+// The lock file belongs to another user and is read-only, in a folder that both users can write to.
+TEST(FolderLock, MayBelongToAnotherUser) {
     const TemporaryFolder folder;
     write_file(folder / ".sea.lock", "");
     std::filesystem::permissions(folder / ".sea.lock", std::filesystem::perms(0444));
@@ -136,7 +137,7 @@ TEST(FolderLock, MayBelongToSomebodyElse) {
 
 class UnsyncedDisk : public testing::TestWithParam<int> {};
 
-TEST_P(UnsyncedDisk, IsAWriteErrorUnlessNobodyAsks) {
+TEST_P(UnsyncedDisk, IsAWriteErrorExceptWithNoSync) {
     const auto without_sync = [] { let_fail(GetParam(), EIO); };
     const TemporaryFolder folder;
     expect_one_line(run_pelagic(export_to(folder.path()), without_sync), 1, "Input/output error");
@@ -150,8 +151,8 @@ TEST_P(UnsyncedDisk, IsAWriteErrorUnlessNobodyAsks) {
 INSTANTIATE_TEST_SUITE_P(Calls, UnsyncedDisk, testing::Values(SYS_fsync, SYS_fdatasync),
                          [](const auto& call) { return call.param == SYS_fsync ? "Folders" : "Files"; });
 
-// In the order in which the kernel was asked, as strace tells it.
-TEST(SyncedExport, HasAFrameOnTheDiskBeforeItCounts) {
+// The order of system calls, as strace records it.
+TEST(SyncedExport, SyncsAFrameBeforeItIsJournaled) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "sea");
     const std::string trace = (folder / "trace").string();
@@ -167,7 +168,8 @@ TEST(SyncedExport, HasAFrameOnTheDiskBeforeItCounts) {
     std::istringstream lines(read_file(trace));
     for (std::string line; std::getline(lines, line);) calls.push_back(line);
     const std::string in_folder = std::filesystem::canonical(folder / "sea").string();
-    /// The first call from `from` on that has all of it in its line, or the end.
+    /// Returns the index of the first call from `from` on whose line contains all words, or the
+    /// number of calls.
     const auto find = [&](std::size_t from, const std::vector<std::string>& words) {
         for (; from < calls.size(); ++from)
             if (std::all_of(words.begin(), words.end(),

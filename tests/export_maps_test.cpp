@@ -1,4 +1,5 @@
-// What an export's maps hold: every pixel of every map decoded by sea.json alone and compared with the frame in double.
+// Contents of exported maps: every pixel of every map, decoded by sea.json alone, is compared with
+// the frame in double.
 #include <gtest/gtest.h>
 #include <half.h>
 
@@ -22,7 +23,7 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-// A gale on a pond. The second cascade is turned.
+// A gale at short fetch. The second cascade is rotated.
 const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
 const Arguments gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
                               "--fetch",    "400", "--loop-period", "8"};
@@ -37,7 +38,7 @@ struct Vector {
     double x = 0, y = 0, z = 0;
 };
 
-/// What the sea does at a texel, in Pelagic's axes, in double.
+/// The surface at a texel in Pelagic's axes, in double.
 struct Truth {
     Vector displacement, velocity, normal;  ///< the normal is a unit vector
     double jacobian = 0, h_x = 0, h_z = 0, foam = 0;
@@ -67,7 +68,7 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
             .foam = cascade.foam_r8[static_cast<std::size_t>(j * n + i)] / 255.0};
 }
 
-/// Where texels rest, from the layout alone, in Pelagic's x and z.
+/// Reference positions of texels, from the layout alone, in Pelagic's x and z.
 class Places {
    public:
     explicit Places(const json& cascade) : x_(cascade.at("x_m")), is_z_up_(cascade.contains("y_m")) {
@@ -96,7 +97,7 @@ class Places {
     bool is_z_up_;
 };
 
-/// The value of that name at a texel; a normal map's are of the cascade's own axes.
+/// Returns the named value at a texel; values of a normal map are in the cascade's own axes.
 double value_named(const std::string& name, const Truth& truth, const Places& places, bool is_z_up) {
     const auto& [x, y, z] = truth.velocity;
     const auto along = [&](const Vector& axis) { return truth.normal.x * axis.x + truth.normal.z * axis.z; };
@@ -122,8 +123,8 @@ double value_named(const std::string& name, const Truth& truth, const Places& pl
     return values.at(name);
 }
 
-/// How far from the truth a pixel of that type may be. Floats come from differences of floats: a few parts in 2^24 of metres over
-/// texels of decimetres. A half has eleven bits.
+/// The largest accepted error of a pixel of the given type. Floats are differences of floats: a few
+/// units of 2^-24 m over texels of decimetres. A half has eleven bits.
 double bound(const std::string& type, double scale, double value) {
     const double of_floats = 4e-6 * (1 + std::fabs(value));
     if (type == "uint8") return scale / 2 / 255 + of_floats;
@@ -151,7 +152,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
         const std::string mark = cascade.at("in_file_names");
         return mark.empty() ? "" : mark + "_";
     }
-    /// The one file of a map whose name starts so, whatever its extension.
+    /// Returns the single file of a map whose name starts with `start`, with any extension.
     ReadImage image(const std::string& start) const {
         for (const json& file : record_["frames"][0]["files"])
             if (file["name"].get<std::string>().starts_with(start + "."))
@@ -165,7 +166,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
     Ocean ocean_{gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true, .foam = true}};
 };
 
-TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
+TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {
     const Frame& frame = ocean_.frame_at(1.5);
     const bool is_z_up = record_["layout"]["axes"]["up"] == "+z";
     for (std::size_t t = 0; t < frame.cascades.size(); ++t) {
@@ -188,7 +189,7 @@ TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
                     for (int c = 0; c < pixels.channels; ++c) {
                         const json& channel = channels[static_cast<std::size_t>(c)];
                         const std::string name = channel["name"];
-                        if (name == "smoothness") continue;  // the same for all texels of level 0
+                        if (name == "smoothness") continue;  // constant over all texels of level 0
                         EXPECT_EQ(channel["type"], pixels.type) << map;
                         const double scale = channel["scale"];
                         const double read = scale * pixels.at(column, row, c) + channel["offset"].get<double>();
@@ -203,7 +204,8 @@ TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
     }
 }
 
-/// A texel of a level: the mean of the blocks of level 0 that it covers, of floats, of which level 0 is the truth.
+/// A texel of a level, in double: the mean of the texels of level 0 that it covers, which are taken
+/// as exact.
 std::vector<double> mean_of_block(const ReadImage& finest, int column, int row, int level) {
     std::vector<double> mean(static_cast<std::size_t>(finest.channels));
     const int side = 1 << level;
@@ -233,8 +235,8 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
                     for (int c = 0; c < pixels.channels; ++c) {
                         const double read = scale * pixels.at(column, row, c) + offset;
                         const double value = expected[static_cast<std::size_t>(c)] / length;
-                        // Level 0 was rounded too, and a short mean made long again makes that worse. Cascades round foam of each
-                        // level from that of the finer one.
+                        // Level 0 is rounded too, and normalising a short mean enlarges that error.
+                        // Foam of each level is rounded from the next finer level.
                         const double steps = std::string(map) == "foam" ? 1 + level : 2 / length + 1;
                         EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, value)) << map << " " << level;
                     }
@@ -260,8 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
         MapRequest{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
     [](const auto& asked) { return asked.param.name; });
 
-// Imath is a reader that nobody here wrote.
-TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
+// Imath is an independent implementation.
+TEST(HalfOf, MatchesImathForEveryHalfAndNearEveryMidpoint) {
     for (std::uint32_t bits = 0; bits < 0x7BFF; ++bits) {
         const auto value = [](std::uint32_t of) {
             Imath::half half;
@@ -274,7 +276,7 @@ TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
             ASSERT_EQ(tools::half_of(-x), Imath::half(-x).bits()) << -x;
         }
     }
-    // The largest is 65504, and stands for what is beyond.
+    // The largest half is 65504; larger values are clamped to it.
     for (const float x : {65504.f, 65519.9f, 65520.f, 1e30f, std::numeric_limits<float>::infinity()}) {
         EXPECT_EQ(tools::half_of(x), 0x7BFF) << x;
         EXPECT_EQ(tools::half_of(-x), 0xFBFF) << -x;
@@ -282,7 +284,7 @@ TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
     EXPECT_EQ(tools::half_of(-1e-30f), 0x8000);
 }
 
-TEST(FloatOfHalf, IsImathsForEveryHalf) {
+TEST(FloatOfHalf, MatchesImathForEveryHalf) {
     for (std::uint32_t bits = 0; bits <= 0xFFFF; ++bits) {
         Imath::half half;
         half.setBits(static_cast<std::uint16_t>(bits));
@@ -293,7 +295,7 @@ TEST(FloatOfHalf, IsImathsForEveryHalf) {
     }
 }
 
-/// A cascade of still water, or of something else.
+/// A cascade of hand-made planes, still water by default.
 struct Planes {
     std::vector<float> dx = std::vector<float>(16 * 16), height = dx, dz = dx;
 
@@ -313,7 +315,7 @@ std::vector<std::uint8_t> normal_bytes(const Planes& planes, int level) {
     return bytes;
 }
 
-TEST(NormalMap, OfStillWaterIsTheUsualBlue) {
+TEST(NormalMap, OfStillWaterPointsUp) {
     for (const int level : {0, 2, 4}) {
         const std::vector<std::uint8_t> bytes = normal_bytes({}, level);
         ASSERT_EQ(bytes.size(), 3u * (16 >> level) * (16 >> level));
@@ -321,8 +323,8 @@ TEST(NormalMap, OfStillWaterIsTheUsualBlue) {
     }
 }
 
-// Water pulled together to one point has no normal.
-TEST(NormalMap, OfWaterCrushedToAPointIsFlat) {
+// Water compressed to one point has no normal.
+TEST(NormalMap, OfWaterCompressedToAPointPointsUp) {
     Planes planes;
     for (std::size_t j = 0; j < 16; ++j)
         for (std::size_t i = 0; i < 16; ++i) {
@@ -333,8 +335,9 @@ TEST(NormalMap, OfWaterCrushedToAPointIsFlat) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(bytes[3 * (16 * 8 + 8) + c], c == 2 ? 255 : 128);
 }
 
-// A crest whose sides have changed places: there normals can't point up, and lie flat, away from the slope.
-TEST(NormalMap, OfWaterTurnedOverLiesFlat) {
+// An overturned crest: its normals cannot point up, so they are horizontal and point away from the
+// slope.
+TEST(NormalMap, OfOverturnedWaterIsHorizontal) {
     Planes planes;
     const auto wave = [](std::size_t i) { return 2 * 3.14159265f * static_cast<float>(i) / 16; };
     for (std::size_t texel = 0; texel < 16 * 16; ++texel) {
@@ -350,8 +353,8 @@ TEST(NormalMap, OfWaterTurnedOverLiesFlat) {
     for (const std::size_t i : {5, 8, 11}) EXPECT_GT(bytes[3 * i + 2], 200) << i;
 }
 
-// Waves are the same in any export, and found the same.
-TEST(ExportedMapsMeasured, AreTheSameWavesInAnyAxesUnitAndRows) {
+// Measured wave statistics do not depend on the axes, unit and row order of the export.
+TEST(ExportedMapsMeasured, DoNotDependOnAxesUnitAndRows) {
     const TemporaryFolder folder;
     const auto measured = [&](const std::string& name, const Arguments& flags) {
         Arguments all = {"--maps", "displacement", "--no-sync", "--frames", "16", "--fps", "8"};
@@ -387,7 +390,7 @@ TEST(ExportedMapsMeasured, AreTheSameWavesInAnyAxesUnitAndRows) {
     EXPECT_NE(invalid_value_message(edited).find("has no channel of heights"), std::string::npos);
 }
 
-TEST(ExportedMapsRefused, EachInOneLineThatSaysWhatIsAccepted) {
+TEST(ExportedMapsRefused, EachWithOneLineThatNamesTheAcceptedValues) {
     const TemporaryFolder folder;
     const std::vector<std::pair<Arguments, std::string>> asked = {
         {{"--maps", "normal,speed"},

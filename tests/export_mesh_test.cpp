@@ -1,4 +1,5 @@
-// `pelagic export --mesh`: which files there are, when they are refused, and that nobody but the options decides their bytes.
+// `pelagic export --mesh`: its files, invalid options, and independence of the bytes from threads
+// and maps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::vector<std::string> with(std::vector<std::string> options, const std::vecto
     return options;
 }
 
-TEST(ExportMesh, EachFormatHasItsFilesAndARecord) {
+TEST(ExportMesh, EachFormatHasFilesAndARecord) {
     const TemporaryFolder folder;
     const Outcome outcome = export_to(folder, all_meshes);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -47,7 +48,7 @@ TEST(ExportMesh, EachFormatHasItsFilesAndARecord) {
     EXPECT_EQ(record["sequence_files"].size(), 2u);
 }
 
-TEST(ExportMesh, ThreadsAndMapsDontChangeABit) {
+TEST(ExportMesh, BytesDoNotDependOnThreadsAndMaps) {
     const TemporaryFolder one, other;
     ASSERT_EQ(export_to(one, with(all_meshes, {"--threads", "1"})).exit_code, 0);
     std::vector<std::string> with_maps = with(all_meshes, {"--threads", "3"});
@@ -58,7 +59,7 @@ TEST(ExportMesh, ThreadsAndMapsDontChangeABit) {
         EXPECT_TRUE(name == "sea.json" || name == "sea_files.json" || others.at(name) == bytes) << name;
 }
 
-TEST(ExportMesh, ResumeMakesADamagedMeshAgain) {
+TEST(ExportMesh, ResumeReplacesADamagedMesh) {
     const TemporaryFolder folder;
     ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
     const auto whole = files_in(folder.path());
@@ -70,7 +71,7 @@ TEST(ExportMesh, ResumeMakesADamagedMeshAgain) {
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
-TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
+TEST(ExportMesh, ALaterExportWithoutMeshesRemovesThem) {
     const TemporaryFolder folder;
     ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
     write_file(folder / "mesh.obj", "somebody's own");
@@ -81,7 +82,7 @@ TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
               (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json", "sea_files.json"}));
 }
 
-/// Of the last vertex of an OBJ: place, texture coordinates, normal.
+/// The last vertex of an OBJ file: position with colour, texture coordinates, normal.
 std::vector<double> last_vertex(const std::string& obj) {
     std::istringstream lines(obj.substr(obj.rfind("\nv ") + 1));
     std::vector<double> numbers;
@@ -90,18 +91,19 @@ std::vector<double> last_vertex(const std::string& obj) {
     return numbers;
 }
 
-TEST(ExportMesh, AxesUnitAndRowsAreThoseOfTheMaps) {
+TEST(ExportMesh, AxesUnitAndRowsMatchTheMaps) {
     const TemporaryFolder usual, other;
     const std::vector<std::string> one = {"--maps", "none", "--mesh", "obj"};
     ASSERT_EQ(export_to(usual, one).exit_code, 0);
     ASSERT_EQ(export_to(other, with(one, {"--axes", "z-up", "--unit", "cm", "--rows", "bottom"})).exit_code, 0);
     const std::vector<double> a = last_vertex(read_file(usual / "mesh_0000.obj")),
                               b = last_vertex(read_file(other / "mesh_0000.obj"));
-    ASSERT_EQ(a.size(), 11u);  // x y z, three of foam, u v, the normal
+    ASSERT_EQ(a.size(), 11u);  // x y z, three values of foam, u v, the normal
     ASSERT_EQ(b.size(), 11u);
     const std::vector<double> wanted = {100 * a[0], -100 * a[2], 100 * a[1], a[3],   a[4], a[5],
                                         a[6],       1 - a[7],    a[8],       -a[10], a[9]};
-    for (std::size_t n = 0; n < wanted.size(); ++n) EXPECT_NEAR(b[n], wanted[n], 1e-3) << n;  // a step of 10000 cm
+    // a float step at 10000 cm
+    for (std::size_t n = 0; n < wanted.size(); ++n) EXPECT_NEAR(b[n], wanted[n], 1e-3) << n;
 }
 
 TEST(ExportMesh, NamesFollowAPattern) {
@@ -120,7 +122,7 @@ TEST(ExportMesh, NamesFollowAPattern) {
     EXPECT_EQ(files_in(folder.path()).size(), 4u) << "meshes of the earlier export are still there";
 }
 
-TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
+TEST(ExportMesh, ANotePrintsTheCascadesThatTheStepsResolve) {
     const TemporaryFolder folder;
     const std::vector<std::string> stack = {
         "export", "--out", folder.path().string(), "--resolution", "32", "--maps", "none", "--mesh", "obj"};
@@ -131,7 +133,7 @@ TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
     EXPECT_EQ(fine.out.find("show the waves"), std::string::npos) << fine.out;
 }
 
-TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
+TEST(ExportMesh, InvalidOptionsGiveOneLineAndNoFile) {
     const TemporaryFolder folder;
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"--mesh", "fbx"}, "--mesh is fbx, needs obj, ply, gltf, gltf-animation, mdd or some of them with commas"},
@@ -149,10 +151,10 @@ TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
         {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 512 MiB"},
         {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "needs at most 1024 MiB"},
     };
-    for (const auto& [options, says] : cases) {
+    for (const auto& [options, message] : cases) {
         const Outcome outcome = export_to(folder, options);
-        EXPECT_EQ(outcome.exit_code, 2) << says;
-        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.exit_code, 2) << message;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_TRUE(files_in(folder.path()).empty());

@@ -1,4 +1,4 @@
-// Which frames an export has, and what their files are called.
+// Frame ranges of exports, and the names of their files.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -19,7 +19,7 @@ using namespace tools;
 using Arguments = std::vector<std::string>;
 using Ranges = std::vector<FrameRange>;
 
-/// Names of all files of an export into `place` below a folder of its own.
+/// Exports to `place` in a temporary folder and returns the names of all files there.
 std::vector<std::string> exported_to(const std::string& place, Arguments more) {
     const TemporaryFolder folder;
     Arguments arguments = {"export", "--resolution", "32", "--wind-speed", "9", "--out", (folder / place).string()};
@@ -32,7 +32,7 @@ std::vector<std::string> exported_to(const std::string& place, Arguments more) {
     return names;
 }
 
-TEST(FrameRanges, AreReadAsTheyAreWritten) {
+TEST(FrameRanges, AreParsedAndFormatted) {
     EXPECT_EQ(parse_frame_ranges("10-20,40"), (Ranges{{10, 20}, {40, 40}}));
     EXPECT_EQ(parse_frame_ranges("7-7"), (Ranges{{7, 7}}));
     EXPECT_EQ(text_of({{10, 20}, {40, 40}}), "10-20,40");
@@ -41,7 +41,7 @@ TEST(FrameRanges, AreReadAsTheyAreWritten) {
         EXPECT_FALSE(parse_frame_ranges(wrong)) << wrong;
 }
 
-TEST(FrameTimes, KnowEachFramesPlaceAndTime) {
+TEST(FrameTimes, GiveNumberAndTimeOfEachFrame) {
     FrameTimes shot{.start_s = 5, .start_number = 1001, .ranges = {{1001, 1003}, {1049, 1049}}, .fps = 24};
     EXPECT_EQ(shot.count(), 4u);
     EXPECT_EQ(shot.number(0), 1001);
@@ -53,8 +53,8 @@ TEST(FrameTimes, KnowEachFramesPlaceAndTime) {
     EXPECT_FALSE(shot.is_one_run());
 }
 
-// A frame's bits are those of its time, whatever else is made: alone, in a range, by a start in seconds.
-TEST(FrameNumbers, SayWhenAFrameIsWhateverElseIsMade) {
+// A frame depends on its time only: alone, in a range, or with a start in seconds.
+TEST(FrameNumbers, DetermineTheTimeOfAFrame) {
     const TemporaryFolder folder;
     const auto hashes = [&](const std::string& name, Arguments more) {
         Arguments arguments = {"export", "--resolution", "16", "--out", (folder / name).string()};
@@ -79,7 +79,7 @@ TEST(FrameNumbers, SayWhenAFrameIsWhateverElseIsMade) {
     EXPECT_EQ(loop, hashes("loop-frames", {"--loop-frames", "16", "--loop-period", "2"}));
 }
 
-TEST(NamePattern, TakesWhatOtherProgramsWrite) {
+TEST(NamePattern, AcceptsPatternsOfOtherPrograms) {
     const auto name = [](const std::string& text, int frame, const std::string& mark = "") {
         const auto pattern = NamePattern::parse(text);
         return pattern ? pattern->name(mark, frame, pattern->extension()) : "none";
@@ -98,8 +98,8 @@ TEST(NamePattern, TakesWhatOtherProgramsWrite) {
         EXPECT_FALSE(NamePattern::parse(wrong)) << wrong;
 }
 
-// Of a record's names those are believed that this export can have given.
-TEST(NamePattern, KnowsItsOwnNames) {
+// Names in a record are valid only if this export can have written them.
+TEST(NamePattern, MatchesItsOwnNamesOnly) {
     const auto pattern = NamePattern::parse("wave.####.exr");
     for (const std::string own :
          {"wave.0007.exr", "wave.123456.tif", "wave.foam_c1.0007.png", "wave.gradient_c3_mip11.0000.png"})
@@ -121,8 +121,8 @@ TEST(ExportedNames, FollowThePattern) {
                                         "wave_gradient_1001.tif", "wave_gradient_c1_1001.tif"}));
 }
 
-// As without one: nobody else's file is touched, and what is whole is kept.
-TEST(ExportedNames, OfAPatternAreResumedAndReplaced) {
+// As without a pattern: other files are unchanged, and complete frames are kept.
+TEST(ExportedNames, WithAPatternCanBeResumedAndReplaced) {
     const TemporaryFolder folder;
     const auto export_with = [&](Arguments more) {
         Arguments arguments = {

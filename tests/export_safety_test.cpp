@@ -1,4 +1,5 @@
-// Exports into folders that somebody has prepared: nothing is followed, read, replaced or removed but what is the export's.
+// Exports into prepared folders: only the export's own regular files are read, followed, replaced
+// or removed.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -28,18 +29,18 @@ Arguments export_to(const std::filesystem::path& folder, const Arguments& more =
     return all;
 }
 
-/// Ends the program if it hangs; before, opening a FIFO outlasted SIGTERM.
+/// Ends the program after a minute if it hangs, for example while it opens a FIFO.
 void at_most_a_minute() { ::alarm(60); }
 
 Outcome run(const Arguments& arguments) { return run_pelagic(arguments, at_most_a_minute); }
 
-void expect_one_line(const Outcome& outcome, int exit_code, const std::string& says) {
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err << "lacks " << expected;
 }
 
-/// What may have a name instead of a file; each kind that the system lets the test make.
+/// An object that may exist in place of a file; the test uses each kind that the system permits.
 struct Obstacle {
     std::string name;
     mode_t type;
@@ -51,7 +52,7 @@ std::vector<Obstacle> obstacles(const std::filesystem::path& victim) {
              [victim](const auto& path) { return ::symlink(victim.c_str(), path.c_str()) == 0; }},
             {"a folder", S_IFDIR, [](const auto& path) { return ::mkdir(path.c_str(), 0777) == 0; }},
             {"a FIFO", S_IFIFO, [](const auto& path) { return ::mkfifo(path.c_str(), 0666) == 0; }},
-            // A copy of /dev/null, for root only.
+            // A copy of /dev/null, as root only.
             {"a device", S_IFCHR,
              [](const auto& path) { return ::mknod(path.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0; }}};
 }
@@ -61,8 +62,8 @@ mode_t type_of(const std::filesystem::path& path) {
     return ::lstat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
-/// Runs a command that would write `name` in `folder`, once for each obstacle under each name in question. In the gate each
-/// name meets the link, which leads elsewhere, and one other obstacle, by turns.
+/// Runs a command that would write each name in `folder`, once per obstacle in its place. Outside
+/// of full sweeps each name is tried with the symbolic link and one other obstacle in turn.
 void expect_rejected(const std::vector<std::string>& names,
                      const std::function<Arguments(const std::filesystem::path&)>& command) {
     for (std::size_t turn = 0; turn < names.size(); ++turn) {
@@ -85,18 +86,18 @@ void expect_rejected(const std::vector<std::string>& names,
     }
 }
 
-TEST(PreparedFolder, HasNothingReplacedThatIsNoRegularFile) {
+TEST(PreparedFolder, OnlyRegularFilesAreReplaced) {
     expect_rejected({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
                      "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
                      ".gradient_0002.png.part", ".sea.lock"},
                     [](const auto& folder) { return export_to(folder); });
 }
 
-TEST(PreparedFolder, HasNothingReadThatIsNoRegularFile) {
+TEST(PreparedFolder, OnlyRegularFilesAreRead) {
     expect_rejected({record, journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
 }
 
-TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
+TEST(PreparedFolder, ImagesMustBeRegularFilesToBeKept) {
     const TemporaryFolder elsewhere;
     for (const Obstacle& obstacle : obstacles(elsewhere / "image")) {
         const TemporaryFolder folder;
@@ -108,21 +109,21 @@ TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
     }
 }
 
-TEST(PreparedFolder, HasNothingReplacedByQuadtreeFiles) {
+TEST(PreparedFolder, QuadtreeFilesReplaceOnlyRegularFiles) {
     for (const std::string option : {"--svg", "--obj", "--json"})
         expect_rejected({"plan", ".plan.part"}, [&](const auto& folder) {
             return Arguments{"quadtree", "--resolution", "16", option, (folder / "plan").string()};
         });
 }
 
-TEST(PreparedFolder, HasNoPartOfATraceFollowed) {
+TEST(PreparedFolder, TracesReplaceOnlyRegularFiles) {
     expect_rejected({".trace.json.part"}, [](const auto& folder) {
         return export_to(folder / "sea", {"--trace", (folder / "trace.json").string()});
     });
 }
 
-// A part that a killed run left is a regular file, maybe one with a second name.
-TEST(PreparedFolder, LosesAStalePartButNotTheFileThatSharesItsBytes) {
+// The temporary file of a killed run is a regular file, possibly with a second hard link.
+TEST(PreparedFolder, AStaleTemporaryFileIsReplacedWithoutItsHardLink) {
     const TemporaryFolder folder, fresh;
     ASSERT_EQ(run(export_to(fresh.path())).exit_code, 0);
     write_file(folder / "victim", "mine");
@@ -135,7 +136,7 @@ TEST(PreparedFolder, LosesAStalePartButNotTheFileThatSharesItsBytes) {
     EXPECT_TRUE(files == files_in(fresh.path()));
 }
 
-TEST(FinishedExport, IsReplacedOnlyIfAsked) {
+TEST(FinishedExport, IsReplacedOnlyWithOverwrite) {
     const TemporaryFolder folder, fresh;
     ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
     ASSERT_EQ(run(Arguments{"export", "--out", fresh.path().string(), "--resolution", "16", "--frames", "2",
@@ -150,10 +151,10 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
         return all;
     };
     const auto before = files_in(folder.path());
-    const auto expect_rejected_and_kept = [&](const Arguments& arguments, const std::string& says) {
+    const auto expect_rejected_and_kept = [&](const Arguments& arguments, const std::string& expected) {
         const auto now = files_in(folder.path());
         const Outcome outcome = run(arguments);
-        expect_one_line(outcome, 2, says);
+        expect_one_line(outcome, 2, expected);
         EXPECT_EQ(outcome.out, "");
         EXPECT_TRUE(files_in(folder.path()) == now);
     };
@@ -171,7 +172,8 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
     EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == before);
 
-    // Of a record that is gone sea.json tells as much, and of both that are gone nothing.
+    // If the record is missing, sea.json is checked instead; if both are missing, there is nothing
+    // to check.
     std::filesystem::remove(folder / record);
     expect_rejected_and_kept(second, finished);
     expect_rejected_and_kept(export_to(folder.path(), {"--resume"}), "which has a sea.json but no sea_files.json");
@@ -183,7 +185,7 @@ TEST(FinishedExport, IsReplacedOnlyIfAsked) {
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
-TEST(FinishedExport, OfShardsIsReplacedOnlyIfAsked) {
+TEST(FinishedExport, ShardsAreReplacedOnlyWithOverwrite) {
     const TemporaryFolder folder, fresh;
     ASSERT_EQ(run(export_to(folder.path(), {"--shard", "2/2"})).exit_code, 0);
     const auto before = files_in(folder.path());
@@ -195,8 +197,9 @@ TEST(FinishedExport, OfShardsIsReplacedOnlyIfAsked) {
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
-// sea.json is for people: one line a frame, and the hashes of files are in the record.
-TEST(FinishedExport, HasTheHashesOfItsFilesInItsRecordAlone) {
+// sea.json is written for human readers, with one line per frame; the record holds the files'
+// hashes.
+TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "30", "--maps",
@@ -229,7 +232,7 @@ TEST(FinishedExport, HasTheHashesOfItsFilesInItsRecordAlone) {
     std::set<std::string> there;
     for (const auto& [name, bytes] : files_in(folder.path())) there.insert(name);
     EXPECT_EQ(named, there);
-    // A byte of any file, and verify names it.
+    // If a byte of any file changes, verify names that file.
     ASSERT_EQ(run({"verify", folder.path().string(), "--sample", "0"}).exit_code, 0);
     for (const std::string name : {"displacement_0007.exr", "displacement_c3_0011.exr", "gradient_c2_0029_mip3.png",
                                    "foam_c1_0000_mip1.png", "mesh_0013.obj", "mesh.mdd"}) {
@@ -245,7 +248,7 @@ TEST(FinishedExport, HasTheHashesOfItsFilesInItsRecordAlone) {
     }
 }
 
-/// A finished export whose record, or journal of the same entries, is edited before it goes on.
+/// A finished export whose record, or a journal with equal entries, is edited before it is resumed.
 class EditedRecord : public testing::TestWithParam<bool> {
    protected:
     void SetUp() override {
@@ -260,7 +263,8 @@ class EditedRecord : public testing::TestWithParam<bool> {
         return all;
     }
 
-    /// Puts sea_ there as the record, resumes, and expects all that a whole export has and nothing else.
+    /// Writes sea_ as the record or journal, resumes, and expects exactly the files of a complete
+    /// export.
     void expect_mended(const std::string& what, const std::string& kept) {
         SCOPED_TRACE(what);
         std::filesystem::remove(folder_ / "sea" / journal);
@@ -286,7 +290,7 @@ class EditedRecord : public testing::TestWithParam<bool> {
     std::vector<std::string> replaced_;
 };
 
-TEST_P(EditedRecord, CountsOnlyIfItIsWhatTheExportWouldWrite) {
+TEST_P(EditedRecord, EntriesAreKeptOnlyIfTheExportWouldWriteThem) {
     const auto frames = [&]() -> json& { return sea_["frames"]; };
     const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "gradient_0001.png"); };
     expect_mended("as it was", "3");
@@ -304,7 +308,7 @@ TEST_P(EditedRecord, CountsOnlyIfItIsWhatTheExportWouldWrite) {
     frames()[2] = frames()[1];
     expect_mended("a frame twice", "2");
 
-    // Several mistakes at once, each in a frame of its own, which is not kept for it.
+    // Several errors at once, each in a frame of its own, which is therefore not kept.
     frames()[0]["frame"] = 77;
     frames()[1]["frame"] = -5;
     frames()[2]["frame"] = 4294967298;
@@ -335,7 +339,7 @@ TEST_P(EditedRecord, CountsOnlyIfItIsWhatTheExportWouldWrite) {
     expect_mended("no frames", "0");
 }
 
-TEST_P(EditedRecord, HasNoFileRemovedThatNoExportCanHaveNamed) {
+TEST_P(EditedRecord, FilesThatNoExportCanHaveNamedAreNotRemoved) {
     std::filesystem::create_directories(folder_ / "victim" / "empty");
     const std::map<std::string, std::string> mine = {{"precious", "1"},
                                                      {".precious.part", "2"},
@@ -372,8 +376,8 @@ TEST_P(EditedRecord, HasNoFileRemovedThatNoExportCanHaveNamed) {
     EXPECT_TRUE(std::filesystem::is_directory(folder_ / "victim" / "empty"));
 }
 
-// Of an older export's images those go that a new one replaces, if they are files.
-TEST_P(EditedRecord, HasAnOlderImageRemovedOnlyIfItIsAFile) {
+// Images of an older export that the new one replaces are removed, if they are regular files.
+TEST_P(EditedRecord, OlderImagesAreRemovedOnlyIfTheyAreFiles) {
     std::filesystem::create_directory(folder_ / "sea" / "gradient_0007.png");
     write_file(folder_ / "sea" / "gradient_0008_mip3.png", "old");
     write_file(folder_ / "sea" / "displacement_123456.tif", "old");
@@ -388,7 +392,7 @@ TEST_P(EditedRecord, HasAnOlderImageRemovedOnlyIfItIsAFile) {
 INSTANTIATE_TEST_SUITE_P(Records, EditedRecord, testing::Bool(),
                          [](const auto& of) { return of.param ? "Journal" : "Record"; });
 
-TEST(DamagedRecord, IsRefusedInOneLineAndReplacedIfAsked) {
+TEST(DamagedRecord, IsRejectedInOneLineAndReplacedWithOverwrite) {
     for (const std::string& text :
          {std::string("{ torn"), std::string("[]"), std::string("7"), std::string("{}"), std::string(1000000, '['),
           std::string("{\"version\":1,\"sea\":{},\"export\":{}}"),
@@ -403,10 +407,11 @@ TEST(DamagedRecord, IsRefusedInOneLineAndReplacedIfAsked) {
     }
 }
 
-TEST(DamagedRecord, OfAnySizeIsRefused) {
+TEST(DamagedRecord, IsRejectedAtAnySize) {
     const TemporaryFolder folder;
     write_file(folder / record, "");
-    std::filesystem::resize_file(folder / record, std::uintmax_t{1} << 40);  // a hole, which takes no room
+    // a sparse file, which takes no disk space
+    std::filesystem::resize_file(folder / record, std::uintmax_t{1} << 40);
     expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
 }
 

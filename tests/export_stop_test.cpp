@@ -1,4 +1,5 @@
-// Exports that are told to stop, run into a limit or die while they replace another: nothing is lost or left over.
+// Exports that are stopped by a signal, run into a limit, or are killed while they replace another
+// one: no data is lost or left behind.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -23,7 +24,8 @@ Arguments export_arguments(const std::filesystem::path& folder, const Arguments&
 
 const std::string journal = ".pelagic-export.jsonl";
 
-/// True once the running export has journaled `lines` lines and `text` stands in the journal.
+/// Waits until the running export has journaled `lines` lines and the journal contains `text`.
+/// Returns false after 30 s.
 bool wait_for_journal(const std::filesystem::path& folder, int lines, const std::string& text) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (std::chrono::steady_clock::now() < deadline) {
@@ -38,18 +40,18 @@ bool wait_for_journal(const std::filesystem::path& folder, int lines, const std:
 
 class StoppedExport : public testing::TestWithParam<int> {};
 
-TEST_P(StoppedExport, EndsCleanlySaysHowToGoOnAndResumes) {
+TEST_P(StoppedExport, EndsCleanlyPrintsHowToResumeAndResumes) {
     const TemporaryFolder folder, logs, fresh;
     const Arguments many = {"--frames", "400"};
     const pid_t process = start_pelagic(export_arguments(folder.path(), many), logs / "out", logs / "err");
     ASSERT_TRUE(wait_for_journal(folder.path(), 5, "version"));
     ::kill(process, GetParam());
     EXPECT_EQ(wait_for(process), 128 + GetParam());
-    const std::string said = read_file(logs / "err");
-    EXPECT_TRUE(said.starts_with("pelagic: stopped after ")) << said;
-    EXPECT_NE(said.find(" of 400 frames"), std::string::npos) << said;
-    EXPECT_NE(said.find("--resume"), std::string::npos) << said;
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    const std::string message = read_file(logs / "err");
+    EXPECT_TRUE(message.starts_with("pelagic: stopped after ")) << message;
+    EXPECT_NE(message.find(" of 400 frames"), std::string::npos) << message;
+    EXPECT_NE(message.find("--resume"), std::string::npos) << message;
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
     for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
     EXPECT_FALSE(std::filesystem::exists(folder / "sea.json"));
 
@@ -58,8 +60,8 @@ TEST_P(StoppedExport, EndsCleanlySaysHowToGoOnAndResumes) {
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
-// Into a file, as into a pipe, nothing would come before the end but for a flush.
-TEST(ExportNotes, AreThereBeforeTheFrames) {
+// Output to a file or pipe is buffered, so notes appear early only if they are flushed.
+TEST(ExportNotes, AreWrittenBeforeTheFrames) {
     const TemporaryFolder folder, logs;
     const pid_t process =
         start_pelagic(export_arguments(folder.path(), {"--frames", "480", "--fps", "24", "--loop-period", "5"}),
@@ -88,7 +90,7 @@ TEST(ExportNotes, AreThereBeforeTheFrames) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, StoppedExport, testing::Values(SIGINT, SIGTERM));
 
-TEST(KilledReplacement, LeavesNothingOfTheExportBeforeItAfterResume) {
+TEST(KilledReplacement, LeavesNoOlderFilesAfterResume) {
     const TemporaryFolder folder, logs, fresh;
     ASSERT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "40", "--mips"})).exit_code, 0);
     const Arguments second = {"--frames", "300", "--wind-speed", "9", "--maps", "displacement"};

@@ -1,4 +1,5 @@
-// export --format ktx2 and dds, --flipbook and --preview: bytes on disk against the cascades of the library and against libpng.
+// export --format ktx2 and dds, --flipbook and --preview: bytes on disk, compared with the
+// library's cascades and with libpng.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -28,7 +29,7 @@ using nlohmann::json;
 using Arguments = std::vector<std::string>;
 using Texels = std::vector<unsigned char>;
 
-// A gale on a pond, so that there is foam.
+// A gale at short fetch, so that there is foam.
 const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 
 Outcome export_to(const std::filesystem::path& folder, const Arguments& more,
@@ -51,7 +52,8 @@ std::uint64_t number_at(const std::string& file, std::size_t offset, std::size_t
     return number;
 }
 
-/// Of a KTX2 without supercompression, the largest first: at bytes 40 and 80 of the file, as the specification has it.
+/// Levels of a KTX2 file without supercompression, the largest first; the specification places
+/// their index at bytes 40 and 80.
 std::vector<Texels> ktx2_levels(const std::string& file) {
     std::vector<Texels> levels;
     for (std::size_t level = 0; level < number_at(file, 40, 4); ++level) {
@@ -99,7 +101,8 @@ TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryCascade) {
     }
 }
 
-// Level 0 is the cascade's own halves with a 1 for foam, the others are means, here in double of all texels at once.
+// Level 0 holds the cascade's halves with foam set to 1. Other levels are means, here computed in
+// double over all texels.
 TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
     expect_export(folder_.path(), {"--start", "3.03", "--maps", "displacement", "--mips", "--format", "ktx2"});
     const Cascade& cascade = ocean_.frame_at(3.03).cascades[0];
@@ -121,14 +124,15 @@ TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
                 std::memcpy(&half,
                             &levels[static_cast<std::size_t>(level)][8 * static_cast<std::size_t>(j * side + i) + 2],
                             2);
-                // Floats along the way may turn a tie: at most one half beside the nearest, and no mean here is near 0.
+                // Rounding to float may break a tie: the error is at most one half, and no mean
+                // here is near 0.
                 EXPECT_NEAR(half, tools::half_of(static_cast<float>(mean)), 1) << level << ' ' << i << ' ' << j;
             }
     }
 }
 
-// The same levels in either container: a DDS has them one behind the other after 148 bytes.
-TEST_F(ExportedTextures, DdsHoldsWhatKtx2Holds) {
+// Both containers hold equal levels; a DDS file stores them contiguously after 148 bytes.
+TEST_F(ExportedTextures, DdsHoldsTheLevelsOfKtx2) {
     const Arguments what = {"--maps", "displacement,foam", "--mips", "--half", "--format"};
     for (const std::string format : {"ktx2", "dds"}) {
         Arguments arguments = what;
@@ -143,7 +147,7 @@ TEST_F(ExportedTextures, DdsHoldsWhatKtx2Holds) {
     }
 }
 
-TEST_F(ExportedTextures, DdsHasFloatsWithoutHalf) {
+TEST_F(ExportedTextures, DdsHoldsFloatsWithoutHalf) {
     expect_export(folder_.path(), {"--maps", "displacement", "--format", "dds"});
     const std::string file = read_file(folder_ / "displacement_0000.dds");
     EXPECT_EQ(number_at(file, 128, 4), 2u);  // DXGI_FORMAT_R32G32B32A32_FLOAT
@@ -153,7 +157,7 @@ TEST_F(ExportedTextures, DdsHasFloatsWithoutHalf) {
     EXPECT_EQ(texel, (std::array{cascade.dx.at(7, 5), cascade.height.at(7, 5), cascade.dz.at(7, 5), 1.f}));
 }
 
-TEST_F(ExportedTextures, ResumeWithTheSameBytes) {
+TEST_F(ExportedTextures, ResumeToIdenticalFiles) {
     const Arguments what = {"--maps", "displacement,gradient", "--mips", "--format", "ktx2", "--frames", "3"};
     expect_export(folder_.path(), what);
     const auto before = files_in(folder_.path());
@@ -164,7 +168,7 @@ TEST_F(ExportedTextures, ResumeWithTheSameBytes) {
     EXPECT_EQ(files_in(folder_.path()), before);
 }
 
-TEST_F(ExportedTextures, AreRefusedInOneLine) {
+TEST_F(ExportedTextures, InvalidOptionsAreRejectedInOneLine) {
     const std::vector<std::pair<Arguments, std::string>> wrong = {
         {{"--format", "ktx"}, "--format is ktx, needs exr, tif, ktx2 or dds"},
         {{"--compression", "zstd"}, "--compression is zstd, needs zip, zips, piz, dwaa or none"},
@@ -187,7 +191,7 @@ TEST_F(ExportedTextures, AreRefusedInOneLine) {
     EXPECT_EQ(outcome.err, "pelagic: --compression is zstd, needs a pelagic that was built with libzstd\n");
 }
 
-TEST_F(ExportedTextures, MeasureReadsNoDds) {
+TEST_F(ExportedTextures, MeasureRejectsDds) {
     expect_export(folder_.path(), {"--format", "dds", "--frames", "2"});
     const Outcome outcome = run_pelagic({"info", "--measure", folder_.path().string()});
     EXPECT_EQ(outcome.exit_code, 2);
@@ -196,7 +200,7 @@ TEST_F(ExportedTextures, MeasureReadsNoDds) {
         << outcome.err;
 }
 
-/// By libpng's own simplified reader. \param format  of libpng, that of the file
+/// Reads a PNG with libpng's simplified reader. \param format libpng's format, equal to the file's
 Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned width, unsigned height) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -233,14 +237,14 @@ TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
     EXPECT_EQ(book["side"], 32);
     EXPECT_EQ(book["files"][1]["name"], "flipbook_foam_c1.png");
 
-    // A later export without one leaves none behind.
+    // A later export without a flipbook removes it.
     expect_export(folder_.path(), {"--maps", "foam", "--overwrite"});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook.json"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook_foam_c1.png"));
 }
 
-// Each level of the atlas has the frames' own levels, so that no frame shines into its neighbour.
-TEST_F(ExportedTextures, FlipbookHasTheFramesLevels) {
+// Each level of the atlas holds the frames' own levels, so that no frame bleeds into its neighbour.
+TEST_F(ExportedTextures, FlipbookHoldsTheFramesLevels) {
     expect_export(folder_.path(),
                   {"--maps", "gradient", "--frames", "2", "--flipbook", "2x1", "--mips", "--format", "ktx2"});
     const auto atlas = ktx2_levels(read_file(folder_ / "flipbook_gradient.ktx2"));
@@ -254,7 +258,7 @@ TEST_F(ExportedTextures, FlipbookHasTheFramesLevels) {
     }
 }
 
-TEST_F(ExportedTextures, PreviewSaysWhatTheExportWillBeAndWritesNoneOfIt) {
+TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
     const Arguments what = {"--maps", "displacement,foam", "--frames", "2"};
     Arguments preview = what;
     preview.push_back("--preview");
@@ -276,11 +280,12 @@ TEST_F(ExportedTextures, PreviewSaysWhatTheExportWillBeAndWritesNoneOfIt) {
         if (name != "sea.json" && name != "sea_files.json") bytes += static_cast<double>(text.size());
     EXPECT_NE(outcome.out.find("will have " + std::to_string(without_lock) + " files, about "), std::string::npos)
         << outcome.out;
-    const double said = std::stod(outcome.out.substr(outcome.out.find("about ") + 6));  // kB
-    EXPECT_NEAR(said, bytes / 1000, 0.05 * said) << outcome.out;  // frames differ by how well they are compressed
+    const double printed = std::stod(outcome.out.substr(outcome.out.find("about ") + 6));  // kB
+    // compressed sizes differ between frames
+    EXPECT_NEAR(printed, bytes / 1000, 0.05 * printed) << outcome.out;
 }
 
-TEST_F(ExportedTextures, PreviewSaysWhyThereIsNoFilm) {
+TEST_F(ExportedTextures, PreviewPrintsWhyThereIsNoFilm) {
     if (is_sanitized)
         GTEST_SKIP() << "half a minute of pixels; the test above draws them, the one below starts the program";
     write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
@@ -292,7 +297,7 @@ TEST_F(ExportedTextures, PreviewSaysWhyThereIsNoFilm) {
     EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
 }
 
-TEST(Film, HandsOnWhyTheProgramFailed) {
+TEST(Film, ReturnsTheEncodersErrorMessage) {
     const TemporaryFolder folder;
     write_file(folder / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
     std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
@@ -306,7 +311,7 @@ TEST(Film, HandsOnWhyTheProgramFailed) {
     EXPECT_EQ(encoded.reason, "ffmpeg failed: no such encoder");
 }
 
-TEST(ShadedSea, HasTheSameBitsForEveryInstructionSetAndThreadCount) {
+TEST(ShadedSea, IsBitIdenticalForEachInstructionSetAndThreadCount) {
     std::vector<std::uint8_t> first;
     for (const Isa isa : isas_here())
         for (const int threads : {1, 3}) {
@@ -319,7 +324,8 @@ TEST(ShadedSea, HasTheSameBitsForEveryInstructionSetAndThreadCount) {
         }
 }
 
-// 12 degrees down, 40 from the upper edge to the lower: the horizon is 12 % below the upper edge of an image.
+// The camera looks 12 degrees down with a vertical field of view of 40 degrees: the horizon is 12 %
+// below the image's upper edge.
 TEST(ShadedSea, WaterFillsTheImageBelowTheHorizon) {
     const auto executor = make_serial_executor();
     const SeaState storm{.cascades = 2, .resolution = 64, .wind_speed_mps = 25, .fetch_m = 200e3};
@@ -336,7 +342,7 @@ TEST(ShadedSea, WaterFillsTheImageBelowTheHorizon) {
                             &later[4 * static_cast<std::size_t>(i)]);
         return count;
     };
-    // The sky stands still, and a second later hardly a pixel of water has the colour that it had.
+    // The sky does not move; after a second almost every pixel of water has another colour.
     for (int row = 0; row < 8; ++row) EXPECT_EQ(moved(row), 0) << row;
     for (int row = 40; row < height; ++row) EXPECT_GT(moved(row), width * 9 / 10) << row;
 }

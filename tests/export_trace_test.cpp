@@ -1,4 +1,5 @@
-// `pelagic export --trace`: a file that viewers open, with every job and file of the export, and the same images.
+// `pelagic export --trace`: a trace file that viewers can open, with every job and file of the
+// export, and unchanged images.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -26,7 +27,7 @@ std::vector<std::string> arguments_of(const std::filesystem::path& folder, const
     return all;
 }
 
-/// The events of a trace, each with what viewers need.
+/// The events of a trace; checks that each has the fields that viewers need.
 std::vector<json> checked_events(const std::filesystem::path& file) {
     const json trace = json::parse(read_file(file));
     const std::vector<json> events = trace.at("traceEvents");
@@ -86,7 +87,8 @@ TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
     }
 }
 
-// Frames of foam that lasts come with a tick or without, and the first has 28 more before it. All of them are counted as frames.
+// Frames of accumulated foam are scheduled with or without a tick, and 28 ticks precede the first
+// one. All of them are numbered.
 TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
     const TemporaryFolder folder;
     const Outcome outcome = run_pelagic(arguments_of(
@@ -105,12 +107,12 @@ TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
     EXPECT_EQ(flights["frame"], (std::set<int>{0, 1, 2, 3, 4, 5}));
     EXPECT_EQ(flights["tick"].size(), 28u);
     EXPECT_EQ(frames_of_job["evolve+rows"], flights["frame"]);
-    // At 24 frames a second ticks 1 and 2 come before frames 3 and 5.
+    // At 24 frames per second, ticks 1 and 2 precede frames 3 and 5.
     EXPECT_EQ(frames_of_job["tick foam"], (std::set<int>{0, 3, 5}));
     EXPECT_EQ(files["encode foam"], 6 * mip_levels(32));
 }
 
-TEST(ExportTrace, ChangesNoFileAndIsAllThatIsAdded) {
+TEST(ExportTrace, AddsOneFileAndChangesNoOther) {
     const TemporaryFolder plain, traced;
     ASSERT_EQ(run_pelagic(arguments_of(plain.path(), {"--frames", "2"})).exit_code, 0);
     ASSERT_EQ(run_pelagic(arguments_of(traced.path(), {"--frames", "2", "--trace", (traced / "trace.json").string()}))
@@ -121,7 +123,7 @@ TEST(ExportTrace, ChangesNoFileAndIsAllThatIsAdded) {
     EXPECT_TRUE(files == files_in(plain.path()));
 }
 
-TEST(ExportTrace, OfAResumedExportHoldsWhatWasLeftToDo) {
+TEST(ExportTrace, AResumedExportTracesOnlyTheRemainingWork) {
     const TemporaryFolder folder;
     const auto more = [&](const std::string& name) {
         return std::vector<std::string>{"--frames", "3", "--resume", "--trace", (folder / name).string()};
@@ -153,8 +155,8 @@ TEST(ExportTrace, IsWrittenWhenTheExportIsStopped) {
               1);
 }
 
-// Before the first frame, so that nobody waits for an hour to be told of a typing error.
-TEST(ExportTrace, ThatCanNotBeWrittenIsSaidBeforeAnyWorkAndLeavesAnEarlierExport) {
+// The error is reported before the first frame, not after a long export.
+TEST(ExportTrace, AnUnwritablePathIsAnErrorBeforeAnyChange) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", {"--frames", "2"})).exit_code, 0);
     write_file(folder / "file", "mine");

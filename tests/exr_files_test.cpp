@@ -1,4 +1,4 @@
-// Parts, layers, tiles, levels and attributes of EXR files, read back by OpenEXR's readers.
+// Parts, layers, tiles, levels and attributes of EXR files, read by OpenEXR.
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -30,7 +30,7 @@ constexpr int side = 128;
 constexpr SeaState sea{.cascades = 2, .resolution = side, .wind_speed_mps = 20};
 const std::vector<std::string> maps = {"displacement", "gradient", "foam"};
 
-/// Frame 3 of three at 12 frames a second, of both cascades.
+/// Exports frame 3 at 12 frames per second, with both cascades.
 void export_to(const std::filesystem::path& folder, const std::vector<std::string>& flags) {
     std::vector<std::string> arguments = {
         "export", "--out",    folder.string(), "--cascades",   "2", "--resolution", "128", "--fps",
@@ -44,7 +44,7 @@ void export_to(const std::filesystem::path& folder, const std::vector<std::strin
 
 constexpr double time_s = 0.25;
 
-/// The values of that frame by the library: cascade, map, channel.
+/// The values of that frame from the library, by cascade, map and channel.
 class ExpectedFrame {
    public:
     ExpectedFrame()
@@ -75,7 +75,7 @@ std::string channels_of(const std::string& map) {
     return map == "displacement" ? "RGB" : map == "gradient" ? "RGBA" : "Y";
 }
 
-/// A channel of a level of a part as floats, whatever its type.
+/// Reads a channel of one level of a part as floats, from any pixel type.
 template <class Part>
 std::vector<float> read_channel(Part& part, const std::string& channel, int level = 0) {
     const int width = side >> level;
@@ -91,7 +91,7 @@ std::vector<float> read_channel(Part& part, const std::string& channel, int leve
     return pixels;
 }
 
-/// Floats are the frame's own bits; bytes are their part of 255, as near as a half has it.
+/// Floats must equal the frame's; bytes are stored as fractions of 255, rounded to half.
 void expect_map(const std::vector<float>& pixels, std::size_t cascade, const std::string& map, char channel) {
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
@@ -135,7 +135,7 @@ TEST(ExrFiles, LayersHoldEveryMapOfEveryCascade) {
                 expect_map(read_channel(part, map + mark_of(cascade) + "." + channel), cascade, map, channel);
 }
 
-/// The mean of the texels that a pixel of a level stands for.
+/// The mean of the texels that a pixel of a level covers.
 double mean_displacement(std::size_t cascade, char channel, int level, int i, int j) {
     double sum = 0;
     const int texels = 1 << level;
@@ -161,7 +161,8 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
             for (int level = 1; level < part.numLevels(); ++level) {
                 const std::vector<float> pixels = read_channel(part, {channel}, level);
                 const int width = side >> level;
-                // Of values up to 20 m each level rounds three sums and is off by 3 x 2^-24 of them at most.
+                // For values up to 20 m each level rounds three sums, by at most 3 x 2^-24 of the
+                // values.
                 for (int j = 0; j < width; ++j)
                     for (int i = 0; i < width; ++i)
                         ASSERT_NEAR(pixels[static_cast<std::size_t>(j * width + i)],
@@ -169,7 +170,7 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
             }
         }
     }
-    // PNG knows no levels.
+    // PNG has no levels, so each is a file.
     EXPECT_TRUE(std::filesystem::exists(folder / "gradient_0003_mip7.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0003_mip1.exr"));
 }
@@ -196,7 +197,7 @@ Value attribute(const Imf::Header& header, const std::string& name) {
     return found ? found->value() : Value{};
 }
 
-TEST(ExrFiles, SayWhatTheyAre) {
+TEST(ExrFiles, HeadersDescribeTheParts) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--pack", "parts", "--compression", "piz"});
     const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
@@ -226,7 +227,7 @@ TEST(ExrFiles, SayWhatTheyAre) {
     EXPECT_EQ(attribute<std::string>(file.header(4), "pelagic:map"), "gradient");
 }
 
-TEST(ExrFiles, LayersSayWhatTheyAreByName) {
+TEST(ExrFiles, HeadersDescribeLayersByName) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
@@ -235,7 +236,7 @@ TEST(ExrFiles, LayersSayWhatTheyAreByName) {
     EXPECT_EQ(attribute<int>(file.header(0), "pelagic:frame"), 3);
 }
 
-TEST(ExrFiles, CompressionsWithoutLossKeepEveryBit) {
+TEST(ExrFiles, LosslessCompressionsAreExact) {
     const std::pair<const char*, Imf::Compression> compressions[] = {{"none", Imf::NO_COMPRESSION},
                                                                      {"zip", Imf::ZIP_COMPRESSION},
                                                                      {"zips", Imf::ZIPS_COMPRESSION},
@@ -251,8 +252,8 @@ TEST(ExrFiles, CompressionsWithoutLossKeepEveryBit) {
     }
 }
 
-// What the help and the page say of it: 1 % of the largest wave.
-TEST(ExrFiles, DwaaIsOffByLittle) {
+// The documented error is 1 % of the largest wave; the test accepts 5 %.
+TEST(ExrFiles, DwaaErrorIsSmall) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--maps", "displacement", "--compression", "dwaa"});
     Imf::MultiPartInputFile file((folder / "displacement_0003.exr").c_str());
@@ -269,8 +270,8 @@ TEST(ExrFiles, DwaaIsOffByLittle) {
     EXPECT_LT(max, 0.05f * largest);
 }
 
-// Their records give the options back, and frames made again have the same bytes.
-TEST(ExrFiles, ExportsAreVerified) {
+// The records restore the options, and recomputed frames have identical bytes.
+TEST(ExrFiles, PassVerification) {
     const std::vector<std::vector<std::string>> exports = {
         {"--pack", "parts", "--tiled", "--mips", "--compression", "none"}, {"--maps", "foam"}};
     for (const std::vector<std::string>& flags : exports) {
@@ -281,7 +282,7 @@ TEST(ExrFiles, ExportsAreVerified) {
     }
 }
 
-TEST(ExrFiles, TiffFilesAreCompressedAsAsked) {
+TEST(ExrFiles, TiffFilesUseTheGivenCompression) {
     for (const std::string compression : {"zip", "lzw", "none"}) {
         const TemporaryFolder folder;
         export_to(folder.path(), {"--maps", "displacement", "--format", "tif", "--compression", compression});

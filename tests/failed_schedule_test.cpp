@@ -1,5 +1,5 @@
-// An executor that throws when a run is scheduled: that frame is lost, and the frame completed last keeps its bytes while the next one
-// is computed.
+// An executor that throws when a run is scheduled. That frame is lost, and the frame completed last
+// stays valid and unchanged while the next one is computed.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,10 +24,10 @@ struct NoThreads : std::runtime_error {
 
 class FailingRun final : public GraphRun {
    public:
-    FailingRun(std::unique_ptr<GraphRun> run, int& left) : run_(std::move(run)), left_(left) {}
+    FailingRun(std::unique_ptr<GraphRun> run, int& left) : run_(std::move(run)), remaining_(left) {}
     void schedule() override {
-        if (left_ != never && left_-- == 0) {
-            left_ = never;
+        if (remaining_ != never && remaining_-- == 0) {
+            remaining_ = never;
             throw NoThreads();
         }
         run_->schedule();
@@ -37,30 +37,30 @@ class FailingRun final : public GraphRun {
 
    private:
     std::unique_ptr<GraphRun> run_;
-    int& left_;
+    int& remaining_;
 };
 
 class FailingExecutor final : public Executor {
    public:
-    /// The schedule() after so many others throws, once.
-    void fail_after(int schedules) { left_ = schedules; }
-    bool has_failed() const { return left_ == never; }
+    /// Makes one later schedule() throw: the one after `schedules` successful ones.
+    void fail_after(int schedules) { remaining_ = schedules; }
+    bool has_failed() const { return remaining_ == never; }
 
     std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
-        return std::make_unique<FailingRun>(pool_->prepare(graph), left_);
+        return std::make_unique<FailingRun>(pool_->prepare(graph), remaining_);
     }
     int thread_limit() const override { return pool_->thread_limit(); }
     std::string_view name() const override { return "failing"; }
 
    private:
     std::shared_ptr<Executor> pool_ = make_thread_executor(2);
-    int left_ = never;
+    int remaining_ = never;
 };
 
 struct Rings {
     std::string name;
     bool foam, dynamic_waves, shore;
-    bool changes = false;  ///< so that seas are baked beside frames
+    bool changes = false;  ///< seas are baked while frames are computed
 };
 
 class FailedSchedule : public testing::TestWithParam<Rings> {
@@ -68,7 +68,7 @@ class FailedSchedule : public testing::TestWithParam<Rings> {
     FailedSchedule() : executor_(std::make_shared<FailingExecutor>()), ocean_(forecast(), options(executor_)) {}
 
     Forecast forecast() const {
-        // More texels than a frame without jobs has.
+        // More texels than a frame that is computed without jobs.
         Forecast forecast{.first = {.cascades = 2, .resolution = 64, .wind_speed_mps = 14, .loop_period_s = 40}};
         SeaState other = forecast.first;
         other.wind_direction_rad = 1;
@@ -102,13 +102,14 @@ class FailedSchedule : public testing::TestWithParam<Rings> {
 
 INSTANTIATE_TEST_SUITE_P(OfOceans, FailedSchedule,
                          testing::Values(Rings{"Waves", false, false, false}, Rings{"Foam", true, false, false},
-                                         Rings{"Local", false, true, false}, Rings{"Shore", false, false, true},
-                                         Rings{"All", true, true, true}, Rings{"Changes", true, true, false, true}),
+                                         Rings{"DynamicWaves", false, true, false},
+                                         Rings{"Shore", false, false, true}, Rings{"All", true, true, true},
+                                         Rings{"Changes", true, true, false, true}),
                          [](const auto& rings) { return rings.param.name; });
 
-TEST_P(FailedSchedule, LeavesTheFrameCompletedLastAsItIsForOneMore) {
+TEST_P(FailedSchedule, KeepsTheLastFrameValidDuringTheNextOne) {
     const Rings rings = GetParam();
-    // Steps within a tick of foam, of one tick and of several, which are left to complete().
+    // Steps within a tick of foam, of one tick, and of several ticks, which complete() computes.
     Ocean unfailing(forecast(), options(make_serial_executor()));
     int failures = 0;
     double time_s = 0;

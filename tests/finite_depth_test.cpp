@@ -1,4 +1,5 @@
-// Waves that feel the ground move water farther horizontally than up and down: orbits are Airy's ellipses.
+// In finite depth waves displace water farther horizontally than vertically: orbits are Airy's
+// ellipses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ using oracle::Complex;
 using oracle::ComplexField;
 using std::numbers::pi;
 
-/// k of omega^2 = g k tanh(k d), by halving an interval.
+/// Returns k of omega^2 = g k tanh(k d), by bisection.
 double wave_number_at(double omega, double depth_m) {
     double low = 1e-6, high = 1e3;
     while (high / low > 1 + 1e-12) {
@@ -38,12 +39,12 @@ ComplexField transformed(const PlaneView& plane) {
     return oracle::forward_fft(values, n);
 }
 
-/// Of each wave vector of a cascade.
+/// The wave vectors of a cascade.
 struct CascadeSpectrum {
     explicit CascadeSpectrum(const Cascade& cascade)
         : n(cascade.resolution()), spacing(2 * pi / cascade.grid.side_m), grid(cascade.grid) {}
 
-    /// Calls visit(element, kx, kz) with wave vectors along the world's axes, but for k = 0.
+    /// Calls visit(element, kx, kz) for each wave vector except k = 0, in world axes.
     template <class Visit>
     void each(Visit visit) const {
         for (int j = 0; j < n; ++j) {
@@ -73,10 +74,11 @@ TEST(FiniteDepth, OrbitRatioIsTheHyperbolicCotangentUpToTwenty) {
     }
 }
 
-// A patch as long as a swell of 12 s, whose shorter waves are other frequencies: at that one's own frequency a texel moves on the
-// ellipse of one wave. Deep water's circle, which was drawn at any depth, is 2.5 times too narrow in 6 m. Float and the frequency of
-// the loop leave far less than the bound of 1 %.
-TEST(FiniteDepth, SwellsOrbitHasAirysAxes) {
+// The patch is as long as a swell of 12 s, and its shorter waves have other frequencies. At the
+// swell's frequency a texel moves on the ellipse of one wave. A deep-water circle would be 2.5
+// times too narrow in 6 m depth. Float rounding and the rounding of the frequency to the loop are
+// far below the bound of 1 %.
+TEST(FiniteDepth, SwellOrbitHasTheAxesOfAiryTheory) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const double period_s = 12, k = wave_number_at(2 * pi / period_s, depth);
         Ocean ocean({.resolution = 16,
@@ -109,8 +111,9 @@ TEST(FiniteDepth, SwellsOrbitHasAirysAxes) {
     }
 }
 
-// Every wave of a sea, wave by wave: D = i choppiness coth(k d) k/|k| h, and the same of velocities.
-TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
+// Every wave of a sea separately: D = i choppiness coth(k d) k/|k| h, and the equivalent for
+// velocities.
+TEST(FiniteDepth, EachWavesHorizontalDisplacementMatchesAiryTheory) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const SeaState sea{.cascades = 2, .resolution = 64, .depth_m = depth, .choppiness = 0.8};
         Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = true});
@@ -125,7 +128,8 @@ TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
             int seen = 0;
             CascadeSpectrum(cascade).each([&](std::size_t at, double kx, double kz) {
                 const double k = std::hypot(kx, kz), airy = sea.choppiness / std::tanh(k * depth);
-                if (std::abs(h[at]) > 0.01 * max) {  // the rest drowns in float
+                // smaller waves are dominated by float rounding
+                if (std::abs(h[at]) > 0.01 * max) {
                     EXPECT_NEAR(std::abs((kx * dx[at] + kz * dz[at]) / k) / std::abs(h[at]), airy, 0.001 * airy);
                     ++seen;
                 }
@@ -138,8 +142,9 @@ TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
     }
 }
 
-// Derivatives of the frames' own displacements, exact by their transforms, over some moments of a loop.
-TEST(FiniteDepth, ReportsVarianceOfConvergenceIsTheFrames) {
+// Derivatives of the frames' displacements, exact by their transforms, averaged over several times
+// of a loop.
+TEST(FiniteDepth, ReportedConvergenceVarianceMatchesTheFrames) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const SeaState sea{.resolution = 64, .depth_m = depth, .swell_height_m = 1};
         const SeaReport report = report_on(sea);
@@ -167,8 +172,8 @@ TEST(FiniteDepth, ReportsVarianceOfConvergenceIsTheFrames) {
     }
 }
 
-// Bytes of slope maps reach four deviations: of a Gaussian 6 values in 100,000 lie beyond.
-TEST(FiniteDepth, SlopeMapsReachAsFarAsInDeepWater) {
+// Bytes of slope maps cover four standard deviations; 6 of 100,000 values of a Gaussian are beyond.
+TEST(FiniteDepth, SlopeMapsAreRarelyClampedAtAnyDepth) {
     const auto cut = [](double depth) {
         Ocean ocean({.resolution = 64,
                      .wind_speed_mps = 2,

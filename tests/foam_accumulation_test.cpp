@@ -1,4 +1,4 @@
-// The formula of foam that lasts against foam itself, over sums of many waves in time.
+// The formula of accumulated foam, compared with simulated foam on sums of many waves in time.
 #include "pelagic/sim/foam/accumulation.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,10 @@ namespace {
 
 constexpr double tick_s = 0.1;
 
-double part_above(double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }
+double fraction_above(double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }
 
-/// Waves of equal energy at random frequencies from half to one and a half times `frequency_radps`; deviation 1.
+/// Waves of equal energy at random frequencies from 0.5 to 1.5 times `frequency_radps`; standard
+/// deviation 1.
 class RandomWaves {
    public:
     RandomWaves(double frequency_radps, unsigned seed) {
@@ -37,7 +38,7 @@ class RandomWaves {
         double sum = 0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             sum += waves_[i].real();
-            // Written out, for a product of std::complex looks for infinities.
+            // Written in components, because the product of std::complex checks for infinities.
             const double re = waves_[i].real(), im = waves_[i].imag(), c = turns_[i].real(), s = turns_[i].imag();
             waves_[i] = {re * c - im * s, re * s + im * c};
         }
@@ -49,7 +50,7 @@ class RandomWaves {
     double rate_ = 0;
 };
 
-TEST(FoamAccumulation, CoversWhatTheFormulaSays) {
+TEST(FoamAccumulation, CoverMatchesTheFormula) {
     for (const double frequency_radps : {0.7, 2.0, 7.0}) {
         for (const double level : {1.5, 2.5}) {
             if (is_sanitized && (frequency_radps != 2 || level != 1.5)) continue;
@@ -66,23 +67,25 @@ TEST(FoamAccumulation, CoversWhatTheFormulaSays) {
                 measured += sum / ticks / seas;
                 expected += FoamAccumulation(waves.rate_radps(), tick_s).cover(level) / seas;
             }
-            // Crossings come in groups, which the formula leaves out: 0.93 where they are rare and waves short, 1.05 where not.
+            // Crossings come in groups, which the formula neglects: the ratio is 0.93 for rare
+            // crossings of short waves, and 1.05 otherwise.
             EXPECT_NEAR(measured / expected, 1, 0.1) << frequency_radps << " rad/s, level " << level;
         }
     }
 }
 
-TEST(FoamAccumulation, IsTheSourceAloneWhereNothingMoves) {
+TEST(FoamAccumulation, CoverOfStaticWavesEqualsTheSource) {
     for (const double level : {1.0, 2.0, 3.0, 4.0}) {
         double source = 0;
         for (int i = 0; i < 1000; ++i)
-            source += part_above(level + FoamAccumulation::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
-        // Crossings count as chance, so some meet: half of a twentieth, which is how much the ramp holds at level 1.
+            source += fraction_above(level + FoamAccumulation::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
+        // The formula takes crossings as independent, so some coincide: half of a twentieth, which
+        // is the ramp's share at level 1.
         EXPECT_NEAR(FoamAccumulation(1e-6, tick_s).cover(level) / source, 1, 0.025) << level;
     }
 }
 
-TEST(FoamAccumulation, HasALevelForEveryCover) {
+TEST(FoamAccumulation, LevelInvertsCover) {
     for (double frequency_radps = 0.01; frequency_radps < 60; frequency_radps *= 3)
         for (double cover = 1e-12; cover <= 0.4; cover *= 3) {
             const FoamAccumulation foam(frequency_radps, tick_s);

@@ -1,4 +1,5 @@
-// Foam that lasts: against a plain replay of its rule, from any beginning, round the loop, and how fast it drifts.
+// Accumulated foam: compared with a direct replay of its rule; independent of the first frame and
+// of loops; and its drift.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ OceanOptions with_foam(Isa isa = choose_isa()) {
     return {.executor = make_serial_executor(), .isa = isa, .foam = true};
 }
 
-/// A gale on a small sea, so that much is white.
+/// A gale on a small sea, with a large whitecap cover.
 const SeaState gale{
     .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7, .loop_period_s = 20};
 const SeaState gale_on_one_cascade{
@@ -33,7 +34,7 @@ std::vector<int> foam_of(const Cascade& cascade) {
     return {texels.begin(), texels.end()};
 }
 
-/// What the half floats hold of foam, in parts of a byte.
+/// Foam in the half floats, in units of 1/255.
 std::vector<int> foam_in_halves(const Cascade& cascade) {
     std::vector<int> foam;
     for (std::size_t i = 3; i < cascade.displacement_rgba16f.size(); i += 4) {
@@ -45,7 +46,7 @@ std::vector<int> foam_in_halves(const Cascade& cascade) {
     return foam;
 }
 
-/// The foam of a tick by the rule itself, from frames that remember nothing.
+/// The foam of a tick, computed by the rule from frames without history.
 std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
     Ocean forgetful(sea, {.executor = make_serial_executor()});
     const TickClock clock(sea.loop_period_s);
@@ -75,7 +76,7 @@ std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
 class FoamHistoryOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, FoamHistoryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
+TEST_P(FoamHistoryOnEachIsa, MatchesItsRule) {
     for (const SeaState& sea : {gale, gale_on_one_cascade}) {
         const std::int64_t tick = 57;
         Ocean ocean(sea, with_foam(GetParam()));
@@ -87,7 +88,8 @@ TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
             EXPECT_EQ(foam, foam_in_halves(frame.cascades[t]));
             int max = 0;
             for (std::size_t i = 0; i < foam.size(); ++i) {
-                // A tick adds J up in another order than a frame, so where it stands between two bytes it may take the other.
+                // A tick sums J in another order than a frame, so a value between two bytes may
+                // round to either.
                 ASSERT_NEAR(foam[i], expected[t][i], 1) << "cascade " << t << ", texel " << i;
                 max = std::max(max, foam[i]);
             }
@@ -96,22 +98,22 @@ TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
     }
 }
 
-TEST(FoamHistory, FadesBetweenTicksAndBreaksAtAnyTime) {
+TEST(FoamHistory, DecaysBetweenTicksAndBreaksAtAnyTime) {
     Ocean ocean(gale, with_foam()), forgetful(gale, {.executor = make_serial_executor()});
     const TickClock clock(gale.loop_period_s);
     const double tick = clock.time_in_loop_s(33);
     const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).cascades[0]);
-    for (const double part : {0.1, 0.5, 0.99}) {
-        const double time = tick + part * clock.tick_s();
+    for (const double fraction : {0.1, 0.5, 0.99}) {
+        const double time = tick + fraction * clock.tick_s();
         const std::vector<int> foam = foam_of(ocean.frame_at(time).cascades[0]);
         const std::vector<int> breaking = foam_in_halves(forgetful.frame_at(time).cascades[0]);
-        const int faded = static_cast<int>(9 * part);
+        const int faded = static_cast<int>(9 * fraction);
         for (std::size_t i = 0; i < foam.size(); ++i) ASSERT_EQ(foam[i], std::max(at_tick[i] - faded, breaking[i]));
     }
 }
 
-// Whoever begins anywhere, and has been anywhere before, sees the same foam.
-TEST(FoamHistory, IsTheSameFromAThousandBeginnings) {
+// Foam depends on the time only, not on the first frame or on earlier frames.
+TEST(FoamHistory, DoesNotDependOnTheFirstFrame) {
     const SeaState sea{.cascades = 1, .resolution = 16, .wind_speed_mps = 20, .loop_period_s = 30};
     Ocean in_order(sea, with_foam());
     const TickClock clock(sea.loop_period_s);
@@ -131,7 +133,7 @@ TEST(FoamHistory, IsTheSameFromAThousandBeginnings) {
     }
 }
 
-TEST(FoamHistory, ChangesNothingButFoam) {
+TEST(FoamHistory, DoesNotChangeTheRestOfTheFrame) {
     for (const SeaState& sea : {gale, gale_on_one_cascade}) {
         Ocean with(sea, with_foam()), without(sea, {.executor = make_serial_executor()});
         for (const double time : {0.0, 0.05, 3.0, -2.0})
@@ -140,13 +142,13 @@ TEST(FoamHistory, ChangesNothingButFoam) {
     }
 }
 
-TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
+TEST(FoamHistory, CanBeSavedAndRestoredInAnEqualSea) {
     Ocean first(gale, with_foam()), second(gale, with_foam());
     EXPECT_TRUE(first.saved_history().empty());
     first.frame_at(7);
     second.restore_history(first.saved_history());
     EXPECT_EQ(foam_hash_of(second.frame_at(7.1)), foam_hash_of(first.frame_at(7.1)));
-    // It is what was saved that is gone on from: nothing breaks in a sea of no foam, but what is remembered stays for a while.
+    // The next frame continues from the restored history, here with foam everywhere.
     std::vector<std::uint8_t> saved = first.saved_history();
     std::fill(saved.begin() + 8, saved.end(), std::uint8_t{255});
     second.restore_history(saved);
@@ -159,7 +161,7 @@ TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
     EXPECT_THROW(second.restore_history(saved), std::invalid_argument);
 }
 
-/// A sea that rises, and turns.
+/// A sea whose wind increases and then changes direction.
 Forecast rising() {
     SeaState calm = gale, turned = gale;
     calm.wind_speed_mps = 6;
@@ -168,8 +170,9 @@ Forecast rising() {
             .changes = {{.sea = gale, .from_s = 10, .over_s = 8}, {.sea = turned, .from_s = 19, .over_s = 4}}};
 }
 
-// In a change, at its ends and between two, from any moment before, the loop's end (20 s) among them.
-TEST(FoamHistory, OfAWeatherIsTheSameInAnyOrder) {
+// Frames within a change, at its ends and between two changes, after any earlier time, including
+// the end of the loop (20 s).
+TEST(FoamHistory, OfAForecastDoesNotDependOnTheOrderOfFrames) {
     Ocean in_order(rising(), with_foam());
     const TickClock clock(gale.loop_period_s);
     std::vector<std::uint64_t> expected;
@@ -185,14 +188,14 @@ TEST(FoamHistory, OfAWeatherIsTheSameInAnyOrder) {
     }
 }
 
-// Changes that are asked for while the sea runs are a forecast's, foam too.
-TEST(FoamHistory, OfALiveChangeIsThatOfItsForecast) {
+// Changes scheduled on a running ocean give frames equal to those of a forecast, foam included.
+TEST(FoamHistory, OfALiveChangeEqualsThatOfAForecast) {
     const Forecast forecast = rising();
     const TickClock clock(gale.loop_period_s);
     Ocean live(
         Forecast{.first = forecast.first, .largest_peak_m = Ocean(forecast, with_foam()).forecast().largest_peak_m},
         with_foam());
-    const auto same_until = [&](int from, int to, const Forecast& whole) {
+    const auto expect_equal_foam = [&](int from, int to, const Forecast& whole) {
         Ocean expected(whole, with_foam());
         for (int tick = from; tick < to; tick += 3)
             ASSERT_EQ(foam_hash_of(live.frame_at(clock.time_s(tick))),
@@ -200,12 +203,12 @@ TEST(FoamHistory, OfALiveChangeIsThatOfItsForecast) {
                 << tick;
     };
     Forecast whole = live.forecast();
-    same_until(0, 90, whole);
+    expect_equal_foam(0, 90, whole);
     for (const SeaChange& change : forecast.changes) {
-        // One in the future, and one that has begun already.
+        // A change in the future, and one that has already begun.
         live.schedule_sea(change);
         whole.changes.push_back(change);
-        same_until(static_cast<int>(10 * change.from_s) - 5, static_cast<int>(10 * change.end_s()) + 9, whole);
+        expect_equal_foam(static_cast<int>(10 * change.from_s) - 5, static_cast<int>(10 * change.end_s()) + 9, whole);
     }
 }
 
@@ -224,8 +227,8 @@ TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
     }
 }
 
-// A sea that is abruptly another one has the foam of that one, not of both.
-TEST(FoamHistory, OfAnotherSeaIsThatSeas) {
+// After schedule_sea() foam is that of the new sea only.
+TEST(FoamHistory, IsReplacedWithTheSea) {
     SeaState other = gale;
     other.wind_speed_mps = 9;
     Ocean ocean(gale, with_foam()), expected(other, with_foam());
@@ -235,15 +238,17 @@ TEST(FoamHistory, OfAnotherSeaIsThatSeas) {
     EXPECT_EQ(foam_hash_of(ocean.frame_at(5)), foam_hash_of(expected.frame_at(5)));
 }
 
-// 2 % of the wind and what Stokes' formula gives for the waves: by numbers, 2 omega k E summed over directions.
-TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
+// 2 % of the wind speed plus the waves' Stokes drift: 2 omega k E, integrated numerically over
+// directions.
+TEST(FoamDrift, MatchesWindAndStokesDriftOverAThousandTicks) {
     for (const double direction : {0.0, 2.0, -1.0}) {
         SeaState sea{.wind_speed_mps = 12, .wind_direction_rad = direction};
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const Frame& frame = ocean.frame_at(0);
         const TickClock clock(sea.loop_period_s);
         const double drift_x = frame.statistics.foam_drift_x_mps, drift_z = frame.statistics.foam_drift_z_mps;
-        // Down the wind, 2 % of it and Stokes' drift, which is 1 to 2 % of the wind in a sea that it has raised (Kenyon 1969).
+        // Along the wind: 2 % of its speed plus Stokes drift, which is 1 to 2 % of the wind speed
+        // in a wind sea (Kenyon 1969).
         const double along = drift_x * std::cos(direction) + drift_z * std::sin(direction);
         EXPECT_GT(along / sea.wind_speed_mps, 0.03);
         EXPECT_LT(along / sea.wind_speed_mps, 0.04);
@@ -258,18 +263,18 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
                 texels_x += step.x;
                 texels_z += step.z;
             }
-            const CascadeGrid::Place way =
+            const CascadeGrid::Place moved =
                 cascade.grid.in_world(texels_x * cascade.texel_m(), texels_z * cascade.texel_m());
             const double seconds = 1000 * clock.tick_s(), speed = std::hypot(drift_x, drift_z);
-            EXPECT_NEAR(way.along / seconds, drift_x, 0.02 * speed);
-            EXPECT_NEAR(way.across / seconds, drift_z, 0.02 * speed);
+            EXPECT_NEAR(moved.along / seconds, drift_x, 0.02 * speed);
+            EXPECT_NEAR(moved.across / seconds, drift_z, 0.02 * speed);
         }
         EXPECT_GE(fine_cascades, 2u);
     }
 }
 
-// Seas of any waves: of a wind, in closed form, ponds.
-TEST(FoamDrift, IsReportedOfEveryPreset) {
+// Seas of every kind: spectra, analytic waves and ponds.
+TEST(FoamDrift, IsReportedForEveryPreset) {
     for (const SeaPreset& preset : sea_presets()) {
         Ocean ocean(preset.sea, {.executor = make_serial_executor()});
         const Frame& frame = ocean.frame_at(0);
@@ -282,7 +287,7 @@ TEST(FoamDrift, IsReportedOfEveryPreset) {
     }
 }
 
-TEST(FoamDrift, IsWholeTexelsALoop) {
+TEST(FoamDrift, IsAWholeNumberOfTexelsPerLoop) {
     SeaStatistics statistics;
     statistics.foam_drift_x_mps = 0.37;
     statistics.foam_drift_z_mps = -0.21;
@@ -301,8 +306,8 @@ TEST(FoamDrift, IsWholeTexelsALoop) {
     }
 }
 
-/// Still water with one texel of foam, moved by one tick.
-TEST_P(FoamHistoryOnEachIsa, ATickMovesAndFadesWhatFloats) {
+/// Still water with one texel of foam, advanced by one tick.
+TEST_P(FoamHistoryOnEachIsa, ATickMovesFoamAndDecaysIt) {
     for (const int n : {16, 64}) {
         const std::size_t side = static_cast<std::size_t>(n), lanes = kernels().lanes;
         const AlignedBuffer<float> still(column_blocks(n, lanes) * column_block_floats(n, lanes));
@@ -328,7 +333,7 @@ TEST_P(FoamHistoryOnEachIsa, ATickMovesAndFadesWhatFloats) {
     }
 }
 
-TEST(TickClock, HasWholeTicksInALoopAndFindsEachOfThem) {
+TEST(TickClock, LoopsHaveWholeTicksThatCanBeFoundByTime) {
     for (const double period : {0.1, 0.149, 1.0, 7.3, 200.0, 86400.0}) {
         const TickClock clock(period);
         EXPECT_EQ(clock.ticks_a_loop(), std::max(1, static_cast<int>(std::lround(10 * period))));
@@ -336,7 +341,8 @@ TEST(TickClock, HasWholeTicksInALoopAndFindsEachOfThem) {
         for (int i = 0; i < 2000; ++i) {
             const auto number = static_cast<std::int64_t>(random() % 4000000) - 2000000;
             const double time = static_cast<double>(number) * period / clock.ticks_a_loop();
-            // A time that is no double of its own falls on either side of the tick: at most 2^-30 of a loop before it.
+            // A tick's time may not be representable as a double, and rounds by at most 2^-30 of a
+            // loop to either side.
             const TickPlace place = clock.at(time + period * 0x1p-30);
             ASSERT_EQ(place.number, number) << period;
             ASSERT_LE(place.part, 0x1p32 * clock.ticks_a_loop() * 0x1p-29) << period;

@@ -1,4 +1,5 @@
-// Foam at any point, and copied: against an oracle that knows bytes and reference points, in double.
+// Foam at any point and in buffers, compared with an oracle in double that uses texels and
+// reference points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace pelagic {
 namespace {
 
-// A gale and a storm, so that much is white. Finer cascades are rotated against the world.
+// A gale and a storm, with a large whitecap cover. Finer cascades are rotated against world axes.
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
 const SeaState storm_on_one_cascade{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
@@ -39,7 +40,8 @@ Points random_points(std::size_t count) {
     return points;
 }
 
-/// As Cascade and CascadeGrid say: the largest of what the cascades hold around the reference point.
+/// As Cascade and CascadeGrid specify: the largest of the cascades' interpolated values at the
+/// reference point.
 double foam_by_texels(const Frame& frame, double reference_x_m, double reference_z_m) {
     double largest = 0;
     for (const Cascade& cascade : frame.cascades) {
@@ -61,7 +63,7 @@ double foam_by_texels(const Frame& frame, double reference_x_m, double reference
     return largest;
 }
 
-TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheRestPoint) {
+TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheReferencePoint) {
     for (const SeaState& sea : {gale, storm_on_one_cascade}) {
         Ocean ocean(sea, with_queries_and_foam());
         const Frame& frame = ocean.frame_at(11.03);
@@ -69,26 +71,26 @@ TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheRestPoint) {
         const Points points = random_points(is_sanitized ? 50 : 2000);
         std::vector<float> foam(points.x.size()), jacobian(points.x.size());
         SurfaceQuery(frame).sample({points.x, points.z}, {.jacobian = jacobian, .foam = foam});
-        int asked = 0, white = 0;
+        int compared = 0, white = 0;
         double largest_error = 0;
         for (std::size_t i = 0; i < foam.size(); ++i) {
             const auto intersections = stack.intersections_at(points.x[i], points.z[i]);
-            // Near a fold's edge the reference point moves much faster than what is drawn.
+            // Near a fold's edge the reference point changes much faster than the displaced point.
             if (intersections.size() != 1 || jacobian[i] < 0.2f) continue;
-            ++asked;
+            ++compared;
             const double expected = foam_by_texels(frame, intersections[0].x_m, intersections[0].z_m);
             white += expected > 0.1;
             largest_error = std::max(largest_error, std::fabs(static_cast<double>(foam[i]) - expected));
         }
-        // The search stops a 64th of a millimetre away, or five times that at rest, and foam changes by 1 over a texel at most, along
-        // each axis.
+        // The search stops within a 64th of a millimetre, or five times that at the reference
+        // point. Foam changes by at most 1 over a texel along each axis.
         EXPECT_LT(largest_error, 2 * 5 * 1.6e-5 / frame.cascades.back().texel_m());
-        EXPECT_GT(asked, static_cast<int>(foam.size()) * 8 / 10);
-        EXPECT_GT(white, asked / 50);
+        EXPECT_GT(compared, static_cast<int>(foam.size()) * 8 / 10);
+        EXPECT_GT(white, compared / 50);
     }
 }
 
-TEST(FoamQuery, HasTheSameBitsOnAnyInstructionSetAndInAnyBatch) {
+TEST(FoamQuery, IsBitIdenticalOnEachInstructionSetAndInEachBatch) {
     const Points points = random_points(1500);
     const auto executor = make_thread_executor(3);
     for (const SeaState& sea : {gale, storm_on_one_cascade}) {
@@ -110,7 +112,7 @@ TEST(FoamQuery, HasTheSameBitsOnAnyInstructionSetAndInAnyBatch) {
     }
 }
 
-TEST(FoamQuery, IsRefusedOfAFrameThatRemembersNone) {
+TEST(FoamQuery, IsRejectedForFramesWithoutFoam) {
     Ocean ocean(gale, {.executor = make_serial_executor(), .queries = true});
     const SurfaceQuery query(ocean.frame_at(0));
     const std::vector<double> places(2000);
@@ -122,7 +124,7 @@ TEST(FoamQuery, IsRefusedOfAFrameThatRemembersNone) {
     EXPECT_EQ(height[0], -1) << "it wrote before it looked";
 }
 
-TEST(FoamInBuffers, IsTheChainOfEachCascade) {
+TEST(FoamInBuffers, IsTheMipChainOfEachCascade) {
     Ocean ocean(gale, with_queries_and_foam());
     const std::size_t chain = mip_offset(32, mip_levels(32));
     std::vector<std::vector<std::uint8_t>> bytes(4, std::vector<std::uint8_t>(chain, 77));

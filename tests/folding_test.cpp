@@ -1,4 +1,4 @@
-// How much a surface folds: which Jacobians there are, and how fast they change.
+// The distribution of a surface's Jacobians, and their rate of change.
 #include "pelagic/sim/spectrum/folding.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace pelagic {
 namespace {
 
-/// Many waves in six directions around +x, a mean square slope of each.
+/// Many waves in six directions around +x, each direction with the given mean square slope.
 FoldMoments spread_sea(double mean_square_slope) {
     FoldMoments moments;
     for (const double direction : {-1.2, -0.5, -0.1, 0.2, 0.6, 0.9}) {
@@ -23,8 +23,9 @@ FoldMoments spread_sea(double mean_square_slope) {
     return moments;
 }
 
-// As many triples of Gaussian u, v, w as those moments have; Cholesky's root of their covariances.
-TEST(FoldDistribution, HasAsManyJacobiansBelowAsAGaussianHas) {
+// Random triples of Gaussian u, v, w with the given moments, by a Cholesky factorisation of their
+// covariances.
+TEST(FoldDistribution, QuantilesMatchGaussianTriples) {
     for (const double choppiness : {0.5, 1.0}) {
         const FoldMoments m = spread_sea(0.004);
         const FoldDistribution jacobians(m, choppiness);
@@ -43,14 +44,14 @@ TEST(FoldDistribution, HasAsManyJacobiansBelowAsAGaussianHas) {
             below_two += jacobian < jacobians.below_mean(2);
             below_three += jacobian < jacobians.below_mean(3);
         }
-        // 9100 and 540 of them: so many are good to 1 and 4 %.
+        // About 9100 and 540 samples: their relative errors are 1 % and 4 %.
         EXPECT_NEAR(below_two / (triples * 0.022750), 1, 0.04) << choppiness;
         EXPECT_NEAR(below_three / (triples * 0.0013499), 1, 0.15) << choppiness;
     }
 }
 
-// Cosines one way add up to J = 1 + 2u, and eight of them are no Gaussian.
-TEST(FoldDistribution, OfFewWavesReachesLessFar) {
+// Cosines in one direction sum to J = 1 + 2u, and eight of them are not Gaussian.
+TEST(FoldDistribution, QuantilesOfFewWavesAreSmaller) {
     constexpr int waves = 8, draws = 200'000;
     constexpr double amplitude = 0.02, wave_number = 1;
     FoldMoments m;
@@ -69,22 +70,22 @@ TEST(FoldDistribution, OfFewWavesReachesLessFar) {
     EXPECT_NEAR(below_three / (draws * 0.0013499), 1, 0.25);
 }
 
-TEST(FoldMoments, OfWavesThatTurnAtOneSpeedChangeAsFast) {
+TEST(FoldMoments, FrequencyOfEqualWavesIsTheirFrequency) {
     EXPECT_NEAR(spread_sea(0.004).frequency_radps(), 2, 1e-12);
     EXPECT_NEAR((spread_sea(0.004) * 3).frequency_radps(), 2, 1e-12);
     EXPECT_DOUBLE_EQ((spread_sea(0.004) * 3).uu, 3 * spread_sea(0.004).uu);
 }
 
-// Thresholds of whitecaps are found before the sum of the waves' own drift is known.
-TEST(FoamDrift, IsTheUsualOneWithinASixthInSeasThatTheWindRaised) {
+// Whitecap thresholds are computed before the sum of the waves' own drift is available.
+TEST(FoamDrift, EstimateIsWithinASixthForWindSeas) {
     for (const char* name : {"calm", "lake", "rough", "storm", "beaufort-1", "beaufort-12"}) {
         const SeaState& sea = sea_preset_named(name)->sea;
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const SeaStatistics statistics = ocean.frame_at(0).statistics;
-        const WindDrift usual = usual_foam_drift(sea);
-        const double speed = std::hypot(usual.x_mps, usual.z_mps);
-        EXPECT_NEAR(statistics.foam_drift_x_mps, usual.x_mps, speed / 6) << name;
-        EXPECT_NEAR(statistics.foam_drift_z_mps, usual.z_mps, speed / 6) << name;
+        const WindDrift estimate = usual_foam_drift(sea);
+        const double speed = std::hypot(estimate.x_mps, estimate.z_mps);
+        EXPECT_NEAR(statistics.foam_drift_x_mps, estimate.x_mps, speed / 6) << name;
+        EXPECT_NEAR(statistics.foam_drift_z_mps, estimate.z_mps, speed / 6) << name;
     }
 }
 

@@ -1,5 +1,5 @@
-// Changes of the sea that are scheduled while a frame is in flight: the frame is the one that it would have been without them, and
-// later frames are those of an ocean whose changes were scheduled between frames.
+// Changes of the sea scheduled while a frame is in flight: that frame does not depend on them, and
+// later frames equal those of an ocean whose changes were scheduled between frames.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -16,7 +16,8 @@
 namespace pelagic {
 namespace {
 
-/// Enough texels for a frame on the executor's threads. All of these seas break, and no two have the same foam.
+/// Enough texels for a frame with jobs. All of these seas have breaking waves, and no two have
+/// equal foam.
 SeaState windy(int number) {
     return {.cascades = 2,
             .resolution = 64,
@@ -25,12 +26,12 @@ SeaState windy(int number) {
             .choppiness = 0.7 + 0.05 * (number % 5)};
 }
 
-/// Room for the peaks of all of them.
+/// An upper bound of the peak wavelengths of all of them.
 const double largest_peak_m = WaveReach::of(windy(6)).peak_m;
 
 struct Step {
     double time_s;
-    std::vector<SeaChange> changes;  ///< scheduled while the frame is in flight, or right after it
+    std::vector<SeaChange> changes;  ///< scheduled while the frame is in flight, or after it
 };
 
 struct Bits {
@@ -60,14 +61,16 @@ std::vector<Bits> frames_of(const Forecast& forecast, const std::vector<Step>& s
 void expect_same_bits(const Forecast& forecast, const std::vector<Step>& steps) {
     const auto expected = frames_of(forecast, steps, Order::serial, make_serial_executor());
     for (const ExecutorKind& kind : executor_kinds()) {
-        if (kind.threads != 2 && kind.name != "serial") continue;  // more of them take the same ways, and longer
+        // other executors run the same code, but take longer
+        if (kind.threads != 2 && kind.name != "serial") continue;
         const auto found = frames_of(forecast, steps, Order::in_flight, kind.make(kind.threads));
         for (std::size_t i = 0; i < steps.size(); ++i)
             EXPECT_EQ(found[i], expected[i]) << kind.name << ": frame " << i << ", at " << steps[i].time_s << " s";
     }
 }
 
-/// Ticks are a tenth of a second apart: that of 10 s lies in the first change, a frame at 10.09 s in the third.
+/// Ticks are a tenth of a second apart: the tick of 10 s is in the first change, a frame at 10.09 s
+/// in the third.
 Forecast three_changes_within_a_tick() {
     return {.first = windy(0),
             .changes = {{.sea = windy(1), .from_s = 9, .over_s = 1.02},
@@ -77,14 +80,15 @@ Forecast three_changes_within_a_tick() {
             .largest_peak_m = largest_peak_m};
 }
 
-// The tick and the frame take four seas. A fifth is being baked ahead, and has to be put somewhere.
-TEST(FrameInFlight, ItsTickAndItselfKeepFourSeasWhileAFifthIsBaked) {
+// The tick and the frame need four seas. A fifth is baked ahead and needs a place of its own.
+TEST(FrameInFlight, KeepsFourSeasWhileAFifthIsBaked) {
     expect_same_bits(three_changes_within_a_tick(),
                      {{9.95, {}}, {10.09, {{.sea = windy(5), .from_s = 25, .over_s = 5}}}, {10.2, {}}, {10.31, {}}});
 }
 
-// 29 ticks are left to complete(): from 7.2 s to 10 s. The first change is forgotten with the first of those that come.
-TEST(FrameInFlight, ItsWarmUpIsThatOfTheWeatherItWasScheduledIn) {
+// complete() computes 29 ticks: from 7.2 s to 10 s. Later changes make the ocean discard the first
+// change.
+TEST(FrameInFlight, WarmUpUsesTheForecastAtScheduling) {
     std::vector<SeaChange> changes;
     for (int number = 0; number < 4; ++number) {
         expect_same_bits(three_changes_within_a_tick(), {{0, {}}, {10.09, changes}, {10.2, {}}, {10.31, {}}});
@@ -92,12 +96,12 @@ TEST(FrameInFlight, ItsWarmUpIsThatOfTheWeatherItWasScheduledIn) {
     }
 }
 
-TEST(FrameInFlight, AChangeInThePastOfItsTicksIsNoneOfItsOwn) {
+TEST(FrameInFlight, LaterChangesDoNotAffectItsTicks) {
     const Forecast steady{.first = windy(6), .largest_peak_m = largest_peak_m};
     expect_same_bits(steady, {{0, {}}, {10.09, {{.sea = windy(0), .from_s = 6, .over_s = 2}}}, {10.2, {}}});
 }
 
-TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
+TEST(FrameInFlight, RandomChangesEqualTheSerialOrder) {
     std::mt19937 random(31);
     const auto uniform = [&](double min, double max) {
         return min + (max - min) * static_cast<double>(random()) * 0x1p-32;
@@ -105,7 +109,7 @@ TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
     for (int run = 0; run < (is_sanitized ? 1 : 2); ++run) {
         const Forecast forecast{.first = windy(run), .largest_peak_m = largest_peak_m};
         std::vector<Step> steps;
-        double time_s = 0, over_s = 0;  // when the last change is over
+        double time_s = 0, over_s = 0;  // end time of the last change
         for (int number = 0; number < (is_sanitized ? 12 : 25); ++number) {
             Step step{time_s, {}};
             for (std::size_t more = random() % 3; more > 0; --more) {
@@ -116,14 +120,14 @@ TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
                 step.changes.push_back(change);
             }
             steps.push_back(step);
-            // Most frames are a tick or less apart, and some jump to where the changes are.
+            // Most frames are at most a tick apart; some jump to the time of the changes.
             time_s = random() % 5 == 0 ? over_s + uniform(-1, 0.1) : time_s + uniform(0, 0.15);
         }
         expect_same_bits(forecast, steps);
     }
 }
 
-TEST(SpectrumCache, HasRoomForAllThatPassesTakeAndOneMore) {
+TEST(SpectrumCache, HoldsTheSpectraOfBothPassesAndOneMore) {
     SpectrumCache cache;
     for (const std::size_t number : {0, 1, 2, 3}) cache.put(number);
     cache.need(Pass::tick, 0, 1);

@@ -1,4 +1,4 @@
-// Whole frames through the public interface, against the oracle.
+// Whole frames through the public interface, compared with the oracle.
 #include <half.h>
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void expect_close(const PlaneView& plane, const oracle::ComplexField& truth, con
             error = std::max(error, std::fabs(plane.at(i, j) - value));
         }
     }
-    // The project's promise; what floats leave is about 3e-7.
+    // The specified bound; float rounding is about 3e-7.
     EXPECT_LE(error, 2e-6 * largest) << name;
     testing::Test::RecordProperty(std::string(name) + "_relative_error",
                                   std::to_string(largest > 0 ? error / largest * 1e9 : 0) + "e-9");
@@ -110,7 +110,7 @@ TEST_P(FrameOnEachIsa, DisplacementMatchesTheOracle) {
     expect_close(frame.cascades[0].dz, truth.dz, "dz");
 }
 
-TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
+TEST_P(FrameOnEachIsa, BoundsAreTheExtremesOfThePlanes) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     FrameBounds bounds{.height_min_m = frame.cascades[0].height.at(0, 0),
@@ -129,7 +129,7 @@ TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
     EXPECT_EQ(frame.bounds.horizontal_z_max_m, bounds.horizontal_z_max_m);
 }
 
-// Imath's half is what OpenEXR rounds with: to nearest even.
+// OpenEXR rounds with Imath's half: to nearest even.
 TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
@@ -142,8 +142,8 @@ TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
             ASSERT_EQ(halves[0], Imath::half(frame.cascades[0].dx.at(i, j)).bits()) << i << ", " << j;
             ASSERT_EQ(halves[1], Imath::half(frame.cascades[0].height.at(i, j)).bits()) << i << ", " << j;
             ASSERT_EQ(halves[2], Imath::half(frame.cascades[0].dz.at(i, j)).bits()) << i << ", " << j;
-            // Half a step of a byte is 2e-3, half a step of a half below one 2.5e-4; the float Jacobian adds 1e-4 over the ramp
-            // where slopes are steep.
+            // Half a step of a byte is 2e-3, and half a step of a half below one 2.5e-4. The float
+            // Jacobian adds 1e-4 divided by the ramp where slopes are steep.
             Imath::half foam;
             foam.setBits(halves[3]);
             const double beyond = (cascade.whitecap_jacobian - jacobian[texel]) / cascade.whitecap_ramp;
@@ -153,8 +153,9 @@ TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
     }
 }
 
-// Rounding may fall on either side of a step, so one step is the best bound there is. Smoothness is steepest at a
-// length of one, where the length's error of 2e-7 becomes sqrt(3.5 * 2e-7) = 8e-4 or 0.2 steps: still within one.
+// Rounding may go to either side of a step, so one step is the tightest possible bound. Smoothness
+// is steepest at length one, where the length's error of 2e-7 becomes sqrt(3.5 * 2e-7) = 8e-4, or
+// 0.2 steps.
 TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
@@ -175,7 +176,7 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     }
 }
 
-TEST(CascadeSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
+TEST(CascadeSum, EqualsTexelsInterpolatesBilinearlyAndRepeats) {
     const double side = 130;
     Ocean ocean = ocean_on({.resolution = 32, .patch_size_m = 130}, choose_isa());
     const Frame& frame = ocean.frame_at(4);
@@ -183,7 +184,8 @@ TEST(CascadeSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
     for (const int patch : {0, 1, -3}) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i) {
-                // A texel's place may round to a hair before it: off by that part of a slope below 1.
+                // A texel's position may round to slightly before it; the error is that distance
+                // times a slope below 1.
                 const Displacement at = displacement_of(frame, i * texel + patch * side, j * texel - patch * side);
                 EXPECT_NEAR(at.dx, frame.cascades[0].dx.at(i, j), 1e-9);
                 EXPECT_NEAR(at.height, frame.cascades[0].height.at(i, j), 1e-9);
@@ -213,7 +215,7 @@ TEST(MipChain, OffsetsAreARunningSumOfTexels) {
     }
 }
 
-TEST(Ocean, BadOptionsThrowTheReasonOfCheck) {
+TEST(Ocean, InvalidOptionsThrowTheMessageOfCheck) {
     const SeaState bad{.wind_speed_mps = -3};
     try {
         Ocean ocean(bad);
@@ -226,7 +228,7 @@ TEST(Ocean, BadOptionsThrowTheReasonOfCheck) {
     EXPECT_THROW(ocean.schedule_sea(bad), std::invalid_argument);
 }
 
-TEST(Ocean, EveryPresetIsUsableAndHoldsTwoPeakWavelengths) {
+TEST(Ocean, EveryPresetIsValid) {
     for (const SeaPreset& preset : sea_presets()) EXPECT_EQ(check(preset.sea), "") << preset.name;
 }
 

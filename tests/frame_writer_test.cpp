@@ -1,4 +1,4 @@
-// The exporter's writer: several frames at once, but never more than fit in the memory that it may take.
+// The exporter's writer: it writes several frames concurrently, within its memory limit.
 #include "pelagic/tools/record/frame_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace tools;
 
-/// The most frames that were on their way to the disk at one time.
+/// Measures the maximum number of frames that are written at one time.
 class FramesAtOnce final : public TraceSink {
    public:
     void work(const TraceSpan& span) noexcept override {
@@ -50,7 +50,8 @@ class FramesAtOnce final : public TraceSink {
     std::vector<Span> spans_;
 };
 
-/// While it lives, the system refuses every thread whose stack is of the usual size: it is larger than what can be mapped.
+/// While an instance exists, starting a thread with the default stack size fails, because that size
+/// cannot be mapped.
 class NoThreads {
    public:
     NoThreads() {
@@ -71,7 +72,8 @@ class NoThreads {
     pthread_attr_t usual_;
 };
 
-/// How many of 24 frames are written at once by 8 threads in so much memory, and that all of them are.
+/// Returns the maximum number of frames written concurrently by 8 threads within `max_bytes`;
+/// checks that all 24 are written.
 std::size_t frames_at_once(std::size_t max_bytes) {
     const TemporaryFolder path;
     ExportOptions options;
@@ -106,16 +108,17 @@ TEST(FrameWriter, HoldsNoMoreFramesThanFitInItsMemory) {
 
 TEST(FrameWriter, HoldsNoMoreFramesThanThreads) { EXPECT_LE(frames_at_once(std::size_t{1} << 40), 8u); }
 
-TEST(FrameWriter, WritesEveryFrameWithoutAThreadOfItsOwn) {
-    image_codec();  // its libraries start threads
+TEST(FrameWriter, WritesEveryFrameWithoutThreads) {
+    image_codec();  // loading it starts the threads of its libraries
     const NoThreads none;
     ASSERT_THROW(std::thread([] {}).join(), std::system_error);
     EXPECT_EQ(frames_at_once(std::size_t{1} << 40), 1u);
 }
 
-// Nothing is read of a frame that the ocean has overwritten: without threads its files are made when somebody waits for them.
-TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
-    image_codec();  // its libraries start threads
+// Data of a frame is not read after the ocean has overwritten it. Without threads, files are
+// written when the writer is waited for.
+TEST(FrameWriter, RecordsFramesAsTheyWerePassed) {
+    image_codec();  // loading it starts the threads of its libraries
     const NoThreads none;
     const TemporaryFolder path;
     ExportOptions options;
@@ -139,9 +142,10 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
     EXPECT_EQ(records.at(0).foam_hash, foam_hash);
 }
 
-// Of a large sea nothing is copied, and two files of N = 2048 are written at once, on however many threads: docs/users/exporter.md
-// promises 2 GB for four such cascades. Smaller ones are copied, as many as there are threads.
-TEST(FrameWriter, SharesOutWhatTheOceanLeaves) {
+// Frames of a large sea are not copied, and two files of N = 2048 are written at once for any
+// number of threads: the documented limit is 2 GB for four such cascades. Smaller frames are
+// copied, one per thread.
+TEST(FrameWriter, DividesTheMemoryLeftByTheOcean) {
     constexpr std::size_t mib = std::size_t{1} << 20;
     ExportOptions options;
     options.sea.sea = {.cascades = 4, .resolution = 2048};

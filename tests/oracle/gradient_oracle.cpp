@@ -6,7 +6,7 @@
 namespace pelagic::oracle {
 namespace {
 
-/// Central differences with wrap, equations 45 and 46.
+/// Central differences with periodic wrap, equations 45 and 46.
 struct Slopes {
     double x, z;
 };

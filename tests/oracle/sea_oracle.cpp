@@ -21,34 +21,36 @@ double spreading_weight(double alpha, double cosine) {
     return cosine < 0 ? along * (0.01 + 0.49 * (1 - alpha) * (1 - alpha)) : along;
 }
 
-// In closed form: the integral of |cos|^s over half a circle is sqrt(pi) Gamma((s + 1)/2) / Gamma(s/2 + 1).
+// Analytic solution: the integral of |cos|^s over half a circle is sqrt(pi) Gamma((s + 1)/2) /
+// Gamma(s/2 + 1).
 double spreading_integral(double alpha) {
     const double s = 1 + 5 * alpha * alpha;
     const double half_circle = std::sqrt(pi) * std::tgamma((s + 1) / 2) / std::tgamma(s / 2 + 1);
     return half_circle * (1 + 0.01 + 0.49 * (1 - alpha) * (1 - alpha));
 }
 
-/// d omega / d k by a central difference: independent of the library's closed form.
+/// Returns d omega / d k by a central difference, independent of the library's formula.
 double slope_of_frequency(double k, double depth_m) {
     const auto omega = [&](double at) { return std::sqrt(gravity * at * std::tanh(at * depth_m)); };
     const double step = 1e-5 * k;
     return (omega(k + step) - omega(k - step)) / (2 * step);
 }
 
-/// Kitaigorodskii's factor by its definition: k^-3 dk/domega at the depth over the same in deep water.
+/// Kitaigorodskii's depth factor by definition: k^-3 dk/domega at the depth, divided by its value
+/// in deep water.
 double depth_factor(double k, double depth_m) {
     const double deep_k = k * std::tanh(k * depth_m);
     const double ratio = deep_k / k;
     return ratio * ratio * ratio * slope_of_frequency(deep_k, 1e9) / slope_of_frequency(k, depth_m);
 }
 
-/// Where waves of a wind stop growing: g F / V^2 = 17000.
+/// The fetch, in m, limited to g F / V^2 = 17000, where wind waves stop growing.
 double grown_fetch_m(const SeaState& sea) {
     const double grown = 17000 * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
     return sea.fetch_m < grown ? sea.fetch_m : grown;
 }
 
-/// omega in deep water where each model's frequency spectrum peaks.
+/// Peak omega of each model's frequency spectrum in deep water, in rad/s.
 double peak_frequency(const SeaState& sea) {
     if (sea.spectrum == SpectrumModel::jonswap)
         return 22 * std::cbrt(gravity * gravity / (sea.wind_speed_mps * grown_fetch_m(sea)));
@@ -56,7 +58,7 @@ double peak_frequency(const SeaState& sea) {
     return std::pow(0.8 * beta, 0.25) * gravity / sea.wind_speed_mps;
 }
 
-/// Wave number of a frequency, by halving an interval.
+/// Returns the wave number of a frequency, by bisection.
 double wave_number_of(double omega, double depth_m) {
     double low = 1e-9, high = 1e9;
     while (high / low > 1 + 1e-14) {
@@ -73,7 +75,7 @@ double small_wave_factor(const SeaState& sea, double k) {
     return std::exp(-k * k * l * l);
 }
 
-/// cos(theta/2)^(2s) over its integral in closed form.
+/// Returns cos(theta/2)^(2s), normalised by its analytic integral.
 double cosine_2s(double s, double angle) {
     const double integral = 2 * std::sqrt(pi) * std::exp(std::lgamma(s + 0.5) - std::lgamma(s + 1));
     return std::pow(std::fabs(std::cos(angle / 2)), 2 * s) / integral;
@@ -98,11 +100,12 @@ double wind_directional(const SeaState& sea, double k, double angle) {
     return beta / (2 * std::tanh(beta * pi)) * std::pow(std::cosh(beta * wrapped), -2);
 }
 
-/// Energy over wave number, before waves break.
+/// Energy density by wave number, without breaking.
 double wind_radial(const SeaState& sea, double k) {
     const double all = slope_of_frequency(k, sea.depth_m) * depth_factor(k, sea.depth_m) * small_wave_factor(sea, k);
     const double omega = frequency_of(sea, k);
-    if (sea.spectrum == SpectrumModel::phillips)  // in deep water equation 3's shape, see docs/equations.md
+    // in deep water the shape of equation 3, see docs/equations.md
+    if (sea.spectrum == SpectrumModel::phillips)
         return 0.0081 * gravity * gravity * std::pow(omega, -5) *
                std::exp(-std::pow(gravity / (sea.wind_speed_mps * omega), 4)) * all;
     return frequency_density(sea, omega) * all;
@@ -110,14 +113,15 @@ double wind_radial(const SeaState& sea, double k) {
 
 double swell_radial(const SeaState& sea, double k) {
     const double peak = 2 * pi / sea.swell_period_s, lambda = 3, omega = frequency_of(sea, k);
-    // Ochi and Hubble 1976 as they print it.
+    // Ochi and Hubble 1976, in their notation.
     return 0.25 * std::pow((4 * lambda + 1) / 4 * std::pow(peak, 4), lambda) / std::tgamma(lambda) *
            sea.swell_height_m * sea.swell_height_m / std::pow(omega, 4 * lambda + 1) *
            std::exp(-(4 * lambda + 1) / 4 * std::pow(peak / omega, 4)) * slope_of_frequency(k, sea.depth_m);
 }
 
-/// What breaking leaves: Simpson's rule over log k, where the depth may tell.
-double kept_after_breaking(const SeaState& sea) {
+/// Returns the factor in (0, 1] by which breaking reduces the variance: Simpson's rule over log k,
+/// at depths where it can be below 1.
+double breaking_factor(const SeaState& sea) {
     if (sea.depth_m > 100 || sea.spectrum == SpectrumModel::phillips_paper) return 1;
     const double first = std::log(1e-4), last = std::log(1e4);
     constexpr int steps = 2000;
@@ -138,15 +142,15 @@ double unbroken_density(const SeaState& sea, double kx, double kz) {
            k;
 }
 
-/// \param kept  kept_after_breaking(sea)
-Complex amplitude(const SeaState& sea, double kept, int m, int n) {
+/// \param attenuation value of breaking_factor(sea)
+Complex amplitude(const SeaState& sea, double attenuation, int m, int n) {
     const int nyquist = sea.resolution / 2;
     if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
     const double dk = 2 * pi / sea.patch_size_m;
     const double kx = m * dk, kz = n * dk;
     const GaussianPair xi = gaussian_pair(sea.seed, 0, m, n);
     if (sea.spectrum != SpectrumModel::phillips_paper)
-        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(kept * unbroken_density(sea, kx, kz)) * dk;
+        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(attenuation * unbroken_density(sea, kx, kz)) * dk;
 
     const double k = std::hypot(kx, kz);
     const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
@@ -173,18 +177,16 @@ double frequency_density(const SeaState& sea, double w) {
 }
 
 double density(const SeaState& sea, double kx, double kz) {
-    return kept_after_breaking(sea) * unbroken_density(sea, kx, kz);
+    return breaking_factor(sea) * unbroken_density(sea, kx, kz);
 }
 
-Complex initial_amplitude(const SeaState& sea, int m, int n) {
-    return amplitude(sea, kept_after_breaking(sea), m, n);
-}
+Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, breaking_factor(sea), m, n); }
 
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;
     const std::size_t side = static_cast<std::size_t>(n);
     const double turns_of_loop = time_s / sea.loop_period_s;
-    const double kept = kept_after_breaking(sea);
+    const double attenuation = breaking_factor(sea);
     ComplexField waves(side * side);
     for (std::size_t j = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i) {
@@ -193,8 +195,8 @@ ComplexField spectrum_at(const SeaState& sea, double time_s) {
             const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
             const double q = std::max(1.0, std::floor(frequency_of(sea, k) * sea.loop_period_s / (2 * pi) + 0.5));
             const double phase = 2 * pi * std::fmod(q * std::fmod(turns_of_loop, 1.0), 1.0);
-            waves[j * side + i] = amplitude(sea, kept, kx, kz) * std::polar(1.0, -phase) +
-                                  std::conj(amplitude(sea, kept, -kx, -kz)) * std::polar(1.0, phase);
+            waves[j * side + i] = amplitude(sea, attenuation, kx, kz) * std::polar(1.0, -phase) +
+                                  std::conj(amplitude(sea, attenuation, -kx, -kz)) * std::polar(1.0, phase);
         }
     }
     return waves;
@@ -211,7 +213,8 @@ Fields fields_at(const SeaState& sea, double time_s) {
             const double length = std::hypot(kx, kz);
             if (length == 0) continue;
             const double kd = 2 * pi / sea.patch_size_m * length * sea.depth_m;
-            const double orbit = std::min(20.0, 1 / std::tanh(kd));  // Airy: horizontal over up and down
+            // Airy theory: ratio of horizontal to vertical displacement
+            const double orbit = std::min(20.0, 1 / std::tanh(kd));
             const Complex horizontal = Complex(0, sea.choppiness * orbit) * waves[j * side + i];
             along_x[j * side + i] = kx / length * horizontal;
             along_z[j * side + i] = kz / length * horizontal;

@@ -6,10 +6,10 @@
 namespace pelagic::oracle {
 namespace {
 
-// Of the finest texel: squares below this are searched with Newton's method.
+// In units of the finest texel: below this size, squares are searched with Newton's method.
 constexpr double finest = 1.0 / 16;
 
-// Cells along an axis over which a range is looked for value by value.
+// Above this number of cells along an axis, the range of the whole plane is used.
 constexpr double max_cells = 6;
 
 std::vector<double> plane_of(const PlaneView& view) {
@@ -38,7 +38,7 @@ Stack::Stack(const Frame& frame, Interpolation interpolation) {
                     .interpolation = interpolation};
         const auto range_of = [&](const std::vector<double>& plane) {
             const auto [min, max] = std::minmax_element(plane.begin(), plane.end());
-            // Four weights that add up to 1 are -1/16, 9/16, 9/16, -1/16 at worst, along either axis.
+            // Four weights whose sum is 1 are at worst -1/16, 9/16, 9/16, -1/16 along either axis.
             const double beyond = interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*max - *min) : 0;
             reach_m_ += std::max(-*min, *max) + beyond;
             return Range{*min - beyond, *max + beyond};
@@ -62,7 +62,8 @@ double Stack::Layer::value(const std::vector<double>& plane, double u, double v)
            v * ((1 - u) * at(plane, i, j + 1) + u * at(plane, i + 1, j + 1));
 }
 
-// Hermite's cubic of two values and the central differences there, along one axis and then along the other.
+// Hermite's cubic of two values and their central differences, along one axis and then along the
+// other.
 double Stack::Layer::cubic_value(const std::vector<double>& plane, double u, double v) const {
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     const auto hermite = [](double before, double left, double right, double behind, double t) {
@@ -93,12 +94,13 @@ double Stack::Layer::slope(const std::vector<double>& plane, double u, double v,
            v * ((1 - u) * central(i, j + 1) + u * central(i + 1, j + 1));
 }
 
-// A bilinear piece lies between its corners, so the values where the square's sides and the texels' lines meet bound it.
+// A bilinear patch has its extremes at its corners, so values at the intersections of the square's
+// sides and the texel lines bound it.
 Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, double u, double v,
                                  double reach) const {
     if (2 * reach > max_cells) return all;
     if (interpolation == Interpolation::cubic) {
-        // Of the differences between texels the slope along an axis is a sum with weights of at most 1.5 * 1.25.
+        // The slope along an axis is a sum of texel differences with weights of at most 1.5 * 1.25.
         const int first_i = static_cast<int>(std::floor(u - reach)) - 1,
                   last_i = static_cast<int>(std::floor(u + reach)) + 2;
         const int first_j = static_cast<int>(std::floor(v - reach)) - 1,
@@ -156,7 +158,8 @@ SurfaceFacts Stack::facts_at(double x_m, double z_m) const {
             slopes[p][1] += layer.sine * along + layer.cosine * across;
         }
     }
-    // Tangents (1 + Dx,x, h,x, Dz,x) and (Dx,z, h,z, 1 + Dz,z); their cross product, the second first, points up.
+    // Tangents (1 + Dx,x, h,x, Dz,x) and (Dx,z, h,z, 1 + Dz,z); the cross product of the second and
+    // the first points up.
     const double x = slopes[1][1] * slopes[2][0] - (1 + slopes[2][1]) * slopes[1][0];
     const double y = (1 + slopes[2][1]) * (1 + slopes[0][0]) - slopes[0][1] * slopes[2][0];
     const double z = slopes[0][1] * slopes[1][0] - slopes[1][1] * (1 + slopes[0][0]);
@@ -166,15 +169,15 @@ SurfaceFacts Stack::facts_at(double x_m, double z_m) const {
 
 std::vector<StackIntersection> Stack::intersections_at(double x_m, double z_m) const {
     std::vector<StackIntersection> intersections;
-    look_inside(x_m, z_m, x_m, z_m, reach_m_, intersections);
+    search(x_m, z_m, x_m, z_m, reach_m_, intersections);
     std::sort(intersections.begin(), intersections.end(),
               [](const StackIntersection& a, const StackIntersection& b) { return a.height_m > b.height_m; });
     return intersections;
 }
 
-// The square of reference points from (x - half, z - half) to (x + half, z + half).
-void Stack::look_inside(double point_x, double point_z, double x, double z, double half,
-                        std::vector<StackIntersection>& intersections) const {
+// Searches the square of reference points from (x - half, z - half) to (x + half, z + half).
+void Stack::search(double point_x, double point_z, double x, double z, double half,
+                   std::vector<StackIntersection>& intersections) const {
     Range drawn_x{x - half, x + half}, drawn_z{z - half, z + half};
     for (const Layer& layer : layers_) {
         const double u = layer.along(x, z), v = layer.across(x, z);
@@ -190,7 +193,7 @@ void Stack::look_inside(double point_x, double point_z, double x, double z, doub
     const double quarter = half / 2;
     for (const double to_x : {-quarter, quarter})
         for (const double to_z : {-quarter, quarter})
-            look_inside(point_x, point_z, x + to_x, z + to_z, quarter, intersections);
+            search(point_x, point_z, x + to_x, z + to_z, quarter, intersections);
 }
 
 // Newton's method with numeric derivatives.
@@ -217,7 +220,8 @@ void Stack::refine(double point_x, double point_z, double x, double z, double ha
     }
     const Vector here = off(x, z);
     if (std::hypot(here.x, here.z) > 1e-9) return;
-    for (const StackIntersection& intersection : intersections)  // found before, from the next square
+    // already found from the neighbouring square
+    for (const StackIntersection& intersection : intersections)
         if (std::fabs(intersection.x_m - x) < 1e-6 && std::fabs(intersection.z_m - z) < 1e-6) return;
     intersections.push_back({x, z, here.y});
 }

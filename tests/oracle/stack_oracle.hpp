@@ -1,6 +1,7 @@
-// The displaced surface of a sum of cascades in double, by looking everywhere: a square of reference points is left out only if the
-// box around all that it is drawn on, from the cascades' own values, lies off the point; the rest is cut in four down to a part
-// of the finest texel. Knows nothing of contraction maps, slopes or how far from the point a search may begin.
+// The displaced surface of a sum of cascades in double, by exhaustive search. A square of reference
+// points is excluded only if the bounding box of its displaced points, from the cascades' values,
+// does not contain the point. Other squares are divided into four, down to a fraction of the finest
+// texel. The search uses no contraction maps, slopes or bounds of the search distance.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace pelagic::oracle {
 
-/// A reference point of the world, metres, and the height that is drawn from it.
+/// A reference point in world coordinates and its height, in m.
 struct StackIntersection {
     double x_m, z_m, height_m;
 };
@@ -20,10 +21,11 @@ class Stack {
    public:
     explicit Stack(const Frame& frame, Interpolation interpolation = Interpolation::linear);
 
-    /// All intersections over a point of the world, highest first.
+    /// Returns all intersections above a point of the world, highest first.
     std::vector<StackIntersection> intersections_at(double x_m, double z_m) const;
-    /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up. Cubic: from
-    /// differences of interpolated values over a small part of a texel.
+    /// Computes normal and Jacobian. Linear: from central differences at texels, bilinear between
+    /// them, rotated into world axes and summed. Cubic: from differences of interpolated values
+    /// over a small fraction of a texel.
     SurfaceFacts facts_at(double reference_x_m, double reference_z_m) const;
 
     struct Vector {
@@ -53,8 +55,8 @@ class Stack {
     };
     Vector sum(double x_m, double z_m, const std::vector<double> Layer::*x, const std::vector<double> Layer::*y,
                const std::vector<double> Layer::*z) const;
-    void look_inside(double point_x, double point_z, double x, double z, double half,
-                     std::vector<StackIntersection>& intersections) const;
+    void search(double point_x, double point_z, double x, double z, double half,
+                std::vector<StackIntersection>& intersections) const;
     void refine(double point_x, double point_z, double x, double z, double half,
                 std::vector<StackIntersection>& intersections) const;
 

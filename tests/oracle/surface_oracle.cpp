@@ -6,7 +6,7 @@
 namespace pelagic::oracle {
 namespace {
 
-// A cell is looked at on a grid of 16 x 16.
+// In units of a cell: smaller squares are searched with Newton's method.
 constexpr double finest = 1.0 / 16;
 
 }  // namespace
@@ -26,7 +26,8 @@ Surface::Surface(const Frame& frame, double patch_size_m)
         }
     }
 
-    // Each cell goes to every square of the world that the box around it, as drawn, overlaps: count, then fill.
+    // Assigns each cell to every square of the world that overlaps its displaced bounding box:
+    // counts first, then fills.
     const std::size_t squares = static_cast<std::size_t>(n_) * n_;
     std::vector<std::size_t> counts(squares);
     for (const bool fill : {false, true}) {
@@ -71,7 +72,8 @@ SurfaceFacts Surface::facts_at(const ReferencePoint& rest) const {
                  dz_x = value_at(slopes_[2], rest);
     const double dx_z = value_at(slopes_[3], rest), h_z = value_at(slopes_[4], rest),
                  dz_z = value_at(slopes_[5], rest);
-    // Tangents (1 + dx_x, h_x, dz_x) and (dx_z, h_z, 1 + dz_z); their cross product, the second first, points up.
+    // Tangents (1 + dx_x, h_x, dz_x) and (dx_z, h_z, 1 + dz_z); the cross product of the second and
+    // the first points up.
     const double x = h_z * dz_x - (1 + dz_z) * h_x;
     const double y = (1 + dz_z) * (1 + dx_x) - dx_z * dz_x;
     const double z = dx_z * h_x - h_z * (1 + dx_x);
@@ -91,15 +93,16 @@ std::vector<Intersection> Surface::intersections_at(double x_m, double z_m) cons
     const std::size_t square = static_cast<std::size_t>(static_cast<int>(z) % n_ * n_ + static_cast<int>(x) % n_);
     std::vector<Intersection> intersections;
     for (std::size_t c = first_[square]; c < first_[square + 1]; ++c)
-        look_inside(candidates_[c], {x, z}, 0, 0, 1, intersections);
+        search(candidates_[c], {x, z}, 0, 0, 1, intersections);
     std::sort(intersections.begin(), intersections.end(),
               [](const Intersection& a, const Intersection& b) { return a.height > b.height; });
     return intersections;
 }
 
-// The part of a cell from (u, v) to (u + size, v + size). A bilinear piece lies between its corners.
-void Surface::look_inside(const Candidate& cell, Corner point, double u, double v, double size,
-                          std::vector<Intersection>& intersections) const {
+// Searches the square of a cell from (u, v) to (u + size, v + size). A bilinear patch has its
+// extremes at its corners.
+void Surface::search(const Candidate& cell, Corner point, double u, double v, double size,
+                     std::vector<Intersection>& intersections) const {
     const Corner a = drawn(cell, u, v), b = drawn(cell, u + size, v), c = drawn(cell, u, v + size),
                  d = drawn(cell, u + size, v + size);
     const auto apart = [](double p, std::initializer_list<double> values) {
@@ -108,10 +111,10 @@ void Surface::look_inside(const Candidate& cell, Corner point, double u, double 
     if (apart(point.x, {a.x, b.x, c.x, d.x}) || apart(point.z, {a.z, b.z, c.z, d.z})) return;
     if (size <= finest) return refine(cell, point, u + size / 2, v + size / 2, intersections);
     for (int quarter = 0; quarter < 4; ++quarter)
-        look_inside(cell, point, u + quarter % 2 * size / 2, v + quarter / 2 * size / 2, size / 2, intersections);
+        search(cell, point, u + quarter % 2 * size / 2, v + quarter / 2 * size / 2, size / 2, intersections);
 }
 
-// Newton's method with a numeric derivative, exact for a bilinear piece.
+// Newton's method with a numeric derivative, exact for a bilinear patch.
 void Surface::refine(const Candidate& cell, Corner point, double u, double v,
                      std::vector<Intersection>& intersections) const {
     for (int step = 0; step < 40; ++step) {
@@ -132,7 +135,8 @@ void Surface::refine(const Candidate& cell, Corner point, double u, double v,
     const auto is_inside = [](double t) { return t >= -1e-9 && t <= 1 + 1e-9; };
     if (!is_inside(u) || !is_inside(v)) return;
     const ReferencePoint rest{cell.i, cell.j, u, v};
-    for (const Intersection& intersection : intersections)  // found before, from the next piece or the next cell
+    // already found from the neighbouring square or cell
+    for (const Intersection& intersection : intersections)
         if (std::fabs(intersection.rest.i + intersection.rest.u - cell.i - u) < 1e-6 &&
             std::fabs(intersection.rest.j + intersection.rest.v - cell.j - v) < 1e-6)
             return;

@@ -1,5 +1,6 @@
-// The displaced surface of a frame in double, by looking everywhere: bilinear between texels, every reference point that is
-// drawn at a world point. Knows nothing of fold maps, Newton's steps from the point, or closed forms.
+// The displaced surface of a frame in double, by exhaustive search: bilinear between texels, every
+// reference point whose displaced position is a given point. The search uses no fold maps, Newton
+// steps from the point, or analytic solutions.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +10,13 @@
 
 namespace pelagic::oracle {
 
-/// A reference point, in texels from the origin of the patch: the cell and where in it.
+/// A reference point, in texels from the origin of the patch: the cell and the position in it.
 struct ReferencePoint {
     int i, j;
     double u, v;
 };
 
-/// One of the reference points that are drawn at a world point.
+/// A reference point whose displaced position is the queried point, and its height.
 struct Intersection {
     ReferencePoint rest;
     double height;
@@ -29,17 +30,17 @@ class Surface {
    public:
     Surface(const Frame& frame, double patch_size_m);
 
-    /// All intersections over a world point, highest first.
+    /// Returns all intersections above a point of the world, highest first.
     std::vector<Intersection> intersections_at(double x_m, double z_m) const;
 
-    /// Bilinear between texels.
+    /// Interpolates bilinearly between texels.
     double value_at(const Plane& plane, const ReferencePoint& rest) const;
-    /// From slopes by central differences at texels, bilinear between them.
+    /// Computes normal and Jacobian from central differences at texels, bilinear between them.
     SurfaceFacts facts_at(const ReferencePoint& rest) const;
     const Displacement& displacement() const { return planes_; }
 
    private:
-    /// A cell, moved by whole patches so that it is drawn in the first one.
+    /// A cell, shifted by whole patches so that its displaced position is in the first patch.
     struct Candidate {
         int i, j;
     };
@@ -47,8 +48,8 @@ class Surface {
         double x, z;
     };
     Corner drawn(const Candidate& cell, double u, double v) const;
-    void look_inside(const Candidate& cell, Corner point, double u, double v, double size,
-                     std::vector<Intersection>& intersections) const;
+    void search(const Candidate& cell, Corner point, double u, double v, double size,
+                std::vector<Intersection>& intersections) const;
     void refine(const Candidate& cell, Corner point, double u, double v,
                 std::vector<Intersection>& intersections) const;
 
@@ -56,7 +57,7 @@ class Surface {
     double texel_m_;
     Displacement planes_;
     Plane slopes_[6];                 ///< dx, height, dz along x, then along z
-    std::vector<std::size_t> first_;  ///< of each square of the world, in candidates_
+    std::vector<std::size_t> first_;  ///< index into candidates_, for each square of the world
     std::vector<Candidate> candidates_;
 };
 

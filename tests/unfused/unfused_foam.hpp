@@ -1,4 +1,4 @@
-// Foam where water breaks, one float at a time.
+// Foam of breaking waves, one float at a time.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace pelagic::unfused {
 
-/// In parts of a byte, whole ones.
+/// Returns foam in units of 1/255, rounded to integers.
 inline float breaking_foam(const FoamSource& source, float jacobian) {
     return std::nearbyint(std::min(std::max(source.offset - source.scale * jacobian, 0.f), 255.f));
 }
 
-/// As a half float holds it, nothing being remembered.
+/// Returns foam without history, as it is stored in half floats, in [0, 1].
 inline float foam_of(const FoamSource& source, float jacobian) {
     return breaking_foam(source, jacobian) * (1.f / 255);
 }

@@ -47,7 +47,7 @@ void butterfly_8(Complex* x) {
     }
 }
 
-/// The inverse transform of `line`, in place, in the plan's steps.
+/// Applies the inverse transform to `line` in place, in the steps of the plan.
 void transform(std::vector<Complex>& line, const FftTables& fft) {
     std::vector<Complex> data(line.size());
     for (std::size_t i = 0; i < line.size(); ++i) data[fft.positions[i]] = line[i];
@@ -58,7 +58,8 @@ void transform(std::vector<Complex>& line, const FftTables& fft) {
                 Complex x[8];
                 for (int l = 0; l < step.radix; ++l) {
                     x[l] = data[static_cast<std::size_t>(first + j + l * step.span)];
-                    if (l == 0 || (j == 0 && s + 1 < fft.step_count)) continue;  // only the last step multiplies by 1
+                    // only the last step multiplies by 1
+                    if (l == 0 || (j == 0 && s + 1 < fft.step_count)) continue;
                     const float* root = fft.twiddles + step.first_twiddle + 2 * (j * step.radix + l);
                     x[l] = {x[l].re * root[0] - x[l].im * root[1], x[l].re * root[1] + x[l].im * root[0]};
                 }

@@ -1,5 +1,6 @@
-// The stages of a frame one after the other, each over the whole sea, one float at a time: no registers, no blocks, no
-// fusing, no threads. The arithmetic is the kernels', operation by operation, so the bits must be too.
+// The stages of a frame one after the other, each over the whole sea, one float at a time: without
+// SIMD registers, blocks, fusing and threads. The operations are those of the kernels in equal
+// order, so results must be bit-identical.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ class UnfusedSea {
     /// Bakes the spectrum. \pre check(sea) is empty
     explicit UnfusedSea(const SeaState& sea);
 
-    /// Views of it stay valid until the next call. \param foam  what breaks in that sea
+    /// Computes a frame, which is valid until the next call. \param foam the foam source of the sea
     const Frame& frame_at(double time_s, const FoamSource& foam = {});
 
    private:
@@ -30,11 +31,11 @@ class UnfusedSea {
         float direction_x, direction_z;
         std::uint32_t harmonic;
     };
-    /// Row n holds kz = n at first kx, later x: N/2 rows of N.
+    /// Row n holds kz = n, by kx at first and by x later: N/2 rows of N.
     struct Field {
         std::vector<Complex> h, p, r;
     };
-    /// What mipmaps average.
+    /// Values that mipmaps average.
     struct Average {
         float n_x, n_y, n_z, jacobian;
     };
@@ -57,12 +58,12 @@ class UnfusedSea {
     std::vector<float> dx_, height_, dz_;
     std::vector<std::uint16_t> halves_;
     std::vector<std::uint32_t> texels_;
-    std::vector<Average> averages_;  ///< of the finest level not yet made
+    std::vector<Average> averages_;  ///< averages of the finest level not computed yet
     Cascade cascade_;
     Frame frame_;
 };
 
-/// Sine and cosine of phase / 2^32 turns, as evolve takes them.
+/// Sine and cosine of phase / 2^32 turns, as the stage `evolve` computes them.
 struct Rotation {
     float sine, cosine;
 };

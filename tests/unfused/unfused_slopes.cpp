@@ -13,13 +13,13 @@
 namespace pelagic::unfused {
 namespace {
 
-/// What levels average.
+/// Values that mip levels average.
 struct Slopes {
     float h_x, h_z, d_xx, d_zz, d_xz;
     float h_x_h_x, h_z_h_z, h_x_h_z;
 };
-constexpr std::array parts = {&Slopes::h_x,  &Slopes::h_z,     &Slopes::d_xx,    &Slopes::d_zz,
-                              &Slopes::d_xz, &Slopes::h_x_h_x, &Slopes::h_z_h_z, &Slopes::h_x_h_z};
+constexpr std::array components = {&Slopes::h_x,  &Slopes::h_z,     &Slopes::d_xx,    &Slopes::d_zz,
+                                   &Slopes::d_xz, &Slopes::h_x_h_x, &Slopes::h_z_h_z, &Slopes::h_x_h_z};
 
 std::uint32_t byte_of(float steps) {
     return static_cast<std::uint32_t>(std::clamp(static_cast<int>(std::nearbyint(steps)), -128, 127) + 128);
@@ -110,7 +110,7 @@ CascadeSlopes slopes_of(const CascadePlanes& planes, const SlopeRanges& ranges) 
             const Slopes* above = &level[2 * (i / side) * 2 * side + 2 * (i % side)];
             const Slopes* below = above + 2 * side;
             Slopes& s = coarser[i];
-            for (float Slopes::*part : parts)
+            for (float Slopes::*part : components)
                 s.*part = ((above[0].*part + below[0].*part) + (above[1].*part + below[1].*part)) * 0.25f;
             const auto shown = [](float square, float product) { return product + (square - product) * (1.f / 3.f); };
             if (number == 1) {

@@ -1,4 +1,5 @@
-// Stages `slopes` and `slopes tail` over a whole cascade, one float at a time, as UnfusedSea has the others.
+// The stages `slopes` and `slopes tail` over a whole cascade, one float at a time, like the other
+// stages in UnfusedSea.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +10,17 @@
 
 namespace pelagic::unfused {
 
-/// What a cascade's slopes are made from: tight rows of N^2, metres.
+/// Inputs of a cascade's slopes: tight rows of N^2 values, in m.
 struct CascadePlanes {
     int resolution;
     double side_m;
-    float cosine, sine;  ///< how the cascade is turned
+    float cosine, sine;  ///< rotation of the cascade
     std::vector<float> dx, height, dz;
     FoamSource foam = {.offset = 200, .scale = 255};
 };
 
 struct CascadeSlopes {
-    std::vector<std::uint32_t> slopes, moments;  ///< chains
+    std::vector<std::uint32_t> slopes, moments;  ///< mip chains
     std::vector<std::uint16_t> halves;
 };
 
