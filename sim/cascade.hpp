@@ -1,4 +1,5 @@
-// One square of waves of a frame, which repeats over the whole sea. A frame is a stack of them: displacements add.
+// A cascade: a wavelength band of a frame and its square domain, which repeats over the whole sea.
+// The displacements of a frame are the sums over its cascades.
 #pragma once
 
 #include <bit>
@@ -11,9 +12,10 @@
 
 namespace pelagic {
 
-/// A square of floats, stored in blocks of a few columns, which is how they are computed: texel (i, j) is
-/// data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
-/// columns in a block depends on the instruction set. A plain array is one block.
+/// A square array of floats in blocks of a few columns, which is the order of computation. Texel
+/// (i, j) is data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides
+/// are in floats. The number of columns in a block depends on the instruction set. A plain array is
+/// one block.
 struct PlaneView {
     const float* data = nullptr;
     int resolution = 0;
@@ -24,7 +26,7 @@ struct PlaneView {
     float at(int i, int j) const {
         return data[i / block_columns * block_stride + j * row_stride + i % block_columns];
     }
-    /// Writes the resolution floats of row j.
+    /// Writes row j, which has `resolution` floats.
     void copy_row(int j, float* out) const {
         for (int i = 0; i < resolution; i += block_columns)
             std::memcpy(out + i, data + i / block_columns * block_stride + j * row_stride,
@@ -40,85 +42,99 @@ struct FrameBounds {
     float horizontal_z_max_m = 0;  ///< largest |Dz|
 };
 
-/// Levels in a gradient chain: resolution, resolution / 2, ..., 1.
+/// Returns the number of levels in a mipmap chain: resolution, resolution / 2, ..., 1.
 constexpr int mip_levels(int resolution) { return std::bit_width(static_cast<unsigned>(resolution)); }
 
-/// First texel of level `level` in the chain (VR Ocean, equation 55, which counts texels, not bytes).
+/// Returns the first texel of a level in a chain (VR Ocean, equation 55, which counts texels, not
+/// bytes).
 constexpr std::size_t mip_offset(int resolution, int level) {
     const std::size_t all = (4 * static_cast<std::size_t>(resolution) * resolution - 1) / 3;
     const std::size_t from_here = ((std::size_t{1} << 2 * (mip_levels(resolution) - level)) - 1) / 3;
     return all - from_here;
 }
 
-/// Where the texels of a cascade rest. Its grid may be rotated against the world: texel (i, j), N being the resolution,
-/// rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being the turn's cosine and sine. What the texels hold is in the
-/// world's axes, whatever the turn.
+/// Undisplaced positions of a cascade's texels. The grid may be rotated: texel (i, j), N being the
+/// resolution, has the position x = (c i - s j) L/N, z = (s i + c j) L/N, where c and s are the
+/// cosine and sine of the rotation. Texels hold values in the world's axes, whatever the rotation.
 struct CascadeGrid {
-    double side_m = 0;            ///< L, the cascade repeats after this length along both of its axes
-    double cosine = 1, sine = 0;  ///< of the turn, from +x towards +z
+    double side_m = 0;            ///< L, the period along both axes of the cascade
+    double cosine = 1, sine = 0;  ///< of the rotation, from +x towards +z
 
     bool is_rotated() const { return sine != 0; }
 
     struct Place {
         double along, across;
     };
-    /// A place of the world along the cascade's own axes, metres.
+    /// Converts a position in the world to metres along the cascade's axes.
     Place in_cascade(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
-    /// The other way round: x and z.
+    /// Converts metres along the cascade's axes to x and z in the world.
     Place in_world(double along_m, double across_m) const {
         return {cosine * along_m - sine * across_m, sine * along_m + cosine * across_m};
     }
 };
 
-/// How much a cascade contracts the water together, for queries of frames with several cascades (buffers/contraction_map.hpp).
+/// Bounds of a cascade's horizontal contraction, for queries of frames with several cascades
+/// (buffers/contraction_map.hpp).
 struct ContractionBound {
-    static constexpr int one = 160;  ///< bytes are parts of this; the largest byte means that or anything more
+    /// The byte that stands for 1. The largest byte, 255, stands for 255 / one or more.
+    static constexpr int one = 160;
 
-    /// By blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for all.
+    /// Bounds for blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for
+    /// all.
     std::span<const std::uint8_t> blocks;
-    /// (N/2)^2: the most around a block, as far as other reference points of the same place can be.
+    /// (N/2)^2: the largest bound around a block, as far as other reference points of one drawn
+    /// position can be.
     std::span<const std::uint8_t> around;
-    float largest_m = 0;  ///< of the horizontal displacements
-    float stretch = 0;    ///< two reference points' displacements differ by at most this times their distance
-    float steepness = 0;  ///< and their heights by this times their distance
+    float largest_m = 0;  ///< largest horizontal displacement
+    /// Lipschitz constants: displacements and heights of two reference points differ by at most
+    /// these times their distance.
+    float stretch = 0;
+    float steepness = 0;
 
-    /// The most of all blocks.
+    /// Returns the largest bound of all blocks.
     double max() const { return static_cast<double>(blocks.back()) / one; }
 
     bool empty() const { return blocks.empty(); }
 };
 
-/// What a cascade of one frame holds, as views into the ocean that made it.
+/// The data of a cascade in one frame, as views of memory that the ocean owns.
 struct Cascade {
     CascadeGrid grid;
     PlaneView dx, height, dz;  ///< metres, in the world's axes
-    /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
-    /// unless OceanOptions::velocities.
+    /// Derivatives of dx, height and dz in time at the fixed reference point, m/s. Without data
+    /// unless OceanOptions::velocities is set.
     PlaneView velocity_x, velocity_y, velocity_z;
-    /// Where the surface may lie over itself, for surface queries (buffers/fold_map.hpp). Empty unless
-    /// OceanOptions::queries, and where a frame has several cascades.
+    /// Fold map: where the surface may intersect itself, for queries (buffers/fold_map.hpp). Empty
+    /// unless OceanOptions::queries is set and the frame has one cascade.
     std::span<const std::uint8_t> folds;
-    ContractionBound contraction;  ///< instead of folds, where a frame has several cascades
-    /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
+    ContractionBound contraction;  ///< replaces `folds` in a frame of several cascades
+    /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 full), in
+    /// tight rows.
     std::span<const std::uint16_t> displacement_rgba16f;
-    /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
-    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m). Of the cascade alone: normals of a
-    /// sum are no sums of normals. Empty in a frame of several cascades unless OceanOptions::gradients.
+    /// A chain of mip_levels() levels with one texel in a word: normal x, normal z, Jacobian,
+    /// smoothness from the lowest byte up (VR Ocean, equations 50 and 51). Level m starts at
+    /// mip_offset(resolution, m). These are normals of this cascade alone; the normal of a sum is
+    /// not the sum of normals. Empty in a frame of several cascades unless OceanOptions::gradients
+    /// is set.
     std::span<const std::uint32_t> gradient_rgba8;
-    /// Two chains like it, of slopes that add to other cascades' and of how much they vary within a texel: slope_sum.hpp says
-    /// what the bytes mean and how to get a normal. Empty in a frame of one cascade unless OceanOptions::slopes.
+    /// Two such chains, of slopes, which add over cascades, and of their moments within a texel.
+    /// slope_sum.hpp defines the bytes and the normal. Empty in a frame of one cascade unless
+    /// OceanOptions::slopes is set.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
-    /// The chain of mip_levels() levels of foam, one byte a texel, 0 none to 255 covered: what breaks now and what is left of
-    /// earlier. Empty unless OceanOptions::foam. As a part of 1 it is the fourth of the half floats.
+    /// A chain of mip_levels() levels of foam with one byte a texel, 0 none to 255 full: foam of
+    /// waves that break at the frame's time and the remainder of earlier foam. Empty unless
+    /// OceanOptions::foam is set. The fourth half float of displacement_rgba16f is this byte / 255.
     std::span<const std::uint8_t> foam_r8;
-    /// Of h_x plus of h_z over the whole cascade, as the chains' last level has it, also where they are in memory of the application's
-    /// (texture_targets.hpp); 0 without slopes.
+    /// Variance of h_x plus variance of h_z over the whole cascade, as in the last level of the
+    /// chains, also if the chains are in memory of the application (texture_targets.hpp); 0 without
+    /// slopes.
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
-    /// Water of the Jacobian J of the cascade makes foam of clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1): as much of it,
-    /// in the mean over time and while it lasts, as whitecaps cover in that wind (foam/whitecaps.hpp), cascades together.
-    /// no_whitecaps where the cascade makes none.
+    /// A point with the Jacobian J of this cascade has the foam
+    /// clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so
+    /// that the foam of all cascades, with its decay, covers on average as much as whitecaps in
+    /// that wind (foam/whitecaps.hpp). no_whitecaps if the cascade makes no foam.
     float whitecap_jacobian = 0;
     float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;
@@ -128,7 +144,7 @@ struct Cascade {
     int resolution() const { return height.resolution; }
     double texel_m() const { return grid.side_m / resolution(); }
     std::span<const std::uint32_t> gradient_level(int level) const { return level_of(gradient_rgba8, level); }
-    /// One level of any of the chains.
+    /// Returns one level of a chain.
     template <class Texel>
     std::span<const Texel> level_of(std::span<const Texel> chain, int level) const {
         const std::size_t side = static_cast<std::size_t>(resolution()) >> level;

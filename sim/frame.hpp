@@ -1,4 +1,4 @@
-// What a frame yields, as views into the ocean that made it.
+// A frame: views of cascades, dynamic waves and a shore, which the ocean owns.
 #pragma once
 
 #include <cstdint>
@@ -13,45 +13,54 @@
 
 namespace pelagic {
 
-/// What holds for all frames of a sea, found out when its spectrum is baked.
+/// Statistics that are constant for all frames of a sea.
 struct SeaStatistics {
-    /// 4 sqrt(variance), mean over all seeds, of the waves that the cascades hold; as expected_waves() has it.
+    /// 4 sqrt(variance) of the waves that the cascades hold, mean over all seeds, as in
+    /// expected_waves().
     double significant_wave_height_m = 0;
-    /// Mean squares of the slopes that the cascades' textures show at their finest level, mean over all seeds; and what is left
-    /// of those that were measured in such a wind (Cox and Munk 1954, spectrum/mean_square_slope.hpp).
+    /// Mean squares of the slopes that the cascades' textures hold at their finest level, mean over
+    /// all seeds; and the remainder of those measured in such a wind (Cox and Munk 1954,
+    /// spectrum/mean_square_slope.hpp).
     SlopeVariance resolved_slopes, unresolved_slopes;
-    /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
-    /// and the unresolved slopes make of it.
+    /// GGX roughness of unresolved waves, SeaState::roughness or derived from the wind and the
+    /// unresolved slopes. The smoothness channel is 1 - sqrt(roughness).
     double roughness = 0;
-    /// How fast foam drifts over the sea, m/s: with the wind and with the waves (Stokes' drift), in the world's axes.
+    /// Drift velocity of foam in the world's axes, m/s: by the wind and by the waves (Stokes'
+    /// drift).
     double foam_drift_x_mps = 0, foam_drift_z_mps = 0;
 };
 
-/// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.
-/// The point of water that has the reference position (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
-/// Views stay valid until the ocean schedules the second frame after this one.
+/// One frame, with all data about the sea that rendering and queries need.
+///
+/// Water with the undisplaced position (x, z) is drawn at (x + Dx, height, z + Dz), where each term
+/// is the sum over the cascades there. Views stay valid until the ocean schedules the second frame
+/// after this one.
 struct Frame {
     double time_s = 0;
     SeaState sea;
     SeaStatistics statistics;
-    Isa isa = {};                       ///< that computed it
+    Isa isa = {};                       ///< the instruction set that computed the frame
     std::span<const Cascade> cascades;  ///< at least one; the coarsest first
-    /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose extremes need not meet.
+    /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose
+    /// extremes need not coincide.
     FrameBounds bounds;
-    /// What adds to the cascades where applications move the water, with OceanOptions::dynamic_waves; within the bounds, too.
+    /// Waves to add to the cascades, with OceanOptions::dynamic_waves; the bounds include them.
     DynamicWavesView dynamic_waves;
-    /// Where the sea has a floor that waves feel, with OceanOptions::shore; within the bounds, too.
+    /// Waves over a sea floor, with OceanOptions::shore; the bounds include them.
     ShoreSurface shore;
 };
 
-/// XXH3 of every output of the frame: of each cascade the rows of dx, height and dz, the half floats but for foam, the gradient chain (of
-/// several cascades the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
-/// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't.
-/// Textures that were written into memory of the application's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
+/// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
+///
+/// For each cascade the hash covers, in this order and little-endian: the rows of dx, height and
+/// dz, the half floats except foam, the gradient chain (for several cascades the two chains of
+/// slopes instead) and the bounds. It leaves out the time, velocities, fold maps and chains that
+/// only OceanOptions enables, so an ocean with more outputs has equal hashes. It also leaves out
+/// textures written to memory of the application (texture_targets.hpp).
 std::uint64_t hash_of(const Frame& frame);
 
-/// The same of the cascades' chains of foam, which belong to the sea and the time as everything else does, and are asked for by
-/// OceanOptions::foam.
+/// Returns the XXH3 of the cascades' chains of foam, which OceanOptions::foam enables. Foam is a
+/// function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
 
 }  // namespace pelagic

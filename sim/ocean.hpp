@@ -1,10 +1,10 @@
-// The sea: construct it once, then schedule and complete a frame as often as you draw.
+// The ocean: construct it once, then schedule and complete one frame for each image.
 //
 //   Ocean ocean({.wind_speed_mps = 9});
 //   ocean.schedule(0.0);
 //   for (double t = 0;; t += 1.0 / 90) {
 //       const Frame& frame = ocean.complete();  // the frame scheduled last
-//       ocean.schedule(t + 1.0 / 90);           // the next one is computed while this one is drawn
+//       ocean.schedule(t + 1.0 / 90);           // computes the next frame during drawing
 //       draw(frame);
 //   }
 #pragma once
@@ -31,121 +31,155 @@
 
 namespace pelagic {
 
-/// How the sea is computed, and what comes with it; nothing in here changes a bit of the cascades but `foam`, and that
-/// only foam, and `inputs`.
+/// How an ocean computes its frames, and what they contain. Cascades are bit-identical whatever the
+/// options, except that `foam` changes their foam and `inputs` adds waves.
 struct OceanOptions {
-    std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
-    std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
-    std::shared_ptr<TraceSink> trace = {};  ///< none: no clock is read. ChromeTrace or the application's own profiler
-    bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
-    bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
-    bool gradients =
-        false;            ///< frames of several cascades have each cascade's own normals too; those of one always do
-    bool slopes = false;  ///< a frame of one cascade has slopes too (slope_sum.hpp); those of several always do
-    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (foam/history.hpp). A frame then takes a
-    /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
-    /// ticks, as long as ten to twenty frames; 5 N^2 bytes a cascade. Without it half floats hold only what breaks at that very moment.
+    std::shared_ptr<Executor> executor = {};  ///< null: oneTBB with its default number of threads
+    std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the widest of this CPU
+    /// ChromeTrace or the application's profiler; null: tracing is disabled and no clock is read.
+    std::shared_ptr<TraceSink> trace = {};
+    /// Enables queries (surface_query.hpp); N^2 / 8 bytes a frame.
+    bool queries = false;
+    /// Adds velocities to frames; 12 N^2 bytes a frame and about twice as many transforms.
+    bool velocities = false;
+    /// Adds each cascade's own normals to frames of several cascades; a single cascade has them
+    /// always.
+    bool gradients = false;
+    /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several have them always.
+    bool slopes = false;
+    /// Enables foam accumulation: foam of breaking waves drifts and fades over 2.9 seconds
+    /// (foam/history.hpp). 5 N^2 bytes a cascade.
+    ///
+    /// A frame then takes 10 to 20 % longer, and a frame with a tick (ten a second) a further 50 %
+    /// or more. A jump in time computes 29 ticks, which take as long as ten to twenty frames.
+    /// Without the option the half floats hold only the foam of waves that break at the frame's
+    /// time.
     bool foam = false;
-    /// Dynamic waves beside the waves of the wind (dynamic_waves.hpp): frames have a grid of it, Frame::dynamic_waves, and queries tell the
-    /// sum. With 256 texels a tick takes about three quarters of a frame of one cascade of 256, at 60 ticks a second; 18 N^2 bytes for
-    /// frames and 29 N^2 for ticks.
+    /// Adds dynamic waves (dynamic_waves.hpp): frames have Frame::dynamic_waves, and queries
+    /// include them. With 256 texels a tick takes about three quarters of a frame of one cascade of
+    /// 256, at 60 ticks a second. 18 N^2 bytes for frames and 29 N^2 for ticks.
     std::optional<DynamicWavesOptions> dynamic_waves = {};
-    /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
-    /// cascades that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
+    /// Adds a sea floor that refracts waves (shore.hpp): frames have Frame::shore, and queries
+    /// include it. The sea must have several cascades and cannot change. Construction takes about a
+    /// second of one core longer, and 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
-    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What cascades hold then is the application's sea, and so is
-    /// hash_of(); without inputs no bit, no job and no branch of a kernel is another.
+    /// Wave inputs, added to the waves of the wind in this order (wave_input.hpp). They change
+    /// hash_of(). Without inputs frames are bit-identical, with equal jobs and branches of kernels.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
-    Allocator memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
+    /// Allocator of frames and spectra, all but some 100 KB of an ocean; none: operator new.
+    Allocator memory = {};
 };
 
-/// Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
-/// After construction a frame allocates nothing in Pelagic's code but inputs' tables in the first one, and throws only where an executor
-/// fails (GraphRun::complete()) or an input (WaveInput): that frame or sea is lost then, and the next may be scheduled. Misuse is asserted.
+/// An ocean, which computes frames of a sea or a forecast.
+///
+/// Not thread-safe: one thread at a time calls its methods; the work runs on the executor. After
+/// construction a frame allocates nothing in Pelagic's code, except tables of inputs in the first
+/// frame. It throws only if an executor (GraphRun::complete()) or an input (WaveInput) fails. That
+/// frame or sea is lost then, and the next may be scheduled. Violated preconditions are asserted.
 class Ocean {
    public:
-    /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, what
-    /// choose_isa() and executors throw, and std::bad_alloc.
+    /// Computes the spectrum of a sea. Throws std::invalid_argument(check(sea)) if an option is out
+    /// of range, what choose_isa() and executors throw, and std::bad_alloc.
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
-    /// The same with changes to come. The first sea is baked here, and each later one beside frames, from 10 s of the sea's time
-    /// before it is needed. A frame waits for one that is not done, as after a jump.
+    /// Computes the spectrum of the forecast's first sea. That of each later sea is computed
+    /// together with frames, from 10 s of the sea's time before frames need it. A frame waits for a
+    /// spectrum that is not ready, for instance after a jump in time. Throws as the other
+    /// constructor.
     explicit Ocean(const Forecast& forecast, OceanOptions options = {});
     ~Ocean();  ///< waits for work in flight
     Ocean(const Ocean&) = delete;
     Ocean& operator=(const Ocean&) = delete;
 
-    /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
-    /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
-    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With
-    /// OceanOptions::foam the warm-up of a jump in time is left to complete(), too.
+    /// Starts a frame and returns immediately.
+    ///
+    /// \param time_s  any finite time, in any order. A frame is a pure function of the forecast and
+    /// the
+    ///     time. Outside transitions time_s + n * loop_period_s gives a bit-identical frame.
+    ///
+    /// complete() computes small frames (N up to 64), for which threads would take longer. With
+    /// OceanOptions::foam it also computes the warm-up after a jump in time.
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
-    /// The same with textures in memory of the application's, by cascade. The frame has no views of what is written there, and
-    /// hash_of() none of its bits; the memory must stay until complete() returns. Throws
-    /// std::invalid_argument(check(targets, ...)) before it computes.
+    /// Starts a frame as above, with textures in memory of the application, by cascade. The frame
+    /// has no views of these textures and hash_of() leaves them out. The memory must stay valid
+    /// until complete() returns. Throws std::invalid_argument(check(targets, ...)) before it
+    /// computes.
+    /// \pre no frame is in flight
     void schedule(double time_s, std::span<const TextureTargets> cascades);
 
-    /// complete() would not wait for other threads: they are done with the frame, or have no part in it (a small frame, an
-    /// executor without threads), or none is in flight. Never blocks.
+    /// Returns whether complete() would return without waiting for other threads. That is so if
+    /// they have finished the frame, if they do not work on it (a small frame, an executor without
+    /// threads), or if no frame is in flight. Never blocks.
     bool is_ready() const;
 
-    /// Waits for the scheduled frame, helping, and hands it out. Without one in flight: the frame completed last.
-    /// Its views stay valid while the next frame is computed, until the second schedule() from now.
+    /// Completes the scheduled frame and returns it; the calling thread takes part in the work.
+    /// Returns the frame completed last if none is in flight. Its views stay valid until the second
+    /// schedule() from now, so also while the next frame is computed.
+    /// \pre a frame was scheduled
     const Frame& complete();
 
-    /// schedule() and complete() in one.
+    /// Schedules and completes a frame.
     const Frame& frame_at(double time_s);
 
-    /// Computes the frame of `time_s` and writes it into the caller's arrays, those of a cascade each; for servers and replays. The views of the frame
-    /// completed last stay valid, and what complete() hands out without a frame in flight is still that one. Throws
-    /// std::invalid_argument(check(buffers, ...)) before it computes.
+    /// Computes a frame and writes it to the caller's arrays, one FrameBuffers for each cascade;
+    /// for servers and replays. The views of the frame completed last stay valid, and complete()
+    /// still returns that frame if none is in flight. Throws std::invalid_argument(check(buffers,
+    /// ...)) before it computes.
     /// \pre no frame is in flight
     FrameBounds frame_at(double time_s, std::span<const FrameBuffers> cascades);
     FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) {
         return frame_at(time_s, {&only_cascade, 1});
     }
 
-    /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
-    /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
-    /// \pre no other sea is being baked
+    /// Starts to compute the spectrum of another sea (stage `spectrum`). Frames show the current
+    /// sea until complete_sea(). The resolution, the number of cascades and the kind of waves (pond
+    /// or not) must not change. Throws std::invalid_argument if they do, if a value is out of
+    /// range, and if the ocean has a shore.
+    /// \pre no other sea is being computed
     void schedule_sea(const SeaState& sea);
-    bool sea_is_ready() const;  ///< complete_sea() would not wait for other threads
-    /// Frames scheduled from now on show the sea given last to schedule_sea(); waits for its spectrum.
+    /// Returns whether complete_sea() would return without waiting for other threads.
+    bool sea_is_ready() const;
+    /// Waits for the spectrum of schedule_sea(sea), which frames show from now on. Discards the
+    /// changes of the forecast.
     /// \pre no frame is in flight
-    /// The changes that were to come are forgotten then.
     void complete_sea();
 
-    /// One more change of the forecast: the sea turns into another one, and its spectrum is baked beside frames from now on
-    /// (Forecast says what may change). The ocean remembers the last two changes, and times before them have the oldest sea that is
-    /// left. Throws std::invalid_argument(check(forecast)) if the change before isn't over by `from_s`, or the sea doesn't fit.
-    /// A frame may be in flight, and stays that of the forecast that it was scheduled in.
+    /// Appends a change to the forecast, whose spectrum is computed together with frames from now
+    /// on (Forecast describes what may change). The ocean keeps the last two changes, and frames of
+    /// earlier times show the oldest sea that it has. Throws std::invalid_argument(check(forecast))
+    /// if the preceding change ends after `from_s`, if the sea is incompatible, and if the ocean
+    /// has a shore.
+    ///
+    /// A frame may be in flight; it belongs to the forecast in which it was scheduled.
     /// \pre no sea is between schedule_sea(sea) and complete_sea()
     void schedule_sea(const SeaChange& change);
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
         schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
     }
 
-    /// What frames remember, for whoever wants to go on from `time_s` without a warm-up: the bytes of ticks up to the frame
-    /// completed last. Empty without OceanOptions::foam. \pre no frame is in flight
+    /// Returns the foam history up to the frame completed last, from which an ocean continues
+    /// without a warm-up. Empty without OceanOptions::foam. \pre no frame is in flight
     std::vector<std::uint8_t> saved_history() const;
-    /// Takes that up, in an ocean of the same sea. Throws std::invalid_argument if it is none of such an ocean.
-    /// \pre no frame is in flight
+    /// Restores a saved history of an ocean with an equal sea; an empty one discards the history.
+    /// Throws std::invalid_argument if no such ocean can have saved it. \pre no frame is in flight
     void restore_history(std::span<const std::uint8_t> saved);
 
-    /// The dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's frames: frames of
-    /// equal times with equal commands between them have bit-identical waves. Throws std::invalid_argument without that option.
+    /// Returns the dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's
+    /// frames. Frames of equal times with equal commands between them have bit-identical waves.
+    /// Throws std::invalid_argument without that option.
     DynamicWaves& dynamic_waves();
     const DynamicWaves& dynamic_waves() const;
 
     std::size_t cascade_count() const;  ///< of every frame
     int resolution() const;             ///< texels along a side of each cascade
-    const SeaState& sea() const;        ///< the last one of the forecast; Frame::sea is that of the frame
-    const Forecast& forecast() const;   ///< with the largest_peak_m that the cascades have
+    const SeaState& sea() const;        ///< last sea of the forecast; Frame::sea is that of a frame
+    const Forecast& forecast() const;   ///< with the largest_peak_m of the cascades
     Isa isa() const;
     const Executor& executor() const;
-    const JobGraph& graph() const;     ///< the stages of a frame
-    std::size_t memory_bytes() const;  ///< everything that the ocean allocated, two frames and the spectrum included
+    const JobGraph& graph() const;  ///< the stages of a frame
+    /// all memory of the ocean, two frames and the spectrum included
+    std::size_t memory_bytes() const;
 
    private:
     struct State;
