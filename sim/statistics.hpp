@@ -1,4 +1,5 @@
-// How high, long, steep and spread the waves are: what the model promises, and what this sea holds.
+// Statistics of a sea: heights, periods, slopes and directions that the model gives, and those of
+// the waves that the grid holds.
 #pragma once
 
 #include <optional>
@@ -13,97 +14,123 @@
 namespace pelagic {
 
 struct ExpectedWaves {
-    double significant_wave_height_m;  ///< 4 sqrt(variance), mean over all seeds, of the waves that the grid holds
-    double peak_period_s;              ///< where the model's frequency spectrum peaks; of few waves the highest one's
-    double peak_wavelength_m;          ///< of the wave with that period in this depth
-    /// 4 sqrt(integral of the spectrum over all waves), or of few waves asked for; none for phillips-paper, which has no physical scale.
+    /// 4 sqrt(variance) of the waves that the grid holds, mean over all seeds.
+    double significant_wave_height_m;
+    /// Period of the maximum of the model's frequency spectrum; of analytic waves, that of the
+    /// highest.
+    double peak_period_s;
+    double peak_wavelength_m;  ///< of the wave with that period in this depth
+    /// 4 sqrt(integral of the spectrum over all waves), or of the analytic waves of the options.
+    /// None for phillips-paper, which has no physical scale.
     std::optional<double> model_significant_wave_height_m;
 };
 
-/// Side of the sea's coarsest cascade, which holds its longest waves, in metres: after this length, along either axis of that cascade,
-/// those waves repeat. A sea of one cascade (a patch size given, phillips-paper, a pond) repeats exactly. Finer cascades repeat
-/// after shorter sides along rotated axes, so the sum of several never repeats exactly. While one sea turns into another it is the
-/// larger value of the two. \pre check(sea) is empty. Thread-safe.
+/// Returns the side of the sea's coarsest cascade, in metres: the period of its longest waves along
+/// either axis of that cascade.
+///
+/// A sea of one cascade (a patch size given, phillips-paper, a pond) repeats exactly. Finer
+/// cascades repeat after shorter sides along rotated axes, so the sum of several never repeats
+/// exactly. During a transition the period is the larger value of the two seas. \pre check(sea) is
+/// empty. Thread-safe.
 double repeat_length_m(const SeaState& sea);
 
-/// Sums the spectrum over the grid, without this seed's draws: O(N^2).
+/// Sums the spectrum over the grid, as the mean over all seeds: O(N^2).
 ExpectedWaves expected_waves(const SeaState& sea);
 
-/// 4 times the standard deviation of the frame's heights, summed in double, row by row.
+/// Returns 4 times the standard deviation of the frame's heights, summed in double, row by row.
 double measured_significant_wave_height_m(const Frame& frame);
 
-/// Peak period of the waves that this seed drew: T_p = (integral S^4 df) / (integral f S^4 df) over their energies in
-/// bands of frequency (Young 1995). Of a sea with a swell that of the part, wind sea or swell, which has the model's peak; a wave counts
-/// for the parts by their shares of its energy over all seeds. O(N^2).
+/// Returns the peak period of the waves that this seed drew:
+/// T_p = (integral S^4 df) / (integral f S^4 df) over their energies in bands of frequency (Young
+/// 1995). O(N^2).
+///
+/// For a sea with a swell it is the period of the system, wind sea or swell, that has the model's
+/// peak. A wave counts for both systems, by their fractions of its energy over all seeds.
 double measured_peak_period_s(const SeaState& sea);
 
-/// How the waves that this seed drew share the frequencies of their loop. A loop knows only whole numbers of periods, so
-/// its frequencies are 1/T, 2/T, ...; waves of one frequency rise and fall in step for ever.
+/// Distribution of the drawn waves' energy over the frequencies of their loop. A loop contains
+/// whole numbers of periods, so its frequencies are 1/T, 2/T, ... Waves of one frequency rise and
+/// fall in phase permanently.
 struct LoopFrequencies {
-    int for_90_percent;    ///< so many of them, the most energetic first, hold 90 % of the variance of the heights
-    double largest_share;  ///< of that variance in the most energetic one; 0 for a sea without waves
+    /// Number of frequencies, the most energetic first, that hold 90 % of the variance of the
+    /// heights.
+    int for_90_percent;
+    /// Fraction of that variance in the most energetic frequency; 0 for a sea without waves.
+    double largest_share;
 };
-/// O(N^2).
+/// Computes the distribution for the seed's waves: O(N^2).
 LoopFrequencies loop_frequencies(const SeaState& sea);
 
-/// With fewer for 90 %, and less than ten peak periods in a loop, warnings_about() says that a loop is too short to look like a sea. The height at a point of n
-/// equal waves of their own frequencies has the kurtosis 3 - 3/(2n): from 8 on it is within a sixteenth of the 3 of a
-/// real sea's, which is Gaussian. With the wind's spectra that is a loop of about eight peak periods.
+/// If fewer frequencies hold 90 %, and a loop has less than ten peak periods, warnings_about()
+/// warns that the loop is too short to resemble a sea.
+///
+/// The height at a point of n equal waves of distinct frequencies has the kurtosis 3 - 3/(2n). From
+/// 8 on it is within a sixteenth of the 3 of a real sea's, which is Gaussian. For the wind's
+/// spectra that is a loop of about eight peak periods.
 inline constexpr int fewest_loop_frequencies = 8;
 
-/// Where waves run, over the whole spectrum with its energy as weight (Kuik, van Vledder and Holthuijsen 1988, J. Phys.
-/// Oceanogr. 18, 1020-1034): with a = sum E cos(theta) / sum E and b the same of the sine, the mean is the angle of (a, b).
+/// Mean direction and spread of the whole spectrum with its energy as weight (Kuik, van Vledder and
+/// Holthuijsen 1988, J. Phys. Oceanogr. 18, 1020-1034). With a = sum E cos(theta) / sum E and b the
+/// corresponding sum of sines, the mean is the angle of (a, b).
 struct WaveDirections {
-    double mean_rad = 0;  ///< towards which they run, from +x towards +z, in (-pi, pi]
-    /// sqrt(2 (1 - sqrt(a^2 + b^2))): the standard deviation where it is small; 0 for one direction, sqrt(2) for all alike.
+    double mean_rad = 0;  ///< direction waves run towards, from +x towards +z, in (-pi, pi]
+    /// sqrt(2 (1 - sqrt(a^2 + b^2))): the standard deviation where it is small; 0 for one
+    /// direction, sqrt(2) for equal energy in all directions.
     double spread_rad = 0;
 };
 
-/// Of a moment (a, b).
+/// Computes mean and spread of a moment (a, b).
 WaveDirections directions_of_moment(double a, double b);
 
-/// What a sea's options ask of its frequencies, m^2/Hz, and of its wave numbers, m^3, all directions together and whatever the
-/// cascades hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale. 0 of seas
-/// of few waves, which are lines.
+/// Returns the model's spectrum by frequency, in m^2/Hz, and by wave number, in m^3. It is
+/// integrated over all directions and independent of the cascades. Its integral over Hz or rad/m is
+/// the variance, except for phillips-paper, which has a shape and no scale. 0 for the other wave
+/// models, whose spectra are lines.
 /// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);
 
-/// Mean periods from the moments m_n = integral f^n S(f) df of the waves that the grid holds, seconds; 0 of a sea without waves.
+/// Mean periods from the moments m_n = integral f^n S(f) df of the waves that the grid holds,
+/// seconds; 0 for a sea without waves.
 struct MeanPeriods {
     double tm01_s = 0;  ///< m0 / m1
-    /// sqrt(m0 / m2). In a Gaussian sea that is also the mean time between upward crossings of the rest level (Rice 1945).
+    /// sqrt(m0 / m2). In a Gaussian sea this is also the mean time between upward crossings of the
+    /// rest level (Rice 1945).
     double tm02_s = 0;
 };
 
-/// The wind's waves or the swell of a sea that has both.
+/// The wind sea or the swell of a sea that has both.
 struct WavePart {
-    double significant_wave_height_m = 0;  ///< mean over all seeds, of the waves that the grid holds
+    /// of the waves that the grid holds, mean over all seeds
+    double significant_wave_height_m = 0;
     double drawn_significant_wave_height_m = 0;
-    double peak_period_s = 0;        ///< where the part's frequency spectrum peaks
-    double drawn_peak_period_s = 0;  ///< of what this seed drew; 0 where the grid holds none of the part
+    double peak_period_s = 0;        ///< of the maximum of this system's frequency spectrum
+    double drawn_peak_period_s = 0;  ///< of this seed; 0 if the grid holds no waves of the system
 };
 
-/// The slope of the waves that a cascade holds, the mean over all seeds; shorter waves are below its texels.
+/// Slope variance of the waves that a cascade holds, mean over all seeds. Its texels do not resolve
+/// shorter waves.
 struct CascadeSlopes {
     double side_m;
     int resolution;
     SlopeVariance slopes;
 };
 
-/// All that follows from a sea's options, in one pass over its waves: as long as one of the functions above and below.
+/// All statistics of a sea, computed in one pass over its waves. It takes as long as one of the
+/// functions above and below.
 struct SeaReport {
     ExpectedWaves expected;
-    double drawn_significant_wave_height_m = 0;  ///< of the waves that this seed drew, the mean over time
+    double drawn_significant_wave_height_m = 0;  ///< of this seed's waves, mean over time
     double drawn_peak_period_s = 0;              ///< measured_peak_period_s()
     MeanPeriods expected_periods;
-    MeanPeriods drawn_periods;                ///< of the waves that this seed drew, at the loop's frequencies
-    std::optional<WavePart> wind_sea, swell;  ///< of a spectrum with a swell alone
-    /// Variance of Dx,x + Dz,z, how much the water converges: the waves' own, at the sea's choppiness. 0 of a pond.
+    MeanPeriods drawn_periods;                ///< of this seed's waves, at the loop's frequencies
+    std::optional<WavePart> wind_sea, swell;  ///< only for a spectrum with a swell
+    /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
     double expected_convergence_variance = 0, drawn_convergence_variance = 0;
     WaveDirections expected_directions;
-    WaveDirections drawn_directions;  ///< of the waves that this seed drew
-    /// Fetch that counts, metres, of `jonswap`; 0 of other models. Less than SeaState::fetch_m where the sea is fully developed.
+    WaveDirections drawn_directions;  ///< of this seed's waves
+    /// Fetch that has an effect (jonswap), metres; 0 for other models. Less than SeaState::fetch_m
+    /// if the sea is fully developed.
     double effective_fetch_m = 0;
     std::vector<CascadeSlopes> cascades;
     LoopFrequencies loop_frequencies = {};
@@ -111,9 +138,9 @@ struct SeaReport {
 };
 SeaReport report_on(const SeaState& sea);
 
-/// What a user should know before trusting this sea, a sentence each: a patch shorter than two peak wavelengths,
-/// a grid too coarse for the peak, a loop so short that the peak's period is far off or that few
-/// frequencies are left.
+/// Returns warnings about a sea, a sentence each: a patch shorter than two peak wavelengths, a grid
+/// too coarse for the peak, or a loop so short that the peak period is far off or few frequencies
+/// remain.
 std::vector<std::string> warnings_about(const SeaState& sea);
 
 }  // namespace pelagic

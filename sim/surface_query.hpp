@@ -1,22 +1,26 @@
-// Asks a frame about any points of the world: how high is the water there, which way does it face, how does it move?
+// Surface queries: height, normal, velocity and foam of a frame at any position in the world.
 //
 //   Ocean ocean(sea, {.queries = true});
 //   const SurfaceQuery water(ocean.complete());
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
-// The surface is what a GPU draws: between texels each displacement is bilinear, and the reference point q is drawn at
-// q + D(q), D being the sum of the cascades' displacements. A query looks for the reference point that is drawn at the given (x, z) and reads the frame there. Where intersections
-// lie over one another (breaking crests at high choppiness) the highest one counts.
+// The surface is the one that a GPU draws. Between texels each displacement is bilinear, and the
+// reference point q is drawn at q + D(q), where D is the sum of the cascades' displacements. A
+// query finds the reference point that is drawn at the given (x, z) and samples the frame there.
+// Where the surface intersects itself (breaking crests at high choppiness) the query returns the
+// highest point.
 //
-// Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps (2 + cos k) / 3 of its variance,
-// and its slopes (sin(k) / k)^2 of that: with four cascades of 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope
-// variance (default sea). Interpolation::cubic is for measurements: 1.5 % and 3 %.
+// Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps
+// (2 + cos k) / 3 of its variance, and its slopes (sin(k) / k)^2 of that. With four cascades of
+// 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope variance (default sea).
+// Interpolation::cubic is for measurements: 1.5 % and 3 %.
 //
-// Dynamic waves (dynamic_waves.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
-// There each cascade counts with its part at the given place: q + sum of part D(q) = p.
+// Dynamic waves (dynamic_waves.hpp) and a shore (shore.hpp) add their height, slopes and vertical
+// velocity at the given position. A shore also multiplies each cascade by its weight at the given
+// position p: q + sum of weight D(q) = p.
 //
-// The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
-// nor the thread, nor the instruction set.
+// Results depend only on the frame, the point, the tolerance and the interpolation. They do not
+// depend on other points of the batch, their order, the thread or the instruction set.
 #pragma once
 
 #include <cstddef>
@@ -32,54 +36,63 @@ namespace pelagic {
 struct Kernels;
 struct PointChunk;
 
-/// How the frame is read between texels.
+/// Interpolation of a frame between texels.
 enum class Interpolation {
-    linear,  ///< the surface that a GPU draws, for what floats on it
-    /// Displacements, heights and velocities by products of Catmull and Rom's cubics through the texels (4 x 4 of them), normals
-    /// and Jacobians by their derivatives. Heights may leave Frame::bounds by a little. Foam stays linear: a cubic would leave
-    /// 0 to 1. Dynamic waves and shores keep their own interpolation.
+    linear,  ///< the surface that a GPU draws, for floating objects
+    /// Displacements, heights and velocities by products of Catmull-Rom cubics through 4 x 4
+    /// texels, normals and Jacobians by their derivatives. Heights may leave Frame::bounds
+    /// slightly. Foam stays linear, because a cubic would leave 0 to 1. Dynamic waves and shores
+    /// keep their own interpolation.
     cubic
 };
 
-/// "linear" or "cubic".
+/// Returns "linear" or "cubic".
 std::string_view name_of(Interpolation);
 std::optional<Interpolation> interpolation_named(std::string_view name);
 std::span<const Interpolation> interpolations();
 
 struct SurfaceQueryOptions {
-    /// Largest error of a converged point, positive, metres. The search aims at a 64th of it, because on a steep face a step
-    /// horizontal is a larger one in height, and at no less than float can tell.
+    /// Largest error of a converged point, positive, metres. The search aims at 1/64 of it, because
+    /// on a steep face a small horizontal step changes the height by more. It never aims below the
+    /// resolution of float.
     double tolerance_m = 1e-3;
     Interpolation interpolation = Interpolation::linear;
 };
 
-/// World positions in metres, as far from the origin as you like: the sea repeats in double precision. A position that
-/// is no number, or so far away that doubles can't tell the finest texels apart (2^50 of them), has no sample: its error is
-/// infinite, it is not converged and the rest is that of the origin.
+/// Positions in the world, in metres, at any distance from the origin: the sea repeats in double
+/// precision. A position has no sample if it is not finite, or so far away that doubles cannot
+/// distinguish the finest texels (beyond 2^50 of them). Its error is then infinite, it is not
+/// converged, and its other results are those of the origin.
 struct SurfacePoints {
     std::span<const double> x, z;  ///< equally long
 };
 
-/// What to tell. Each span is as long as the points, or empty if nobody wants it. None aliases another or the points.
+/// Arrays that receive the results. Each span is as long as the points, or empty to leave that
+/// result out. No span may overlap another or the points.
 struct SurfaceSamples {
     std::span<float> height_m = {};
-    /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)), added up over the cascades.
-    /// Linear: slopes by central differences at texels, bilinear between them, smooth, as textures show it.
+    /// Unit normal of the displaced surface,
+    /// (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)), with each derivative summed over the
+    /// cascades. Linear interpolation: slopes are central differences at texels, bilinear between
+    /// them, and so as smooth as in the textures.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
-    /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
-    /// points down) where the surface is overturned. Not clamped.
+    /// The Jacobian J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x of these slopes: 1 at rest, small at sharp
+    /// crests, negative (and the normal points down) where the surface is overturned. Not clamped.
     std::span<float> jacobian = {};
-    /// How the water that is there now moves: the displacement's derivative in time at the fixed reference point.
+    /// Velocity of the water at the position: the displacement's derivative in time at the fixed
+    /// reference point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
-    /// How far horizontal from the given point the sampled one is drawn.
+    /// Horizontal distance from the given point to the sample's drawn position, metres.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
-    /// How much of the water there is white, 0 to 1: the largest of the cascades' foam at the reference point, bilinear between texels.
+    /// Fraction covered by foam, 0 to 1: the largest of the cascades' foam at the reference point,
+    /// bilinear between texels.
     std::span<float> foam = {};
 };
 
-/// A view of a frame, cheap to make and to copy; valid as long as the frame's own views, so while the next frame is
-/// computed. All methods may be called from any number of threads at once. Nothing is allocated, nothing waits.
+/// A query of a frame, cheap to make and to copy. It is valid as long as the frame's views, so
+/// while the next frame is computed. Thread-safe: any number of threads may call all methods at
+/// once. The methods allocate nothing and never wait.
 class SurfaceQuery {
    public:
     static constexpr double default_tolerance_m = SurfaceQueryOptions{}.tolerance_m;
@@ -88,11 +101,13 @@ class SurfaceQuery {
     explicit SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options = {});
     SurfaceQuery(const Frame& frame, double tolerance_m) : SurfaceQuery(frame, {.tolerance_m = tolerance_m}) {}
 
-    /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
-    /// OceanOptions::velocities, or foam of one without OceanOptions::foam, dynamic_waves and shore. \pre spans are as long as the points or empty (asserted)
+    /// Samples the surface at the points. Throws std::invalid_argument, before it writes, for
+    /// velocities of a frame made without OceanOptions::velocities, and for foam of a frame made
+    /// without OceanOptions::foam, dynamic_waves and shore.
+    /// \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
-    /// The same query with another interpolation.
+    /// Returns a query of this frame and tolerance with another interpolation.
     SurfaceQuery with(Interpolation interpolation) const;
 
     const Frame& frame() const { return frame_; }
@@ -102,7 +117,7 @@ class SurfaceQuery {
     Interpolation interpolation() const { return options_.interpolation; }
     bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
     bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
-    /// Throws as sample() does.
+    /// Throws what sample() throws for these arrays.
     void check(const SurfaceSamples& wanted) const;
 
    private:

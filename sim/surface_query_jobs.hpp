@@ -8,9 +8,11 @@
 
 namespace pelagic {
 
-/// Built once; afterwards a batch allocates nothing in Pelagic's code. One thread at a time uses an object, but several
-/// objects may work side by side, on the executor of an ocean whose frames run meanwhile, too. The same bits as
-/// SurfaceQuery::sample().
+/// Samples batches of points on an executor. After construction a batch allocates nothing in
+/// Pelagic's code. Results are bit-identical to those of SurfaceQuery::sample().
+///
+/// One thread at a time uses an object. Several objects may work concurrently, also on the executor
+/// of an ocean whose frames are in flight.
 class SurfaceQueryJobs {
    public:
     explicit SurfaceQueryJobs(std::shared_ptr<Executor> executor);
@@ -18,8 +20,9 @@ class SurfaceQueryJobs {
     SurfaceQueryJobs(const SurfaceQueryJobs&) = delete;  // the stage points into it
     SurfaceQueryJobs& operator=(const SurfaceQueryJobs&) = delete;
 
-    /// Returns when all is done; the calling thread helps, and does a small batch alone. Throws as
-    /// SurfaceQuery::sample(), before anything is written.
+    /// Samples the points and returns when all are done. The calling thread takes part in the work,
+    /// and does a small batch alone. Throws what SurfaceQuery::sample() throws, before anything is
+    /// written.
     void sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples);
 
    private:
