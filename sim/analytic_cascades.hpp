@@ -1,11 +1,14 @@
-// Seas of few waves (SeaState::waves analytic and pond) as they are asked for, and as the cascades of a frame hold them:
+// Analytic waves and procedural pond waves (SeaState::waves analytic and pond): as the options
+// define them, and as the cascades of a frame hold them.
 //
-//   const AnalyticSurface water(waves_of_cascades(sea));  // the water of ocean.frame_at(t), between its texels too
+//   const AnalyticSurface water(waves_of_cascades(sea));  // equals ocean.frame_at(t), also between
+//   texels
 //
-// A cascade holds waves of its grid alone, with whole periods in a loop. Each wave goes to the nearest place of the
-// grid of the cascade whose band it is in, and keeps amplitude and phase: on the default cascades that changes a length by
-// 2 %, at most 7, and turns a wave by three degrees at most. A frequency is that of the new wave, in deep water, but
-// with as many periods in a loop as is nearest.
+// A cascade holds only waves of its grid, with whole numbers of periods in a loop. Each wave moves
+// to the nearest grid point of the cascade in whose band it is, and keeps amplitude and phase. On
+// the default cascades that changes a wavelength by 2 %, at most 7 %, and a direction by three
+// degrees at most. The frequency is that of the moved wave in deep water, rounded to a whole number
+// of periods in a loop.
 #pragma once
 
 #include <vector>
@@ -16,18 +19,23 @@
 
 namespace pelagic {
 
-/// Before its waves are moved. \pre check(sea) is empty and sea.waves is analytic
+/// Returns the waves of the options, before they move to grid points.
+/// \pre check(sea) is empty and sea.waves is analytic
 AnalyticSea analytic_sea_of(const SeaState& sea);
 
-/// As the cascades hold it: heights and horizontal displacements at texels are those of the frame within 1e-6 of the sum of the
-/// amplitudes. Waves of less than two texels of the finest cascade (three, in a stack) are left out. \pre the same
+/// Returns the waves that the cascades hold. Heights and horizontal displacements at texels are
+/// those of the frame within 1e-6 of the sum of the amplitudes. Waves of less than two texels of
+/// the finest cascade (three, in a stack) are left out. \pre check(sea) is empty and sea.waves is
+/// analytic
 PlaneWaves waves_of_cascades(const SeaState& sea);
 
-/// Before its octaves are moved. \pre check(sea) is empty and sea.waves is pond
+/// Returns the octaves of the options, before they move to grid points.
+/// \pre check(sea) is empty and sea.waves is pond
 PondSea pond_sea_of(const SeaState& sea);
 
-/// As its cascade holds them. The cascade shows them with a footprint of a texel: what that hides of their slopes is the frame's
-/// roughness. \pre the same
+/// Returns the octaves that the cascade holds. The cascade samples them with a footprint of a
+/// texel; the slopes that this removes are part of the frame's roughness.
+/// \pre check(sea) is empty and sea.waves is pond
 std::vector<PondOctave> octaves_of_cascade(const SeaState& sea);
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// Which cascades a sea is made of, and which waves each of them holds.
+// Layout of cascades: the grid and the wavelength band of each cascade of a sea.
 #pragma once
 
 #include <limits>
@@ -9,45 +9,52 @@
 
 namespace pelagic {
 
-/// Few waves want many texels, or what lies between them is a facet: each wave of an analytic sea is in the finest cascade of a stack
-/// that has so many steps of its grid between it and k = 0, unless it has less than three texels of the one above.
+/// Minimum number of grid steps between k = 0 and an analytic wave, so that its surface is smooth.
+/// Each wave is in the finest cascade of a stack in which it has that many, unless it has less than
+/// three texels of the next coarser cascade.
 inline constexpr double steps_of_few_waves = 8;
 
-/// One cascade. Its wave vectors are (2 pi / side)(m, n) along the cascade's own axes, m and n from -N/2 to N/2 - 1.
+/// The layout of one cascade. Its wave vectors are (2 pi / side)(m, n) along the cascade's own
+/// axes, m and n from -N/2 to N/2 - 1.
 struct CascadePlan {
     CascadeGrid grid;
     int resolution = 0;  ///< N
-    int number = 0;      ///< in the stack, 0 is the coarsest; cascades draw their waves independently of one another
-    /// Its waves have min_k <= |k| < max_k, rad/m. A cell of wave vectors that an end cuts holds the share inside.
+    /// in the stack, 0 is the coarsest; each number has independent random waves
+    int number = 0;
+    /// Band of wave numbers min_k <= |k| < max_k, rad/m. A cell of wave vectors on a limit holds
+    /// the energy of its area inside the band.
     double min_k = 0, max_k = std::numeric_limits<double>::infinity();
-    bool has_surface_tension =
-        false;  ///< short waves feel it; a cascade whose side is given keeps to the paper, without
+    /// Whether the dispersion relation includes surface tension. A cascade whose side is given
+    /// follows the paper, without it.
+    bool has_surface_tension = false;
 
-    /// Waves shorter than a metre break without white water.
+    /// Returns whether breaking makes foam, which waves shorter than a metre do not.
     bool makes_whitecaps() const { return min_k < 6.28318530717958647693; }
 
     double spacing() const { return 6.28318530717958647693 / grid.side_m; }  ///< dk in rad/m
     bool is_banded() const { return min_k > 0 || max_k < std::numeric_limits<double>::infinity(); }
 };
 
-/// From which waves to which a stack of cascades reaches. Seas that turn into one another share one.
+/// The range of waves that a stack of cascades holds. All seas of a forecast share one range.
 struct WaveReach {
-    double peak_m = 0;  ///< the longest peak's wavelength
-    double end_k = 0;   ///< rad/m: shorter waves have slopes that cascades leave to the light
+    double peak_m = 0;  ///< longest peak wavelength
+    double end_k = 0;   ///< rad/m; larger wave numbers are unresolved roughness
 
-    /// Of one sea; zeros where its side is given, which reaches as far as it does.
+    /// Returns the range of one sea; zeros if patch_size_m is set, whose grid determines the range.
     static WaveReach of(const SeaState& sea);
     WaveReach& extend_to(const WaveReach& other);
 };
 
-/// The cascades of a sea, the coarsest first. \pre check(sea) is empty
+/// Returns the cascades of a sea, the coarsest first. \pre check(sea) is empty
 std::vector<CascadePlan> plan_cascades(const SeaState& sea);
 
-/// The same on cascades that reach farther: grids and bands are those of `reach` and of whatever else the sea says about cascades,
-/// and the last band ends where this sea's own does.
+/// Returns the cascades of a sea for a larger range of waves. Grids and bands are those of `reach`
+/// and of the sea's options for cascades, and the last band ends where this sea's own range does.
+/// \pre check(sea) is empty
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach);
 
-/// The same where it is known how far the sea itself reaches: WaveReach::of(sea), most of the time that a plan takes.
+/// Returns these cascades for a known WaveReach::of(sea), which takes most of the time of a plan.
+/// \pre check(sea) is empty
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach, const WaveReach& own);
 
 }  // namespace pelagic

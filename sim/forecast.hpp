@@ -1,14 +1,15 @@
-// Seas with times: which sea there is when, and how one turns into the next.
+// Forecast: sea states with times, and the transitions between them.
 //
 //   Forecast forecast{.first = calm};
 //   forecast.changes.push_back({.sea = storm, .from_s = 60, .over_s = 20});
 //   Ocean ocean(forecast);
 //
-// Each wave of the grid keeps its draw, and its energy goes over from one sea to the next:
+// Each wave of the grid keeps its random numbers, and its energy changes from one sea to the next:
 //
 //   E = (1 - s) E0 + s E1,  s = u^2 (3 - 2u),  u = (t - from) / over in [0, 1]
 //
-// An amplitude is a root of its energy. With a linear weight one that starts from nothing would start with an infinite slope.
+// An amplitude is the square root of its energy. With a linear weight the amplitude of a wave that
+// starts from zero would start with an infinite slope.
 #pragma once
 
 #include <cstddef>
@@ -21,63 +22,77 @@
 
 namespace pelagic {
 
-/// The sea turns into another one.
+/// A sea-state transition.
 struct SeaChange {
-    SeaState sea;       ///< that there is afterwards
-    double from_s = 0;  ///< when it begins
-    double over_s = 0;  ///< how long it takes; (0, 1e9]
-    /// The waves of its swell were raised so far away, all at one moment: 0, all waves change together, or [1e3, 2e7]. Long ones
-    /// come first, each within over_s of its own, by their group velocities d omega / d k:
+    SeaState sea;       ///< the sea after the transition
+    double from_s = 0;  ///< start
+    double over_s = 0;  ///< duration; (0, 1e9]
+    /// Distance to the origin of the swell, whose waves are all raised there at one moment; [1e3,
+    /// 2e7], or
+    /// 0: all waves change together. The sea must have a swell. Long waves arrive first, by their
+    /// group velocities cg = d omega / d k, and each changes over over_s:
     ///
     ///   begin(omega) = from_s + swell_from_m (1 / cg(omega) - 1 / cg(omega of 1.5 swell periods))
     ///
-    /// Waves longer than 1.5 periods of the swell's peak come with those, shorter than a third with those. Waves of one of the
-    /// loop's frequencies come together, from its 32nd harmonic on sixteen bands an octave. The sea has a swell.
+    /// Waves longer than 1.5 peak periods of the swell begin with the waves of that period, and
+    /// waves shorter than a third of the peak period with the waves of that period. Waves of one of
+    /// the loop's frequencies begin together; from its 32nd harmonic on, those of one of sixteen
+    /// bands an octave.
     double swell_from_m = 0;
 
-    /// When the last waves have come.
+    /// Returns the time at which the last waves have changed.
     double end_s() const;
 };
 
-/// What the weather is at a moment: two seas of a forecast, and how much there is of the second.
+/// The state of a forecast at a time: two seas and the weight of the second.
 struct ForecastMoment {
-    std::size_t before = 0, after = 0;  ///< as Forecast::sea() counts
-    /// s, of the sea after; 0 where it is one sea, before and after. Of a swell from afar that of the waves at its peak, 0 to 1.
+    std::size_t before = 0, after = 0;  ///< as in Forecast::sea()
+    /// s, the weight of the sea `after`, 0 to 1; 0 if both are one sea. Of a swell with
+    /// swell_from_m, the weight of the waves at its peak.
     double part = 0;
 };
 
-/// A value: a frame is a function of the forecast and the time, whatever frames there were before.
-/// The kind of cascades, their number, resolution and side, depth, loop period and seed are those of the first sea.
+/// A sea and its transitions, as a value: a frame is a function of the forecast and the time,
+/// independent of earlier frames. The first sea determines the kind of cascades, their number,
+/// resolution and side, depth, loop period and seed.
 struct Forecast {
     SeaState first;
-    std::vector<SeaChange> changes = {};  ///< in order: none begins before the one before it is over
-    /// Cascades are laid out for waves with peaks up to this long; 0: the longest peak of these seas, or (0, 1e5]. A sea that is
-    /// scheduled later may have no longer one. Without meaning where the side of the cascade is given.
+    /// In order of time; each begins after the preceding one has ended.
+    std::vector<SeaChange> changes = {};
+    /// Longest peak wavelength that the cascades can hold, which limits seas that are scheduled
+    /// later; (0, 1e5]. 0: the longest of these seas. Ignored if patch_size_m is set.
     double largest_peak_m = 0;
 
-    /// 0 is the first, i is that of changes[i - 1]. \pre number <= changes.size()
+    /// Returns the first sea for 0, and that of changes[i - 1] for i. \pre number <= changes.size()
     const SeaState& sea(std::size_t number) const { return number == 0 ? first : changes[number - 1].sea; }
     const SeaState& last() const { return sea(changes.size()); }
-    /// \pre check() is empty, and the time finite
+    /// Returns the state at a time. \pre check() is empty, and time_s is finite
     ForecastMoment at(double time_s) const;
 };
 
-/// Empty if usable, else the first thing that is not: "depth_m of change 1 is 20, needs 4000 as the first sea has it". What
-/// check() says of a sea begins with which one it is.
+/// Returns an empty string for a usable forecast, else a message about the first invalid value:
+/// "depth_m of change 1 is 20, needs 4000 as the first sea has it". Messages about a sea begin with
+/// the number of that sea.
 std::string check(const Forecast& forecast);
 
-/// How far the cascades that all of its seas share reach, and those cascades, with the bands that the first has in them.
-/// \pre check(forecast) is empty
+/// Returns the range of waves of the cascades that all seas share. \pre check(forecast) is empty
 WaveReach reach_of(const Forecast& forecast);
-/// The same where the reach of each of its seas is known: own_reaches(), which searches each spectrum for about a millisecond.
+/// Returns that range from own_reaches(forecast), which searches each spectrum for about a
+/// millisecond.
+/// \pre check(forecast) is empty
 WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own);
+/// Returns the range of waves of each sea. \pre check(forecast) is empty
 std::vector<WaveReach> own_reaches(const Forecast& forecast);
+/// Returns the shared cascades with the bands of the first sea. \pre check(forecast) is empty
 std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 
-/// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions
-/// turn the shorter way (a half turn: the way from +x towards +z); models are those of the sea that there is more of. What only
-/// one of them has, a swell's period and direction, a roughness that is given, is that one's. The waves themselves are the blend
-/// of both seas' energies, whose figures a frame has in SeaStatistics. \pre part in [0, 1]
+/// Returns the sea state that a frame reports during a transition.
+///
+/// Numbers are interpolated with the weight `part`, heights of swell by their energy. Directions
+/// rotate through the smaller angle (for a half turn from +x towards +z). Models are those of the
+/// sea with the larger weight. Values that only one of the seas has, such as a swell's period and
+/// direction or a given roughness, are taken from that sea. The waves themselves are the blend of
+/// both seas' energies, whose statistics are in SeaStatistics. \pre part in [0, 1]
 SeaState sea_between(const SeaState& before, const SeaState& after, double part);
 
 }  // namespace pelagic

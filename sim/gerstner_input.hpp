@@ -1,9 +1,10 @@
-// A batch of Gerstner waves for the cascades of an ocean.
+// Wave input: a batch of Gerstner waves.
 //
-// A cascade holds waves of its grid alone, with whole periods in a loop. Each wave goes to the nearest place of the grid of the
-// finest cascade that has eight steps of its grid or more between it and k = 0, unless it has less than three texels of the one above:
-// as those of an analytic sea (analytic_cascades.hpp). It keeps amplitude and phase, and runs as the wave that it has become does in deep
-// water, but with as many periods in a loop as is nearest.
+// A cascade holds only waves of its grid, with whole numbers of periods in a loop. Each wave moves
+// to the nearest grid point of the finest cascade in which it is eight grid steps or more from k =
+// 0, unless it has less than three texels of the next coarser cascade, as in analytic_cascades.hpp.
+// It keeps amplitude and phase. Its frequency is that of the moved wave in deep water, rounded to a
+// whole number of periods.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +24,12 @@ class GerstnerInput final : public WaveInput {
     explicit GerstnerInput(const AnalyticSea& waves = {});
     ~GerstnerInput() override;
 
-    /// From the next schedule() on. Throws std::invalid_argument(check(waves)) and keeps what it had; without waves it adds nothing.
+    /// Replaces the waves from the next schedule() on; without waves the input adds nothing. Throws
+    /// std::invalid_argument(check(waves)) and changes nothing then.
     void set(const AnalyticSea& waves);
-    /// The waves as the frame scheduled last has them: what they add to its texels is what AnalyticSurface says of them. Left out are
-    /// those of less than three texels of the finest cascade (two, where it is the only one), and those of twice the coarsest cascade's
-    /// side and longer.
+    /// Returns the waves of the frame scheduled last. AnalyticSurface evaluates what they add to
+    /// its texels. Left out are waves of less than three texels of the finest cascade (two, if it
+    /// is the only one), and waves of twice the coarsest cascade's side or longer.
     PlaneWaves held() const;
 
     void begin(const InputMoment& moment) override;

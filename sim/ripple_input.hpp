@@ -1,11 +1,15 @@
-// Rings around a place, for the cascade of an ocean that takes waves of their length.
+// Wave input: rings around a point, in the cascade that holds waves of their length.
 //
-//   h(r, t) = A (1 - (r / R)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),  q = sqrt(r^2 + (L / 2)^2)
+//   h(r, t) = A (1 - (r / R)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),  q =
+//   sqrt(r^2 + (L / 2)^2)
 //
-// within the reach R, and exactly 0 beyond it. L is the wavelength, far from the middle; f that of deep water, but with as many periods
-// in a loop as is nearest. In the middle the rings are as high as A and smooth, and fall as rings do, as r^(-1/2). Water moves up and down
-// alone. A cascade repeats, and so do the rings, each side of it: R is at most half of it, so that none meets its neighbour's. For rings
-// that don't repeat there is dynamic waves (dynamic_waves.hpp).
+// within the radius R, and exactly 0 beyond it. L is the wavelength far from the centre. f is the
+// frequency in deep water, rounded to a whole number of periods in a loop. At the centre the rings
+// have the amplitude A and are smooth; outwards they decay as r^(-1/2). The displacement is
+// vertical only.
+//
+// A cascade repeats, and so do the rings, with the cascade's side. R is at most half of it, so that
+// rings do not overlap. Dynamic waves (dynamic_waves.hpp) make rings that do not repeat.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +21,16 @@
 namespace pelagic {
 
 struct Ripple {
-    double x_m = 0, z_m = 0;  ///< the middle; [-1e8, 1e8]
+    double x_m = 0, z_m = 0;  ///< centre; [-1e8, 1e8]
     double wavelength_m = 1;  ///< [0.01, 1000]
-    double amplitude_m = 0;   ///< [0, 100], and at most wavelength_m / (2 pi): no slope over 1
-    double reach_m = 0;       ///< R; [0, 1e5], 0 and more than half of the cascade's side: that
-    double phase_rad = 0;     ///< in the middle at t = 0, a crest by default; [-2 pi, 2 pi]
+    double amplitude_m = 0;   ///< [0, 100], and at most wavelength_m / (2 pi), a slope of 1
+    /// R; [0, 1e5]. 0 or more than half of the cascade's side: half of that side.
+    double reach_m = 0;
+    double phase_rad = 0;  ///< at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]
 };
 
-/// Empty, or what is wrong: "wavelength_m is 0, needs [0.01, 1000]".
+/// Returns an empty string for a usable ripple, else what is wrong: "wavelength_m is 0, needs
+/// [0.01, 1000]".
 std::string check(const Ripple& ripple);
 
 class RippleInput final : public WaveInput {
@@ -33,15 +39,17 @@ class RippleInput final : public WaveInput {
     explicit RippleInput(const Ripple& ripple = {});
     ~RippleInput() override;
 
-    /// From the next schedule() on. Throws std::invalid_argument(check(ripple)) and keeps what it had.
+    /// Replaces the rings from the next schedule() on. Throws std::invalid_argument(check(ripple))
+    /// and changes nothing then.
     void set(const Ripple& ripple);
 
-    /// The rings as the frame scheduled last has them.
+    /// The rings of the frame scheduled last.
     struct Held {
         std::size_t cascade = 0;
         double frequency_hz = 0;
-        double reach_m =
-            0;  ///< 0: no cascade has three texels of the wave (two, where there is one cascade), or the amplitude is 0
+        /// 0 if no cascade has three texels of the wave (two, if there is one cascade), or if the
+        /// amplitude is 0.
+        double reach_m = 0;
     };
     Held held() const;
 

@@ -1,13 +1,14 @@
-// Waves that an application adds to those of the wind: into the cascades themselves, so that whatever is made of cascades has them, normals,
-// bounds, foam, queries, textures.
+// Wave inputs: waves that an application adds to the cascades themselves, so that normals, bounds,
+// foam, queries and textures include them.
 //
 //   const auto waves = std::make_shared<GerstnerInput>(some_waves);
-//   const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 2, .amplitude_m = 0.1});
-//   Ocean ocean(sea, {.inputs = {waves, rings}});
+//   const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 2, .amplitude_m =
+//   0.1}); Ocean ocean(sea, {.inputs = {waves, rings}});
 //
-// A cascade gets them in their order, each into rows that are 0 before it, so the sum has the same bits on any thread and
-// instruction set. It repeats after the cascade's side, and so do they. Figures of the sea, its significant height, its roughness
-// and where it whitens, stay those of the wind.
+// A cascade adds its inputs in their order, each into rows that are 0 before it. So the sum is
+// bit-identical on any thread and instruction set. Inputs repeat with the cascade's side.
+// Statistics of the sea, its significant wave height, roughness and whitecaps, remain those of the
+// wind.
 #pragma once
 
 #include <cstddef>
@@ -21,45 +22,52 @@
 
 namespace pelagic {
 
-/// What is about to be made: a frame, or a tick of foam that lasts.
+/// The time for which inputs are computed: a frame, or a tick of foam accumulation.
 struct InputMoment {
     double time_s = 0;  ///< of the frame, or of the tick
     double loop_period_s = 1;
-    /// Where in the loop that is, 2^32 being all of it: an input that knows no other time has the same bits in every loop.
+    /// Position in the loop, in units of 2^-32 of it. An input that uses no other time is
+    /// bit-identical in every loop.
     std::uint32_t loop_turns = 0;
-    /// 0 for a frame, 1 for a tick, which is begun after the frame that needs it and may be made in the same run. What add() needs of
-    /// a moment is kept in one of two places.
+    /// 0 for a frame, 1 for a tick. A tick begins after the frame that needs it and may run
+    /// concurrently with it. So an input stores what add() needs of a moment separately for each
+    /// place.
     std::size_t place = 0;
     std::span<const CascadeGrid> grids = {};  ///< of the cascades, the coarsest first
     int resolution = 0;                       ///< of each
-    Isa isa = {};                             ///< that computes
+    Isa isa = {};                             ///< the instruction set that computes
 };
 
-/// Some rows of a cascade, tight: column i of row first_row + j is at j N + i. They are 0, and what an input leaves there is added to the
-/// cascade: metres and metres a second, in the world's axes. Values are finite and at most WaveInput::most.
+/// Rows of a cascade: column i of row first_row + j is element j N + i. All are 0 before the call.
+/// The values that an input writes are added to the cascade, in metres and metres a second along
+/// the world's axes. They must be finite, with magnitudes of at most WaveInput::max_value.
 struct InputRows {
     const InputMoment& moment;
     std::size_t cascade = 0;
     std::size_t first_row = 0, row_count = 0;
     std::span<float> dx, height, dz;
-    /// Their derivatives in time. Empty unless OceanOptions::velocities, and in ticks.
+    /// Derivatives in time, m/s. Empty in ticks, and unless OceanOptions::velocities is set.
     std::span<float> velocity_x, velocity_y, velocity_z;
 
     const CascadeGrid& grid() const { return moment.grids[cascade]; }
     std::size_t resolution() const { return static_cast<std::size_t>(moment.resolution); }
-    /// One row of a field.
+    /// Returns one row of a field.
     std::span<float> row_of(std::span<float> field, std::size_t row) const {
         return field.empty() ? field : field.subspan(row * resolution(), resolution());
     }
 };
 
-/// An input belongs to one ocean. It is altered by the thread that calls the ocean's methods, whether or not a frame is in flight;
-/// what it is then counts from the next schedule() on. Foam that lasts was made by inputs as they were at its ticks, so an
-/// ocean whose inputs are altered, or don't loop, remembers other foam than one that jumps there.
+/// A wave input, which belongs to one ocean.
+///
+/// The thread that calls the ocean's methods may change it, whether or not a frame is in flight.
+/// Changes take effect at the next schedule(). Accumulated foam depends on the inputs at its ticks.
+/// So its history differs from that after a jump in time if inputs change or do not repeat with the
+/// loop.
 class WaveInput {
    public:
-    /// Of what is added, metres or metres a second. Anything else is refused: that frame is lost, complete() throws
-    /// std::invalid_argument, and the next may be scheduled.
+    /// Largest magnitude of added values, metres or metres a second. For a larger or non-finite
+    /// value that frame is lost, complete() throws std::invalid_argument, and the next frame may be
+    /// scheduled.
     static constexpr float max_value = 1000;
 
     WaveInput() = default;
@@ -67,24 +75,29 @@ class WaveInput {
     WaveInput& operator=(const WaveInput&) = delete;
     virtual ~WaveInput() = default;
 
-    /// On the thread that schedules, before anything is added. What it throws, schedule() or complete() throws.
+    /// Prepares a moment, on the thread that schedules, before anything is added. schedule() or
+    /// complete() throws what it throws.
     virtual void begin(const InputMoment& moment) = 0;
-    /// A cascade to which nothing is added keeps its bits. After begin().
+    /// Returns whether the input adds to a cascade; without inputs a cascade is bit-identical to
+    /// that of the wind. Called after begin().
     virtual bool adds_to(std::size_t cascade) const = 0;
-    /// What slopes of the cascade get steeper by at most: the bytes of Cascade::slopes_rgba8 count in coarser parts, so that they hold
-    /// both. In [0, 100]; where it is too little they stop at the end of their range. After begin().
+    /// Returns a bound of the slopes that the input adds to a cascade, in [0, 100]. It widens the
+    /// range of Cascade::slopes_rgba8; slopes are clamped to the range if the bound is too small.
+    /// Called after begin().
     virtual double largest_slope(std::size_t cascade) const = 0;
-    /// On threads of the executor, several at once. A frame is lost as above if it throws.
+    /// Writes the waves of some rows, on threads of the executor, several at once. If it throws,
+    /// the frame is lost, and the next may be scheduled.
     virtual void add(const InputRows& rows) const = 0;
 };
 
-/// Calls a function of the application's.
+/// A wave input that calls a function of the application.
 class CallbackInput final : public WaveInput {
    public:
     using Add = std::function<void(const InputRows&)>;
 
     static constexpr std::uint32_t all_cascades = ~std::uint32_t{0};
 
+    /// \param largest_slope  bound of the added slopes; [0, 100]
     /// \param cascades  bit i: cascade i
     explicit CallbackInput(Add add, double largest_slope = 0.5, std::uint32_t cascades = all_cascades)
         : add_(std::move(add)), largest_slope_(largest_slope), cascades_(cascades) {}
