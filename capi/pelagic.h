@@ -970,7 +970,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* 
  * x = undisplaced x + Dx and z alike.
  *
  * Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m. It is in column
- * i mod N of row j mod N. The grid has first_x <= i < first_x + N and first_z <= j < first_z + N. */
+ * i mod N of row j mod N. The grid has first_x <= i < first_x + N, first_z <= j < first_z + N. */
 typedef struct pelagic_dynamic_waves_view {
     uint32_t struct_size;
     int32_t resolution; /* N, a power of two */

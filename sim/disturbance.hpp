@@ -1,42 +1,48 @@
-// What moves the water from outside: oars, hulls, drops.
+// Disturbances of dynamic waves: oars, hulls, drops.
 #pragma once
 
 #include <string>
 
 namespace pelagic {
 
-/// A push at the water: once, or as a source that lasts until it is taken away.
+/// A disturbance of the water: an impulse, or a source that acts in every tick until it is removed.
 struct Disturbance {
     enum class Shape {
         gauss,  ///< height_m exp(-(r / radius_m)^2), cut off at 3 radii
-        hull,  ///< height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse, below 0 where it floats
+        /// height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse;
+        /// height_m of a floating hull is below 0.
+        hull,
     };
     enum class Mode {
-        /// Presses on the water, or lifts it, by the weight of the shape's own water: at rest the surface becomes the shape and stays
-        /// so, and a moving one leaves the waves of a moving pressure (Havelock 1908). Adds no water.
+        /// A pressure, or suction, equal to the weight of the shape's water. At rest the surface
+        /// becomes the shape and stays so. A moving one leaves the waves of a moving pressure
+        /// (Havelock 1908). The volume of the water is constant.
         pressure,
-        /// The water goes towards the shape, by 1 - e^(-rate tick) of what is left, times the shape over its height: the bulge is
-        /// bounded, and water comes and goes with it.
+        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the
+        /// difference, times the shape over its height. The bulge is bounded, and its volume is
+        /// added to the water.
         relaxation,
-        impulse,  ///< the shape is added at once: a drop, a stone
+        impulse,  ///< the shape is added to the surface at once: a drop, a stone
     };
 
     Shape shape = Shape::gauss;
     Mode mode = Mode::pressure;
-    double x_m = 0, z_m = 0;  ///< in the world, when it is given; [-1e8, 1e8]
+    double x_m = 0, z_m = 0;  ///< initial position in the world; [-1e8, 1e8]
     double radius_m = 1;      ///< of a hull half its beam; [0.001, 1000]
     double length_m = 1;      ///< of a hull half its length; [0.001, 1000]
-    double heading_rad = 0;   ///< of a hull's length, from +x towards +z; [-2 pi, 2 pi]
+    double heading_rad = 0;   ///< direction of a hull's length, from +x towards +z; [-2 pi, 2 pi]
     double height_m = 0;      ///< [-100, 100]
     double rate_per_s = 10;   ///< of a relaxation; (0, 1000]
-    /// How a source that lasts moves from one tick to the next, until it is given anew; [-1000, 1000]
+    /// Velocity of a source until it is replaced; [-1000, 1000].
     double velocity_x_mps = 0, velocity_z_mps = 0;
 };
 
-/// The shape itself, metres above rest at a place of the world: what a pressure at rest makes of still water.
+/// Returns the height of the shape at a position in the world, metres above rest. It is the surface
+/// that a pressure at rest makes of still water.
 double shape_at(const Disturbance& disturbance, double x_m, double z_m);
 
-/// Empty, or what is wrong: "radius_m is 0, needs [0.001, 1000]".
+/// Returns an empty string for a usable disturbance, else what is wrong: "radius_m is 0, needs
+/// [0.001, 1000]".
 std::string check(const Disturbance& disturbance);
 
 }  // namespace pelagic

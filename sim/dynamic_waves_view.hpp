@@ -1,4 +1,4 @@
-// What a frame shows of dynamic waves (dynamic_waves.hpp).
+// The dynamic waves of a frame (dynamic_waves.hpp).
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,20 @@
 
 namespace pelagic {
 
-/// A grid of the sea whose height adds to that of the cascades, where water is drawn: at x = rest x + Dx, z alike. Texel (i, j) of the
-/// world's grid stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the grid has first_x <= i <
-/// first_x + N. Waves fade towards its edges, where they are 0.
+/// The dynamic-wave grid, whose height adds to that of the cascades at the drawn position,
+/// x = undisplaced x + Dx, z alike. Waves fade towards its edges, where they are 0.
+///
+/// Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m and is in column
+/// i mod N of row j mod N. The grid has first_x <= i < first_x + N, and first_z <= j < first_z + N.
 struct DynamicWavesView {
-    int resolution = 0;  ///< N, a power of two; 0: the ocean has no such water
+    int resolution = 0;  ///< N, a power of two; 0: there are no dynamic waves
     double texel_m = 0;
     std::int64_t first_x = 0, first_z = 0;
     std::span<const float> height_m;  ///< N^2
-    /// The same: the vertical velocity at the moment that is shown, to (omega tick)^2 / 3 of a wave's. What is added at once brings none.
+    /// N^2; at the view's time, with an error of (omega tick)^2 / 3 of a wave's velocity. Impulses
+    /// have no initial velocity.
     std::span<const float> vertical_velocity_mps;
-    std::span<const std::uint8_t> foam;  ///< the same
+    std::span<const std::uint8_t> foam;  ///< N^2, 0 none to 255 full
     float height_min_m = 0, height_max_m = 0;
 
     explicit operator bool() const { return resolution > 0; }

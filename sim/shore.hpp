@@ -1,4 +1,4 @@
-// A shore: a floor of the sea that waves feel, which may rise above the water as a beach or an island.
+// A shore: a sea floor that refracts waves and may rise above the water as a beach or an island.
 #pragma once
 
 #include <cstdint>
@@ -12,47 +12,54 @@ namespace pelagic {
 struct ShoreOptions {
     static constexpr int max_samples_a_side = 4096;
 
-    /// Heights of the floor above rest, metres, [-11000, 9000]; sample (i, j) is heights_m[j * columns + i] and stands at
-    /// x = corner_x_m + i metres_a_sample, z alike. Columns and rows are 2 to 4096. The field is the shore's rectangle. Beyond it the floor
-    /// continues as its nearest edge has it: dry ground stays dry, and the sea is open where it is deep enough for its waves.
+    /// Heights of the floor above the rest level, metres, [-11000, 9000]. Sample (i, j) is
+    /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_a_sample, z alike.
+    /// Columns and rows are 2 to 4096.
+    ///
+    /// The shore is the rectangle of the samples. Beyond it the floor continues as at its nearest
+    /// edge: dry ground stays dry, and the sea is open where it is deep enough for its waves.
     int columns = 0, rows = 0;
     std::vector<float> heights_m = {};
     double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
     double metres_a_sample = 1;             ///< [0.001, 10000]
 
-    int resolution = 256;  ///< texels along the longer side of what frames show; 64, 128, 256, 512 or 1024
-    /// Along the field's edges, where the coarsest cascade gives way to waves that feel the floor; 0: an eighth of its shorter side.
-    /// [0, half of it]
+    /// Texels along the longer side of Frame::shore; 64, 128, 256, 512 or 1024.
+    int resolution = 256;
+    /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
+    /// floor; [0, half of the shorter side]. 0: an eighth of it.
     double fade_m = 0;
-    /// Waves reach so high on dry sand at most, where those that break would end at the waterline; [0, 10]
+    /// Maximum height that waves reach on dry sand; [0, 10]. With 0 breaking waves end at the
+    /// waterline.
     double swash_m = 0.25;
 };
 
-/// Empty, or what is wrong: "columns is 1, needs 2 to 4096".
+/// Returns an empty string for usable options, else what is wrong: "columns is 1, needs 2 to 4096".
 std::string check(const ShoreOptions& options);
-/// The same, and whether the sea can have one: of several cascades, and waves of a physical height: "cascades is 1, needs 2 to 4 ...".
-/// \pre check(sea) is empty
+/// Checks the options and whether the sea can have a shore, which needs several cascades and waves
+/// of a physical height: "cascades is 1, needs 2 to 4 ...". \pre check(sea) is empty
 std::string check(const ShoreOptions& options, const SeaState& sea);
 
-/// Empty, or one line where texels are coarse for the long waves: those of less than 8 texels lose more than 3 % of their height between
-/// texels. Lengths are those before the waves feel the floor.
-/// \pre check(options), check(sea) and check(options, sea) are empty
+/// Returns a warning of one line if texels are coarse for the long waves, else an empty string.
+/// Waves of less than 8 texels lose more than 3 % of their height between texels. Wavelengths are
+/// those in open water. \pre check(options), check(sea) and check(options, sea) are empty
 std::string warning_about(const ShoreOptions& options, const SeaState& sea);
 
-/// A shore at a place.
+/// A shore at a position.
 struct ShoreSample {
     double depth_m = 0;  ///< of still water; below 0 on land
     double height_m = 0, slope_x = 0, slope_z = 0, vertical_velocity_mps = 0, reach_m = 0;
-    double velocity_x_mps = 0, velocity_z_mps = 0;  ///< of the long waves' water, by linear theory
+    double velocity_x_mps = 0, velocity_z_mps = 0;  ///< of the long waves, by linear theory
     double foam = 0;                                ///< 0 to 1
-    double parts[4] = {1, 1, 1, 1};                 ///< of the cascades
+    double parts[4] = {1, 1, 1, 1};                 ///< weights of the cascades
 };
 
-/// Of the view that a frame has, between texels as ShoreSurface describes; slopes are the derivatives of the height. The parts are 1 and
-/// all else is 0 where x or z is no number.
+/// Samples the shore of a frame, interpolated as ShoreSurface describes; slopes are the derivatives
+/// of the height. Returns weights of 1 and zeros otherwise if x_m or z_m is not finite.
+/// Thread-safe.
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m);
 
-/// XXH3 of all that a frame shows of the shore, little-endian; 0 of a frame without one. hash_of() has none of it.
+/// Returns the XXH3 of the frame's shore, little-endian; 0 for a frame without one. hash_of()
+/// leaves the shore out.
 std::uint64_t shore_hash_of(const Frame& frame);
 
 }  // namespace pelagic

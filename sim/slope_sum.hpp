@@ -1,26 +1,28 @@
-// Slopes that add: what the words of a cascade's slope maps mean, and the normal and Jacobian of a sum of cascades.
+// Slopes of a cascade's maps, which add over cascades, and the normal and Jacobian of their sum.
 //
-// Normals and Jacobians of a sum are no sums of normals and Jacobians, but derivatives are sums of derivatives. So whoever
-// draws or asks adds what the cascades say about a point and makes a normal of the sum. Filters and mipmaps may come
-// before it, because they are linear. Shaders do the same.
+// The normal and Jacobian of a sum of cascades are not the sums of theirs, but the derivatives are.
+// So rendering and queries add the derivatives of all cascades at a point and compute the normal of
+// the sum. Filters and mipmaps may be applied before the sum, because they are linear. Shaders do
+// this too.
 #pragma once
 
 #include <cstdint>
 
 namespace pelagic {
 
-/// What the bytes of a cascade's slope maps count in.
+/// Ranges that the bytes of a cascade's slope maps cover.
 struct SlopeRanges {
     float slope = 1;     ///< of h_x, h_z, D_xx, D_zz, D_xz
     float variance = 1;  ///< of h_x and h_z within a texel
 };
 
-/// How a surface changes along the world's x and z, at rest: of one cascade, or of several once added.
+/// Derivatives of a surface along the world's x and z at the undisplaced position, of one cascade
+/// or of a sum.
 struct SurfaceSlopes {
     double h_x = 0, h_z = 0;              ///< of the height
-    double d_xx = 0, d_zz = 0, d_xz = 0;  ///< of the horizontal displacement; Dx,z = Dz,x in a sea of waves
-    double var_xx = 0, var_zz = 0,
-           cov_xz = 0;  ///< of h_x and h_z within the texel; waves of cascades are independent
+    double d_xx = 0, d_zz = 0, d_xz = 0;  ///< of the horizontal displacement; Dx,z = Dz,x
+    /// Covariance of h_x and h_z within the texel; cascades are independent.
+    double var_xx = 0, var_zz = 0, cov_xz = 0;
 
     SurfaceSlopes& operator+=(const SurfaceSlopes& other) {
         h_x += other.h_x;
@@ -35,8 +37,9 @@ struct SurfaceSlopes {
     }
 };
 
-/// A texel of both maps, bytes from the lowest up: h_x, h_z, D_xx, D_zz; D_xz, var_xx, var_zz, cov_xz. Variances are
-/// b/255 of their range, all others (b - 128)/127. With a texture's v = b/255 that is v and v 255/127 - 128/127.
+/// Decodes a texel of both maps, bytes from the lowest up: h_x, h_z, D_xx, D_zz; D_xz, var_xx,
+/// var_zz, cov_xz. Variances are b/255 of their range, all others (b - 128)/127. With a texture's v
+/// = b/255 these are v and v 255/127 - 128/127.
 inline SurfaceSlopes slopes_of_texel(std::uint32_t slopes, std::uint32_t moments, const SlopeRanges& ranges) {
     const auto byte = [](std::uint32_t word, int number) { return static_cast<double>(word >> 8 * number & 0xFF); };
     const auto around_zero = [&](std::uint32_t word, int number) { return (byte(word, number) - 128) / 127; };
@@ -50,8 +53,8 @@ inline SurfaceSlopes slopes_of_texel(std::uint32_t slopes, std::uint32_t moments
             .cov_xz = around_zero(moments, 3) * ranges.variance};
 }
 
-/// N of VR Ocean's equations 47 and 48, of any length: the cross product of the tangents (D_xz, h_z, 1 + D_zz) and
-/// (1 + D_xx, h_x, D_xz). `y` is the Jacobian.
+/// An unnormalised normal, N of VR Ocean's equations 47 and 48: the cross product of the tangents
+/// (D_xz, h_z, 1 + D_zz) and (1 + D_xx, h_x, D_xz). `y` is the Jacobian.
 struct SurfaceNormal {
     double x, y, z;
 };

@@ -1,5 +1,5 @@
-// Where a frame's textures go instead of into the ocean: memory of the application's own, a mapped pixel buffer for instance, which
-// spares a copy of them.
+// Texture targets: memory of the application, for instance a mapped pixel buffer, to which a frame
+// writes its textures instead of to the ocean's memory. That saves a copy.
 #pragma once
 
 #include <array>
@@ -12,22 +12,26 @@
 
 namespace pelagic {
 
-/// Of one cascade of N^2 texels. Any map may be left out; it is in the frame then. Each byte is written once, in rows of whole
-/// registers, and none is read, so memory may be write-combined. None aliases another or the frame.
+/// Targets of one cascade of N^2 texels. A map without a target is part of the frame. Each byte is
+/// written once, in rows of whole registers, and never read, so the memory may be write-combined.
+/// No target may overlap another or the frame.
 struct TextureTargets {
     static constexpr std::size_t alignment = 64, max_levels = 12;
     /// Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes.
     using Chain = std::array<std::uint32_t*, max_levels>;
 
-    std::uint16_t* displacement_rgba16f = nullptr;  ///< 4 N^2 half floats in tight rows, at a multiple of `alignment`
-    Chain gradient_rgba8{}, slopes_rgba8{}, moments_rgba8{};  ///< all mip_levels(N), or none
+    /// 4 N^2 half floats in tight rows, at a multiple of `alignment`.
+    std::uint16_t* displacement_rgba16f = nullptr;
+    /// All mip_levels(N) of a chain, or none.
+    Chain gradient_rgba8{}, slopes_rgba8{}, moments_rgba8{};
 };
 
-/// A chain in one piece, as frames have it: level m at mip_offset(N, m).
+/// Returns the levels of a contiguous chain, as in frames: level m at mip_offset(N, m).
 TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution);
 
-/// Empty if frames of so many cascades of this resolution can be written there, else what is bad first: "slopes_rgba8 lacks level
-/// 3, needs 8 levels", "gradient_rgba8 is wanted, needs an ocean with gradients".
+/// Returns an empty string if the targets fit frames of `cascade_count` cascades of this
+/// resolution, else the first problem: "slopes_rgba8 lacks level 3, needs 8 levels",
+/// "gradient_rgba8 is wanted, needs an ocean with gradients".
 std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents);
 
