@@ -359,7 +359,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](const auto& folder) { edit(second(folder), [](json& record) { record["version"] = "99.0.0"; }); }},
         Edit{"AnOptionOfAnotherVersion", "sea.2-of-2.json: export:", 2,
              [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["whales"] = 3; }); }},
-        Edit{"OtherShard", "sea.2-of-2.json is of another shard than its name expected", 2,
+        Edit{"OtherShard", "sea.2-of-2.json is of another shard than its name says", 2,
              [](const auto& folder) { edit(second(folder), [](json& record) { record["shard"]["index"] = 1; }); }},
         Edit{"OtherNumberOfShards", "there are sea.1-of-2.json and sea.3-of-4.json", 2,
              [](const auto& folder) { std::filesystem::copy_file(second(folder), folder / "sea.3-of-4.json"); }},
