@@ -150,9 +150,9 @@ TEST(AnalyticCascades, AnalyticSurfaceMatchesTexels) {
     }
 }
 
-// Between texels a frame is bilinear. For a wave number k and texel size d, the error along each
-// axis is at most (k d)^2 / 8 of the amplitude, together (k_x^2 + k_z^2) d^2 / 8. Displacements
-// have the same error, on slopes of 0.4.
+// Between texels a frame is bilinear. With wave number k and texel size d, the error along each
+// axis is at most (k d)^2 / 8 of the amplitude. In sum it is (k_x^2 + k_z^2) d^2 / 8. Displacements
+// have an equal error, on slopes of 0.4.
 TEST(AnalyticCascades, QueriesMatchTheAnalyticSurface) {
     for (const SeaState& sea : {moderate, on_one_cascade}) {
         double bound = SurfaceQuery::default_tolerance_m;

@@ -137,8 +137,8 @@ TEST(AnalyticMorph, HeightChangesMonotonicallyBetweenPresets) {
 }
 
 // A transition that rotated or stretched waves would move them by whole wavelengths at a distance
-// of 50 km. Here a step of u moves the surface only by the change of amplitudes, at most 1.5 du of
-// it (the steepest slope of a smoothstep), at any distance from the origin.
+// of 50 km. Here a step of u moves the surface only by the change of amplitudes. At any distance
+// from the origin that is at most 1.5 du of the change (the steepest slope of a smoothstep).
 TEST(AnalyticMorph, SurfaceChangesOnlyByAmplitudeAtAnyDistance) {
     AnalyticSea other = named("analytic-calm");
     for (AnalyticWave& wave : other.waves) wave.direction_rad += 1.5;

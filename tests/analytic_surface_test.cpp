@@ -283,8 +283,8 @@ TEST(AnalyticPhysics, WavesTravelAtTheDeepWaterPhaseSpeed) {
     }
 }
 
-// Gerstner 1802 (Lamb 1932, article 251): x = a - A e^kb sin(k a - w t), y = b + A e^kb cos(k a - w t) solves Euler's
-// equations.
+// Gerstner 1802 (Lamb 1932, article 251): x = a - A e^kb sin(k a - w t), y = b + A e^kb cos(k a - w
+// t) solves Euler's equations.
 class Trochoid : public testing::Test {
    protected:
     static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, surface_a_m = 0.38 / k;

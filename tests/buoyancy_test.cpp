@@ -262,8 +262,8 @@ TEST(Buoyancy, ABoxFollowsLongSwell) {
 }
 
 // Waves of 5 m at the peak (2 pi U^2 / (0.877^2 g), Pierson and Moskowitz) under a box of 40 m by
-// 15 m. Averaged over the box, at most 1 / (8 pi) = 4 % of a wave along it remains, and 1 / (3 pi)
-// = 11 % of a wave across it.
+// 15 m. The average over the box is at most 1 / (8 pi) = 4 % of a wave along it, and 1 / (3 pi) =
+// 11 % of a wave across it.
 TEST(Buoyancy, WavesMuchShorterThanTheBoxHardlyMoveIt) {
     if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
     const Ride ride(
@@ -327,9 +327,9 @@ TEST(BuoyancyDeterminism, TrajectoriesAreBitIdenticalOnEachInstructionSetAndThre
         << "the same from every compiler; a change of physics changes it, too";
 }
 
-// Boxes start in a storm, rotated by one radian and spinning. The kinetic energy of a box never
-// exceeds that of a fall from 5 m above the highest crest into the lowest trough, plus the velocity
-// of the fastest water.
+// Boxes start in a storm, rotated by one radian and spinning. No box ever has more kinetic energy
+// than a fall from 5 m above the highest crest into the lowest trough gives, in addition to the
+// velocity of the fastest water.
 TEST(Buoyancy, EnergyStaysBoundedInAStorm) {
     Ocean ocean(small_storm, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     std::vector<FloatingBox> boxes = three_boxes();

@@ -274,7 +274,7 @@ void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, con
             EXPECT_EQ(hash_of_shown(ocean.get()), hash_of_shown(reference.get()))
                 << "the frame before is still there";
         }
-        // The fault affects a change of the sea in the same manner.
+        // The fault also affects a change of the sea.
         const pelagic_sea sea = small_sea(128);
         EXPECT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete_sea(ocean.get()), expected) << pelagic_last_error();

@@ -311,7 +311,8 @@ double degrees_between(const double (&a)[3], const double (&b)[3]) {
     return std::atan2(std::sqrt(x * x + y * y + z * z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / pi;
 }
 
-// Bounds as in slopes_test.cpp: normals of the summed texture are within 2 degrees, Jacobians within 0.03, rms.
+// Bounds as in slopes_test.cpp: the rms error of the summed texture is within 2 degrees for normals
+// and 0.03 for Jacobians.
 TEST_F(CInterfaceCascades, DecodedSlopesSumToTheSurfacesSlopes) {
     pelagic_sea sea = stack_sea(4, 64);
     sea.wind_direction_rad = 0.7;

@@ -57,7 +57,8 @@ TEST(Caustics, FlatWaterGivesUniformLight) {
 // and 1 / (1 + p) below troughs.
 TEST(Caustics, AWaveFocusesLightLikeALens) {
     constexpr int n = 128;
-    constexpr double side_m = 16, a = 0.02, k = 2 * pi / 8;  // slopes up to 0.016: rays are paraxial
+    // slopes up to 0.016: rays are paraxial
+    constexpr double side_m = 16, a = 0.02, k = 2 * pi / 8;
     const double focus_m = water_index / ((water_index - 1) * a * k * k);
     const HandMadeSea sea(n, side_m, [&](double x) { return a * std::cos(k * x); });
     // The root mean square of a sine is 1/sqrt(2) of its maximum; differences over a texel lose

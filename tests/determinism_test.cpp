@@ -177,7 +177,8 @@ TEST(Determinism, FrameZeroIsBitIdenticalAfterTenHours) {
 TEST(Determinism, FramesDoNotDependOnTheirOrder) {
     std::vector<double> times;
     for (int i = 0; i < 24; ++i) times.push_back(i * 8.3 - 40);
-    const SeaState sea{.resolution = 128, .patch_size_m = 250};  // smaller frames are computed without jobs
+    // smaller frames are computed without jobs
+    const SeaState sea{.resolution = 128, .patch_size_m = 250};
     std::map<double, std::uint64_t> expected;
     for (const double time : times) expected[time] = hash_at(sea, time);
 

@@ -200,8 +200,9 @@ Shown shown(const DynamicWaveGrid& grid, double fraction) {
 }
 
 // At omega = 4.4 rad/s, a difference between ticks is half a tick (3.7 %) early or late. The
-// derivative of a parabola through three ticks has a relative error of (3 fraction^2 - 1) / 6 (omega
-// tick)^2, at most 0.18 %. Terms of (omega tick)^3 = 4e-4 add less than a quarter of that value.
+// derivative of a parabola through three ticks has a relative error of (3 fraction^2 - 1) / 6
+// (omega tick)^2, at most 0.18 %. Terms of (omega tick)^3 = 4e-4 add less than a quarter of that
+// value.
 TEST(DynamicWavesWaves, VerticalVelocityMatchesTheShownTime) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavesOptions options = bare(step);

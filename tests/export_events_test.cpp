@@ -168,8 +168,8 @@ class TicksByHand {
                           .velocity_z_mps = 1});
     }
 
-    /// The grid that a frame shows. \param fraction fraction in [0, 1] of the time between the previous
-    /// tick and `tick`
+    /// The grid that a frame shows. \param fraction fraction in [0, 1] of the time between the
+    /// previous tick and `tick`
     std::vector<float> after_tick(int tick, double fraction) {
         for (; tick_ < tick; ++tick_) before_tick(tick_ + 1), pool_.tick();
         const std::size_t texels = grid_texels * grid_texels;

@@ -9,7 +9,8 @@ namespace pelagic::oracle {
 
 using Complex = std::complex<double>;
 
-/// An N x N field, element (i, j) at j N + i. Spectra are in FFT order: index p is wave number p, or p - N from N/2 on.
+/// An N x N field, element (i, j) at j N + i. Spectra are in FFT order: index p is wave number p,
+/// or p - N from N/2 on.
 using ComplexField = std::vector<Complex>;
 
 /// Transforms by the definition, one line at a time: O(N^3).
