@@ -956,8 +956,8 @@ PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
  * Threads: one thread per waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
 
-/* Computes the ticks up to a time. A time before that of the last call leaves the waves unchanged,
- * and a jump ahead computes the ticks of at most half a second.
+/* Computes the ticks up to a time. A time before that of the last call computes no tick,
+ * and later ticks are counted from it. A jump ahead computes the ticks of at most half a second.
  *
  * time_s: finite.
  *

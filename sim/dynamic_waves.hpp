@@ -126,10 +126,10 @@ class DynamicWaves {
     std::int64_t tick_at(double time_s) const;
 
     /// Computes the ticks up to a time and returns the waves. The view is a tick late: it is
-    /// interpolated between the last two ticks. A time before that of the last call leaves the
-    /// waves unchanged. The view stays valid until the second advance() from now. Throws what
-    /// executors throw; the view of the last advance stays then. \pre time_s is finite; no ocean
-    /// owns the object
+    /// interpolated between the last two ticks. A time before that of the last call computes no
+    /// tick, and later ticks are counted from it. The view stays valid until the second advance()
+    /// from now. Throws what executors throw; the view of the last advance stays then. \pre time_s
+    /// is finite; no ocean owns the object
     const DynamicWavesView& advance(double time_s);
     /// Returns the waves of the last advance, or of the ocean's frame completed last; empty before
     /// the first.

@@ -1,4 +1,4 @@
-// Ticks and frames of dynamic waves: the commands that wait, the runs of the ticks, and two slots for what frames show.
+// Ticks and frames of dynamic waves: waiting commands, runs of ticks, and two slots for views.
 #include "pelagic/sim/dynamic_waves.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace pelagic {
 namespace {
 
-/// Fraction of a tick by which a time that is meant to be a tick's own may be rounded down.
+/// Fraction of a tick by which rounding may put a tick's time too low.
 constexpr double clock_slack = 0x1p-16;
 /// Beyond this, doubles cannot distinguish ticks.
 constexpr double farthest_tick = 0x1p50;
@@ -35,7 +35,7 @@ struct SavedClock {
     double last_time_s;
 };
 
-/// XXH3 of the options, as numbers without padding between them.
+/// Returns the XXH3 of the options, as numbers without padding.
 std::uint64_t digest_of(const DynamicWavesOptions& options) {
     const double numbers[] = {static_cast<double>(options.step),
                               static_cast<double>(options.resolution),
@@ -93,7 +93,7 @@ struct DynamicWaves::State {
     struct Command {
         enum class Kind { add_impulse, add_source, set_source, remove_source, set_center, set_rain } kind;
         std::uint32_t number = 0;
-        Disturbance disturbance = {};  ///< the centre's place for set_center
+        Disturbance disturbance = {};  ///< for set_center: the position
         Rain rain = {};
     };
 
@@ -259,7 +259,7 @@ void DynamicWaves::State::begin_run(GraphRun& run) {
 
 void DynamicWaves::State::complete_run() {
     GraphRun& run = *std::exchange(run_in_flight, nullptr);
-    // A run that fails has done what it could, and the next tick follows on it.
+    // A tick whose run fails counts as completed, and the next tick continues from its state.
     struct EndOfTick {
         DynamicWaveGrid* grid;
         ~EndOfTick() {
@@ -296,7 +296,7 @@ DynamicWavesView DynamicWaves::State::view_of_back() const {
 void DynamicWaves::drop_frame() {
     try {
         complete_frame();
-    } catch (...) {  // it is lost already
+    } catch (...) {  // the frame is discarded anyway
     }
     turn();
     state_->shown = state_->back;

@@ -21,13 +21,15 @@ namespace {
 constexpr double two_pi = 6.283185307179586;
 constexpr double farthest_m = 1e8;
 constexpr std::int64_t max_ticks = std::int64_t{1} << 50;
-/// Blocks of lines don't start a power of two apart.
+/// Floats between blocks of lines, so that their distance is not a power of two.
 constexpr std::size_t block_margin = 112;
-/// Foam fades as fast as the sea's own: 9 bytes in a tenth of a second.
+/// Foam decays as fast as that of the cascades: 9 bytes in a tenth of a second.
 constexpr std::int64_t foam_fade_per_s = 90;
 
-/// The border takes e^-8 of amplitudes on the way through it and its neighbour across the torus, of waves as long as it is wide; of
-/// shorter and slower ones more. It rises as the square of the way in, gently enough to send hardly anything back.
+/// Returns the damping rate at the grid's edge. It rises as the square of the distance into the
+/// border, gently enough to reflect almost nothing. A wave as long as the border is wide is
+/// attenuated by e^-8 while it crosses the border and the adjacent border across the torus. Shorter
+/// and slower waves are attenuated more.
 double damping_at_edge(const DynamicWavesOptions& options) {
     const double speed = options.step == DynamicWavesStep::verlet
                              ? options.wave_speed_mps
@@ -53,11 +55,11 @@ DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, co
     const DefaultFloatEnvironment environment;
     for (auto& plane : planes_) plane = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     tick_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
-    way_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
+    change_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     foam_ = AlignedBuffer<std::uint8_t>(n() * n(), memory);
     has_foam_.resize(n());
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        left_[axis] = AlignedBuffer<float>(n(), memory);
+        damping_[axis] = AlignedBuffer<float>(n(), memory);
         shown_[axis] = AlignedBuffer<float>(n(), memory);
     }
     if (options.step == DynamicWavesStep::spectral) {
@@ -88,9 +90,9 @@ void DynamicWaveGrid::bake_phases() {
                 const double omega = k2 > 0 ? angular_frequency(std::sqrt(k2), water) : 0;
                 const auto phase = det::sine_cosine_of_turns(omega * tick_s() / two_pi);
                 const double decay = 2 * options_.viscosity_m2ps * k2 + options_.decay_per_s;
-                const double left = det::exp(-decay * tick_s()) * over_all;
-                to[lane] = static_cast<float>(phase.cosine * left);
-                to[lanes + lane] = static_cast<float>(phase.sine * left);
+                const double attenuation = det::exp(-decay * tick_s()) * over_all;
+                to[lane] = static_cast<float>(phase.cosine * attenuation);
+                to[lanes + lane] = static_cast<float>(phase.sine * attenuation);
             }
         }
     }
@@ -105,8 +107,8 @@ void DynamicWaveGrid::lay_border() {
             const double from_edge = (texels_in + 0.5) * texel_m();
             const double within = from_edge < options_.border_m ? 1 - from_edge / options_.border_m : 0;
             const std::size_t at = placement_.in_torus(placement_.first()[axis] + static_cast<std::int64_t>(i));
-            left_[axis][at] = static_cast<float>(within > 0 ? det::exp(-edge * within * within * tick_s()) : 1);
-            // The two outermost texels are flat, so that slopes are, too, where the grid ends.
+            damping_[axis][at] = static_cast<float>(within > 0 ? det::exp(-edge * within * within * tick_s()) : 1);
+            // The two outermost texels are flat, so that slopes are 0 at the grid's edge.
             const double shown = (texels_in - 1) * texel_m() / (0.5 * options_.border_m);
             shown_[axis][at] = static_cast<float>(has_border ? std::clamp(shown, 0.0, 1.0) : 1);
         }
@@ -133,14 +135,14 @@ StageId DynamicWaveGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
                       .waits_for = {prepared},
                       .body = for_each_item([this](std::size_t job) {
                           const double courant = courant_number(options_);
-                          const double left = det::exp(-options_.decay_per_s * tick_s());
+                          const double attenuation = det::exp(-options_.decay_per_s * tick_s());
                           kernels_.verlet_rows({.now = first_texel(height_),
                                                 .before = first_texel(1 - height_),
                                                 .resolution = n(),
                                                 .first_row = job * rows_an_item,
                                                 .rows = rows_an_item,
-                                                .coupling = static_cast<float>(courant * courant * left),
-                                                .left = static_cast<float>(left * left)});
+                                                .coupling = static_cast<float>(courant * courant * attenuation),
+                                                .left = static_cast<float>(attenuation * attenuation)});
                       })});
 }
 
@@ -182,7 +184,7 @@ StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) 
 }
 
 void DynamicWaveGrid::flatten_row(std::int64_t z) {
-    for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &way_before_})
+    for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &change_before_})
         std::fill_n(plane->data() + dynamic_row_margin + placement_.in_torus(z) * dynamic_row_stride(n()), n(), 0.f);
     std::fill_n(foam_.data() + placement_.in_torus(z) * n(), n(), std::uint8_t{0});
 }
@@ -190,7 +192,7 @@ void DynamicWaveGrid::flatten_row(std::int64_t z) {
 void DynamicWaveGrid::flatten_column(std::int64_t x) {
     for (std::size_t z = 0; z < n(); ++z) {
         const std::size_t at = dynamic_row_margin + z * dynamic_row_stride(n()) + placement_.in_torus(x);
-        planes_[0][at] = planes_[1][at] = tick_before_[at] = way_before_[at] = 0;
+        planes_[0][at] = planes_[1][at] = tick_before_[at] = change_before_[at] = 0;
         foam_[z * n() + placement_.in_torus(x)] = 0;
     }
 }
@@ -225,13 +227,13 @@ void DynamicWaveGrid::end_tick() {
 
 void DynamicWaveGrid::prepare_rows(std::size_t job) {
     const std::size_t first = job * rows_an_item;
-    // Rows alone: their margins are the neighbouring jobs' as well.
+    // Without the margins of rows, which neighbouring jobs also read.
     for (std::size_t z = first; z < first + rows_an_item; ++z) {
         const std::size_t row = dynamic_row_margin + z * dynamic_row_stride(n());
         const float* const now = planes_[height_].data() + row;
-        float *const before = tick_before_.data() + row, *const way = way_before_.data() + row;
+        float *const before = tick_before_.data() + row, *const change = change_before_.data() + row;
         for (std::size_t x = 0; x < n(); ++x) {
-            way[x] = now[x] - before[x];
+            change[x] = now[x] - before[x];
             before[x] = now[x];
         }
     }
@@ -277,15 +279,15 @@ void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
     }
 }
 
-void DynamicWaveGrid::show(float part, std::size_t item, const Shown& to) const {
+void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) const {
     const std::size_t first = item * rows_an_item;
     kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
                                 .now = first_texel(height_),
-                                .way_before = way_before_.data() + dynamic_row_margin,
+                                .way_before = change_before_.data() + dynamic_row_margin,
                                 .resolution = n(),
                                 .first_row = first,
                                 .rows = rows_an_item,
-                                .part = part,
+                                .part = fraction,
                                 .ticks_per_s = static_cast<float>(options_.ticks_per_s),
                                 .shown_x = shown_[0].data(),
                                 .shown_z = shown_[1].data(),
@@ -306,7 +308,8 @@ std::vector<std::uint8_t> DynamicWaveGrid::saved() const {
         to += count;
     };
     put(&header, sizeof header);
-    for (const AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
+    for (const AlignedBuffer<float>* plane :
+         {&planes_[height_], &planes_[1 - height_], &tick_before_, &change_before_})
         for (std::size_t z = 0; z < n(); ++z)
             put(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), row_bytes);
     put(foam_.data(), foam_.size());
@@ -333,7 +336,7 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {
         float texel;
         std::memcpy(&texel, from + i * sizeof texel, sizeof texel);
-        if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
+        if (!(std::fabs(texel) <= 1e6f))  // also true for NaN
             throw std::invalid_argument(invalid_value_message("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
     sources_ =
@@ -341,11 +344,12 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
 
     placement_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;
-    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
+    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &change_before_})
         for (std::size_t z = 0; z < n(); ++z, from += row_bytes)
             std::memcpy(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), from, row_bytes);
     std::memcpy(foam_.data(), from, foam_.size());
-    std::fill(has_foam_.begin(), has_foam_.end(), std::uint8_t{1});  // or so: the next tick looks
+    // an upper bound, which the next tick corrects
+    std::fill(has_foam_.begin(), has_foam_.end(), std::uint8_t{1});
     lay_border();
 }
 
@@ -355,10 +359,10 @@ std::uint64_t DynamicWaveGrid::hash() const {
 }
 
 std::size_t DynamicWaveGrid::bytes() const {
-    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + way_before_.bytes() + sources_.bytes() +
+    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + change_before_.bytes() + sources_.bytes() +
                         has_foam_.capacity() + phases_.bytes() + lines_.bytes();
     for (const auto& plane : planes_) bytes += plane.bytes();
-    for (std::size_t axis = 0; axis < 2; ++axis) bytes += left_[axis].bytes() + shown_[axis].bytes();
+    for (std::size_t axis = 0; axis < 2; ++axis) bytes += damping_[axis].bytes() + shown_[axis].bytes();
     for (const FftPlan& plan : plan_) bytes += plan.bytes();
     return bytes;
 }

@@ -1,11 +1,15 @@
-// Dynamic waves (dynamic_waves.hpp), tick by tick.
+// The grid of dynamic waves (dynamic_waves.hpp), which advances in ticks.
 //
-// spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over omega(k). Each wave goes on by
+// spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over
+// omega(k):
 //                          z_k(t + dt) = z_k(t) exp(-i omega(k) dt - (2 nu k^2 + decay) dt),
-//                          omega^2 = (g k + (T/rho) k^3) tanh(k depth): exact dispersion, at any length of a tick
-// verlet                   h' = h + d^2 (h - h_before) + d c lap h,  d = exp(-decay dt),  c = (speed dt / dx)^2
+//                          omega^2 = (g k + (T/rho) k^3) tanh(k depth)
+//                          The dispersion is exact at any length of a tick.
+// verlet                   h' = h + d^2 (h - h_before) + d c lap h,
+//                          d = exp(-decay dt),  c = (speed dt / dx)^2
 //
-// In either case the grid is a torus whose border takes waves away before they come round, and texels that enter it are flat.
+// With both steps the grid is a torus. Its border absorbs waves before they wrap around, and texels
+// that enter the grid are flat.
 #pragma once
 
 #include <array>
@@ -27,9 +31,9 @@ namespace pelagic {
 
 class DynamicWaveGrid {
    public:
-    /// c of Verlet's step, at most: the bound of its stability in two dimensions is 0.5.
+    /// Upper limit of c; the stability limit of the Verlet step in two dimensions is 0.5.
     static constexpr double max_coupling = 0.4;
-    /// Texels that Verlet's waves run in a tick.
+    /// Returns the number of texels that Verlet's waves travel in a tick.
     static double courant_number(const DynamicWavesOptions& options);
 
     /// Throws std::bad_alloc. \pre check(options) is empty; runs_here(isa)
@@ -37,53 +41,61 @@ class DynamicWaveGrid {
     DynamicWaveGrid(const DynamicWaveGrid&) = delete;  // stages point into it
     DynamicWaveGrid& operator=(const DynamicWaveGrid&) = delete;
 
-    /// Adds the stages of a tick; returns the one after which it is over. The grid outlives the graph's runs.
+    /// Adds the stages of a tick and returns the last one. The grid must outlive the graph's runs.
     StageId add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for = {});
 
     /// Moves the grid's centre to within half a texel of the point. Texels that enter are flat.
     /// \pre both in [-1e8, 1e8]; no tick is in flight
     void set_center(double x_m, double z_m);
 
-    /// What pushes from the next tick on. What lies outside of the grid does nothing. \pre no tick is in flight
+    /// Returns the disturbances from the next tick on; those outside the grid have no effect.
+    /// \pre no tick is in flight
     DynamicWaveSources& sources() { return sources_; }
     const DynamicWaveSources& sources() const { return sources_; }
     void set_source(std::uint32_t number, const Disturbance& source) { sources_.set(number, source, ticks_); }
     void set_rain(const Rain& rain) { sources_.set_rain(rain, options_); }
 
-    /// Before and after each run of the tick's stages.
+    /// Prepare and finish each run of the tick's stages.
     void begin_tick();
     void end_tick();
 
     const DynamicWavesOptions& options() const { return options_; }
     double texel_m() const { return placement_.texel_m(); }
     double tick_s() const { return 1.0 / options_.ticks_per_s; }
-    std::int64_t ticks() const { return ticks_; }  ///< that are over
-    /// The lowest texel of the grid; texel i stands at i texel_m.
+    std::int64_t ticks() const { return ticks_; }  ///< number of completed ticks
+    /// First texels of the grid; texel i has the position i texel_m.
     std::int64_t first_x() const { return placement_.first()[0]; }
     std::int64_t first_z() const { return placement_.first()[1]; }
-    /// At a texel of the grid.
+    /// Returns the height at a texel of the grid.
     float height_m(std::int64_t x, std::int64_t z) const { return planes_[height_][texel(x, z)]; }
     std::uint8_t foam(std::int64_t x, std::int64_t z) const { return foam_[foam_texel(x, z)]; }
-    /// Spectral: w. Verlet: the height of the tick before.
+    /// Returns w (spectral) or the height of the previous tick (Verlet).
     float companion_m(std::int64_t x, std::int64_t z) const { return planes_[1 - height_][texel(x, z)]; }
 
-    /// Puts together what a frame shows of the rows of an item, `part` of the way from the tick before to the last one: rows of N floats
-    /// and bytes, and the extremes of each row's heights. A wave's velocity is off by (3 part^2 - 1) / 6 (omega tick)^2 of itself. Items may
-    /// run side by side. \pre no tick is in flight
+    /// Interpolates a frame's view for the rows of an item.
+    ///
+    /// \param fraction  position between the previous and the last tick, 0 to 1. A wave's velocity
+    /// has the
+    ///     relative error (3 fraction^2 - 1) / 6 (omega tick)^2
+    /// \param to  receives rows of N floats and bytes, and the extremes of each row's heights
+    ///
+    /// Items may run concurrently. \pre no tick is in flight
     static constexpr std::size_t rows_an_item = 16;
     struct Shown {
         float *height_m, *vertical_velocity_mps;
         std::uint8_t* foam;
         float *lowest_m, *highest_m;
     };
-    void show(float part, std::size_t item, const Shown& to) const;
+    void show(float fraction, std::size_t item, const Shown& to) const;
 
-    /// Of the grid's place, ticks and texels: XXH3 of what is saved but for the sources.
+    /// Returns the XXH3 of the saved state without the sources: position, ticks and texels.
     std::uint64_t hash() const;
-    /// All that ticks and frames to come depend on; 17 N^2 bytes and some. \pre no tick is in flight
+    /// Returns all that later ticks and frames depend on; slightly more than 17 N^2 bytes.
+    /// \pre no tick is in flight
     std::vector<std::uint8_t> saved() const;
-    /// Takes that up, in a grid of the same options, on any machine of the same byte order. Throws std::invalid_argument if such a
-    /// grid can't have saved it; nothing has changed then. \pre no tick is in flight
+    /// Restores the state of a grid with equal options, on any machine of equal byte order. Throws
+    /// std::invalid_argument and changes nothing if such a grid cannot have saved it.
+    /// \pre no tick is in flight
     void restore(std::span<const std::uint8_t> saved);
 
     std::size_t bytes() const;
@@ -97,9 +109,10 @@ class DynamicWaveGrid {
     }
     std::size_t n() const { return static_cast<std::size_t>(options_.resolution); }
     std::size_t block_stride() const;
-    /// Which plane holds h once the step is done: Verlet's goes where the height of the tick before was.
+    /// Returns the plane that holds h after the step. Verlet's overwrites the height of the
+    /// previous tick.
     std::size_t stepped_plane() const { return options_.step == DynamicWavesStep::verlet ? 1 - height_ : height_; }
-    /// Of Verlet's two heights the one that `plane` is not; the spectral step has one.
+    /// Returns Verlet's height plane other than `plane`; null for the spectral step, which has one.
     float* verlets_other(std::size_t plane) {
         return options_.step == DynamicWavesStep::verlet ? first_texel(1 - plane) : nullptr;
     }
@@ -110,7 +123,7 @@ class DynamicWaveGrid {
 
     StageId add_spectral_stages(JobGraph& graph, StageId prepared);
     StageId add_verlet_stage(JobGraph& graph, StageId prepared);
-    BorderDamping border() const { return {left_[0].data(), left_[1].data()}; }
+    BorderDamping border() const { return {damping_[0].data(), damping_[1].data()}; }
     void bake_phases();
     void lay_border();
     void flatten_column(std::int64_t x);
@@ -124,19 +137,21 @@ class DynamicWaveGrid {
     const Kernels& kernels_;
     GridPlacement placement_;
     std::int64_t ticks_ = 0;
-    std::size_t height_ = 0;  ///< which plane holds h
+    std::size_t height_ = 0;  ///< the plane that holds h
     std::array<AlignedBuffer<float>, 2> planes_;
-    AlignedBuffer<float>
-        tick_before_;  ///< h where the last tick began, with what it was given at once: frames show the way from there
-    AlignedBuffer<float> way_before_;  ///< that h went in the tick before
+    /// h at the beginning of the last tick, with its impulses. Frames interpolate from here.
+    AlignedBuffer<float> tick_before_;
+    AlignedBuffer<float> change_before_;  ///< change of h in the previous tick
     AlignedBuffer<std::uint8_t> foam_;
-    std::vector<std::uint8_t> has_foam_;         ///< by row; 0: none
-    std::array<AlignedBuffer<float>, 2> left_;   ///< of each column and row of the torus by a tick
-    std::array<AlignedBuffer<float>, 2> shown_;  ///< and by what a frame shows: 0 at the edges
+    std::vector<std::uint8_t> has_foam_;  ///< by row; 0: none
+    /// Factor of each column and row of the torus in a tick: the absorbing border.
+    std::array<AlignedBuffer<float>, 2> damping_;
+    /// Factor of each column and row in a frame's view: 0 at the edges.
+    std::array<AlignedBuffer<float>, 2> shown_;
     DynamicWaveSources sources_;
 
-    // Of the spectral step alone.
-    std::vector<FftPlan> plan_;  ///< one, or none
+    // Only for the spectral step.
+    std::vector<FftPlan> plan_;  ///< one, or none for Verlet's
     AlignedBuffer<float> phases_;
     AlignedBuffer<float> lines_;
 };

@@ -1,5 +1,6 @@
-// Where a grid of texels lies that follows somebody. Texel i of the world's grid stands at i texel_m and is kept in column
-// i mod N of a torus, so a grid that moves keeps what it still covers where it is.
+// Position of a grid of texels that follows a point. Texel i of the world's grid has the position i
+// texel_m and is kept in column i mod N of a torus. So texels that stay in a moving grid stay in
+// memory where they are.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ class GridPlacement {
    public:
     GridPlacement(int resolution, double texel_m) : resolution_(resolution), texel_m_(texel_m) {}
 
-    /// The lowest texels along x and z of a grid whose middle is as near to the place as whole texels allow.
+    /// Returns the first texels along x and z of the grid whose centre is nearest to a point.
     std::array<std::int64_t, 2> first_around(double x_m, double z_m) const {
         const auto first = [this](double middle_m) {
             return static_cast<std::int64_t>(std::floor(middle_m / texel_m_ + 0.5)) - resolution_ / 2;

@@ -28,7 +28,7 @@ constexpr std::array fields = {
                                       "[0.001, 100]"},
 };
 
-/// Texels of a frame's grid, with their neighbours.
+/// Samples at the texels of a view, with slopes from neighbouring texels.
 class DynamicWaveTexels {
    public:
     explicit DynamicWaveTexels(const DynamicWavesView& water)
@@ -53,8 +53,10 @@ class DynamicWaveTexels {
     std::size_t last_;
 };
 
-DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double part) {
-    const auto mixed = [&](double DynamicWavesSample::*member) { return a.*member + part * (b.*member - a.*member); };
+DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double fraction) {
+    const auto mixed = [&](double DynamicWavesSample::*member) {
+        return a.*member + fraction * (b.*member - a.*member);
+    };
     return {mixed(&DynamicWavesSample::height_m), mixed(&DynamicWavesSample::slope_x),
             mixed(&DynamicWavesSample::slope_z), mixed(&DynamicWavesSample::vertical_velocity_mps),
             mixed(&DynamicWavesSample::foam)};
@@ -80,7 +82,7 @@ DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) 
     if (!view) return {};
     const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
     const double v = z_m / view.texel_m - static_cast<double>(view.first_z);
-    // The outermost texels have neighbours on the other side of the grid only, and are 0.
+    // The outermost texels are 0, and their outer neighbours are on the other side of the torus.
     const double last = view.resolution - 2;
     if (!(u >= 1 && v >= 1 && u < last && v < last)) return {};
     const double column = std::floor(u), row = std::floor(v);

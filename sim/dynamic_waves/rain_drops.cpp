@@ -14,15 +14,16 @@
 namespace pelagic {
 namespace {
 
-/// Texels along a side of a cell of the world, whose drops are drawn together.
+/// Texels along a side of a cell of the world, which has one sequence of random numbers a tick.
 constexpr std::int64_t cell_texels = 8;
-/// Drops fall on this many places of a texel along an axis, so that their shapes are baked.
-constexpr std::size_t parts = 8;
-/// Of a drop, in radii: beyond, it is less than 1e-3 of its height.
+/// Positions of drops within a texel along an axis, for which shapes are computed in advance.
+constexpr std::size_t subtexels = 8;
+/// Extent of a drop, in radii; beyond it the shape is less than 1e-3 of its height.
 constexpr double reach_radii = 3;
-/// Drops that reach a texel in a tick, on the mean; what a tick costs grows with it.
+/// Maximum mean number of drops that reach a texel in a tick, which limits the time of a tick.
 constexpr double max_at_a_texel = 16;
-/// Drops of a cell and tick: their mean is 16 at most, and 100 is further from it than any draw of 53 bits goes.
+/// Maximum number of drops of a cell and tick. Their mean is at most 16, and the probability of 100
+/// is below the resolution of a random number of 53 bits.
 constexpr int max_in_a_cell = 100;
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
@@ -38,9 +39,10 @@ double max_drops(const Rain& rain, const DynamicWavesOptions& water) {
     return max_at_a_texel * water.ticks_per_s / (side_m * side_m);
 }
 
-/// The cells along an axis whose drops may reach texels [first, end), from the first to the one behind the last.
+/// Returns the range of cells along an axis whose drops may reach texels [first, end), its end
+/// exclusive.
 std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end, std::int64_t reach) {
-    // Shifts round down, below 0 as well.
+    // Shifts round down, also for negative numbers.
     static_assert(cell_texels == 8);
     return {(first - reach - 1) >> 3, ((end - 1 + reach) >> 3) + 1};
 }
@@ -48,7 +50,7 @@ std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end,
 }  // namespace
 
 std::string check(const Rain& rain, const DynamicWavesOptions& water) {
-    if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
+    if (rain.drops_per_m2_s == 0) return {};  // without rain the other values are unused
     const double widest = water.side_m / 16;
     if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
         return invalid_value_message("radius_m", rain.radius_m,
@@ -62,10 +64,11 @@ std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     return {};
 }
 
-/// A drop's middle: the texel below it, and the part of a texel that it is above that.
+/// The centre of a drop: the texel below it and the position above that texel in units of 1/8
+/// texel.
 struct RainDrops::Drop {
     std::int64_t x, z;
-    std::size_t part_x, part_z;
+    std::size_t subtexel_x, subtexel_z;
 };
 
 RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
@@ -79,14 +82,16 @@ RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
     none_ = det::exp(-mean_);
     height_ = static_cast<float>(rain.height_m * narrower * narrower);
     reach_ = reach_of(rain, water);
-    shapes_.resize(parts * width());
-    for (std::size_t part = 0; part < parts; ++part) {
-        const auto middle = static_cast<double>(reach_) + static_cast<double>(part) / static_cast<double>(parts);
+    shapes_.resize(subtexels * width());
+    for (std::size_t subtexel = 0; subtexel < subtexels; ++subtexel) {
+        const auto middle =
+            static_cast<double>(reach_) + static_cast<double>(subtexel) / static_cast<double>(subtexels);
         const auto squared = [&](std::size_t texel) {
             const double away = (static_cast<double>(texel) - middle) * texel_m / radius;
             return away * away;
         };
-        // The sum of rim over texels is nearly 0, as its integral is. It has to be 0: rain adds no water.
+        // The integral of rim is 0, but its sum over texels is not quite. The sum is corrected to
+        // 0, so that rain adds no water.
         double e_sum = 0, rim_sum = 0;
         for (std::size_t texel = 0; texel < width(); ++texel) {
             const double e = det::exp(-squared(texel));
@@ -95,8 +100,8 @@ RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
         }
         for (std::size_t texel = 0; texel < width(); ++texel) {
             const double e = det::exp(-squared(texel));
-            shapes_[part * width() + texel] = {static_cast<float>(e),
-                                               static_cast<float>((squared(texel) - 0.5 - rim_sum / e_sum) * e)};
+            shapes_[subtexel * width() + texel] = {static_cast<float>(e),
+                                                   static_cast<float>((squared(texel) - 0.5 - rim_sum / e_sum) * e)};
         }
     }
 }
@@ -106,12 +111,12 @@ void RainDrops::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t
     const double u = static_cast<double>(split_mix(state) >> 11) * two_to_minus_53;
     double likely = none_, up_to = none_;
     for (int drop = 1; drop <= max_in_a_cell && u >= up_to; ++drop) {
-        // One draw says where: the cell has 64 places along each axis.
+        // One random number gives the position, of which a cell has 64 along each axis.
         const std::uint64_t place = split_mix(state + static_cast<std::uint64_t>(drop) * golden_gamma);
         of_drop(Drop{.x = cell_x * cell_texels + static_cast<std::int64_t>(place >> 61),
                      .z = cell_z * cell_texels + static_cast<std::int64_t>(place >> 55 & 7),
-                     .part_x = static_cast<std::size_t>(place >> 58 & 7),
-                     .part_z = static_cast<std::size_t>(place >> 52 & 7)});
+                     .subtexel_x = static_cast<std::size_t>(place >> 58 & 7),
+                     .subtexel_z = static_cast<std::size_t>(place >> 52 & 7)});
         likely *= mean_ / drop;
         up_to += likely;
     }
@@ -125,15 +130,15 @@ void RainDrops::push_rows(const GridPlacement& placement, std::int64_t tick, std
     const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(side));
 
     const auto add_row = [&](const Drop& drop, std::int64_t z) {
-        const Shape along_z = shape_at(drop.part_z)[z - (drop.z - reach_)];
+        const Shape along_z = shape_at(drop.subtexel_z)[z - (drop.z - reach_)];
         const float e = height_ * along_z.e, rim = height_ * along_z.rim;
-        const Shape* const along_x = shape_at(drop.part_x);
+        const Shape* const along_x = shape_at(drop.subtexel_x);
         const std::size_t row = placement.in_torus(z) * stride;
         for (std::int64_t i = 0; i < count; ++i) {
             const std::size_t texel = row + placement.in_torus(drop.x - reach_ + i);
             const float height = along_x[i].rim * e + along_x[i].e * rim;
             heights.now[texel] += height;
-            if (heights.before) heights.before[texel] += height;  // it is dug, and does not move yet
+            if (heights.before) heights.before[texel] += height;  // no initial velocity
             heights.tick_before[texel] += height;
         }
     };
@@ -158,7 +163,8 @@ void RainDrops::push_rows(const GridPlacement& placement, std::int64_t tick, std
         }
     };
 
-    // Rows of the torus are those of the grid from where it begins in it, and go round once.
+    // Rows of the torus are those of the grid, beginning at the row of first_z and wrapping around
+    // once.
     const std::int64_t begins = static_cast<std::int64_t>(placement.in_torus(first_z));
     const std::int64_t from = static_cast<std::int64_t>(first_row), to = static_cast<std::int64_t>(first_row + rows);
     const std::int64_t cut = std::clamp(begins, from, to);

@@ -20,7 +20,8 @@ namespace {
 constexpr double two_pi = 6.283185307179586;
 constexpr double gauss_reach = 3;  ///< in radii
 
-/// Texels of the grid within `reach_m` of a place along an axis: the first, and the one behind the last.
+/// Returns the range of texels of the grid within `reach_m` of a position along an axis, its end
+/// exclusive.
 std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridPlacement& placement,
                                     std::size_t axis) {
     const auto low = static_cast<std::int64_t>(std::ceil((middle_m - reach_m) / placement.texel_m()));
@@ -35,7 +36,7 @@ struct SavedHeader {
     std::int64_t rain_seed;
 };
 
-/// A source as it is saved, or with numbers of 0 a disturbance: numbers without gaps between them.
+/// A saved source, or an impulse if number is 0. The struct has no padding.
 struct SavedSource {
     std::int64_t number, since, shape, mode;
     double x, z, radius, length, heading, height, rate, velocity_x, velocity_z;
@@ -128,7 +129,8 @@ void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t
         const double since_s = static_cast<double>(ticks - source.since) * tick_s;
         moved.x_m += since_s * moved.velocity_x_mps;
         moved.z_m += since_s * moved.velocity_z_mps;
-        if (check(moved).empty()) add_splash(moved, placement, tick_s);  // else it has left the world
+        // else it has left the valid range
+        if (check(moved).empty()) add_splash(moved, placement, tick_s);
     }
     for (const Disturbance& disturbance : waiting_) add_splash(disturbance, placement, tick_s);
     waiting_.clear();
@@ -143,7 +145,7 @@ void DynamicWaveSources::add_splash(const Disturbance& of, const GridPlacement& 
     if (first_x >= end_x || first_z >= end_z) return;
     const auto heading = det::sine_cosine_of_turns(of.heading_rad / two_pi);
     splashes_.push_back({.of = of,
-                         .part = static_cast<float>(1 - det::exp(-of.rate_per_s * tick_s)),
+                         .fraction = static_cast<float>(1 - det::exp(-of.rate_per_s * tick_s)),
                          .first_x = first_x,
                          .end_x = end_x,
                          .first_z = first_z,
@@ -165,7 +167,8 @@ void DynamicWaveSources::add_profile(const Splash& splash, const GridPlacement& 
     add_along(splash.of.z_m, splash.first_z, splash.end_z);
 }
 
-/// Calls at_texel(floats from the first texel, shape, shape over its height) for what a splash reaches in the rows.
+/// Calls at_texel(index of the texel, shape, shape over its height) for each reached texel of the
+/// rows.
 template <class AtTexel>
 void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& placement, std::size_t first_row,
                                     std::size_t rows, AtTexel at_texel) const {
@@ -192,8 +195,8 @@ void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& p
             const double across = (away_z * splash.cosine - away_x * splash.sine) / of.radius_m;
             const double inside = 1 - along * along - across * across;
             if (inside <= 0) continue;
-            const float part = static_cast<float>(std::sqrt(inside));
-            at_texel(begin + placement.in_torus(x), height * part, part);
+            const float weight = static_cast<float>(std::sqrt(inside));
+            at_texel(begin + placement.in_torus(x), height * weight, weight);
         }
     }
 }
@@ -205,16 +208,18 @@ void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t f
         const auto push = [&](auto at_texel) { for_texels(splash, placement, first_row, rows, at_texel); };
         switch (splash.of.mode) {
             case Disturbance::Mode::pressure:
-                // A step moves what the water lacks of its shape at rest; Verlet's knows it at two moments.
+                // The step advances the difference from the shape at rest. Verlet's has it at two
+                // ticks.
                 push([=](std::size_t texel, float shape, float) {
                     now[texel] -= shape;
                     if (before) before[texel] -= shape;
                 });
                 break;
             case Disturbance::Mode::relaxation:
-                // Of both of Verlet's heights the same, here and below: water that is brought has no speed.
-                push([=, part = splash.part](std::size_t texel, float shape, float weight) {
-                    const float brought = part * weight * (shape - now[texel]);
+                // Both of Verlet's heights change equally, here and below, so the added water has
+                // no velocity.
+                push([=, fraction = splash.fraction](std::size_t texel, float shape, float weight) {
+                    const float brought = fraction * weight * (shape - now[texel]);
                     now[texel] += brought;
                     if (before) before[texel] += brought;
                 });

@@ -1,4 +1,5 @@
-// What pushes at a grid of water: sources that last, rain, what is said once, and the texels that all reach in a tick.
+// Disturbances of a dynamic-wave grid: sources, impulses and rain, and the texels that they reach
+// in a tick.
 #pragma once
 
 #include <cstddef>
@@ -14,40 +15,46 @@ namespace pelagic {
 
 class DynamicWaveSources {
    public:
-    /// Sources that last, and disturbances of one tick.
+    /// Maximum number of sources, and of impulses in one tick.
     static constexpr std::size_t max_count = 4096;
 
-    /// Adds a disturbance for the next tick. \pre check(disturbance) is empty, and waiting() < max_count
+    /// Adds an impulse for the next tick. \pre check(disturbance) is empty, and waiting() <
+    /// max_count
     void add_impulse(const Disturbance& disturbance);
-    /// What waits for the tick to come. Some of it may be provisional, until settle().
+    /// Returns the number of impulses that wait for the next tick. They are provisional until
+    /// settle().
     std::size_t waiting() const { return waiting_.size(); }
     std::size_t settled() const { return settled_; }
     void settle() { settled_ = waiting_.size(); }
     void forget_provisional() { waiting_.resize(settled_); }
     std::uint32_t new_number() { return next_number_++; }
-    /// \param ticks  that are over: the source moves from where it is from then on
+    /// Adds or replaces a source.
+    /// \param ticks  number of completed ticks, from which on the source moves from its position
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
     void remove(std::uint32_t number);
     bool has(std::uint32_t number) const;
     /// Sets the rain from the next tick on. \pre check(rain, water) is empty
     void set_rain(const Rain& rain, const DynamicWavesOptions& water) { rain_ = RainDrops(rain, water); }
-    /// Of what lasts, in ascending order.
+    /// Returns the numbers of the sources, in ascending order.
     std::vector<std::uint32_t> numbers() const;
 
-    /// Finds what the tick after `ticks` of them reaches in the grid. Sources push in the order of their numbers, then
-    /// disturbances in theirs, then rain.
+    /// Determines the texels that the next tick's disturbances reach. They act in this order:
+    /// sources by number, impulses in the order of their commands, rain.
+    /// \param ticks  number of completed ticks
     void begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s);
-    /// Before the step, in rows of the torus: presses take the shape away, which lift_rows() puts back after it.
+    /// Applies disturbances to rows of the torus before the step. Pressures subtract their shape,
+    /// which lift_rows() adds again after the step.
     void push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
                    HeightPlanes heights) const;
     void lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
                    HeightPlanes heights) const;
     void end_tick();
 
-    /// What lasts, what waits and the rain, as bytes.
+    /// Saves sources, waiting impulses and rain as bytes.
     std::size_t saved_bytes() const;
     void save(std::span<std::uint8_t> bytes) const;
-    /// Throws std::invalid_argument if no such water of so many ticks can have saved them.
+    /// Restores saved bytes. Throws std::invalid_argument if no grid with these options and ticks
+    /// can have saved them.
     static DynamicWaveSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
                                        const DynamicWavesOptions& water);
     std::size_t bytes() const;
@@ -56,15 +63,15 @@ class DynamicWaveSources {
     struct Source {
         std::uint32_t number;
         Disturbance disturbance;
-        std::int64_t since;  ///< ticks that were over when it was set
+        std::int64_t since;  ///< number of completed ticks when it was set
     };
-    /// A push as the rows of a tick need it.
+    /// A disturbance in the tick in flight.
     struct Splash {
         Disturbance of;
-        float part;                   ///< of the way that a pull goes in one tick
-        std::int64_t first_x, end_x;  ///< texels that it reaches, within the grid
+        float fraction;               ///< of the difference that a relaxation removes in one tick
+        std::int64_t first_x, end_x;  ///< reached texels within the grid
         std::int64_t first_z, end_z;
-        std::size_t profile;  ///< of a gauss: its values along x, then along z
+        std::size_t profile;  ///< of a Gaussian: index of its values along x, then along z
         double cosine, sine;  ///< of a hull's heading
     };
 
@@ -75,13 +82,14 @@ class DynamicWaveSources {
                     AtTexel at_texel) const;
 
     std::uint32_t next_number_ = 1;
-    std::vector<Source> sources_;       ///< by number
-    std::vector<Disturbance> waiting_;  ///< for the tick to come
-    std::size_t settled_ = 0;           ///< of these, the first ones
-    std::vector<Splash> splashes_;      ///< of the tick in flight
+    std::vector<Source> sources_;       ///< in ascending order of numbers
+    std::vector<Disturbance> waiting_;  ///< impulses for the next tick
+    /// number of impulses that are not provisional, the first ones
+    std::size_t settled_ = 0;
+    std::vector<Splash> splashes_;  ///< disturbances of the tick in flight
     std::vector<float> profiles_;
     RainDrops rain_;
-    std::int64_t tick_ = 0;  ///< in flight
+    std::int64_t tick_ = 0;  ///< the tick in flight
 };
 
 }  // namespace pelagic
