@@ -1,4 +1,4 @@
-// Dynamic waves for C.
+// C interface of dynamic waves.
 #include "pelagic/capi/c_dynamic_waves.hpp"
 
 #include <cmath>
@@ -21,7 +21,8 @@ static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
 static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation) &&
               PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse));
 
-/// Throws std::invalid_argument for null, a wrong struct_size and constants that there aren't. Values are for check().
+/// Converts a disturbance. Throws std::invalid_argument for null, a wrong struct_size and unknown
+/// constants. check() checks the values.
 Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
     const pelagic_disturbance from = read_struct(pointer, name);
     if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
@@ -143,7 +144,7 @@ pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic
     return guarded([&] {
         pelagic_dynamic_waves*& out = needed(waves, "waves");
         out = nullptr;
-        needed(ocean, "ocean").ocean.dynamic_waves();  // throws without any
+        needed(ocean, "ocean").ocean.dynamic_waves();  // throws without dynamic waves
         out = &ocean->dynamic_waves;
     });
 }

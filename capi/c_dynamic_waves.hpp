@@ -1,4 +1,4 @@
-// What a pelagic_dynamic_waves is.
+// Definition of pelagic_dynamic_waves.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,15 @@
 #include "pelagic/sim/dynamic_waves.hpp"
 
 struct pelagic_dynamic_waves {
-    std::unique_ptr<pelagic::DynamicWaves> own;  ///< null: an ocean's
+    std::unique_ptr<pelagic::DynamicWaves> own;  ///< null if an ocean owns the waves
     pelagic::DynamicWaves* waves = nullptr;
-    const pelagic_ocean* ocean = nullptr;  ///< that owns them; null: none
+    const pelagic_ocean* ocean = nullptr;  ///< the owner, or null
 };
 
 namespace pelagic::capi {
 
-/// Reads the application's options. Throws std::invalid_argument for null, a wrong struct_size and a value out of range.
+/// Reads the application's options. Throws std::invalid_argument for null, a wrong struct_size and
+/// a value out of range.
 DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options);
 
 }  // namespace pelagic::capi

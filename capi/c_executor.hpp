@@ -1,4 +1,4 @@
-// What a pelagic_executor is.
+// Definition of pelagic_executor.
 #pragma once
 
 #include <memory>

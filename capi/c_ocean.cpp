@@ -116,16 +116,16 @@ pelagic_bounds bounds_of(const FrameBounds& bounds) {
     return {bounds.height_min_m, bounds.height_max_m, bounds.horizontal_x_max_m, bounds.horizontal_z_max_m};
 }
 
-/// Where the levels of a chain begin, in texels.
 constexpr int max_levels = 12;
 static_assert(mip_levels(2048) == max_levels);
 
+/// Writes the first texel of each level of a chain.
 void write_offsets(int resolution, std::uint32_t (&offset)[max_levels]) {
     for (int level = 0; level < mip_levels(resolution); ++level)
         offset[level] = static_cast<std::uint32_t>(mip_offset(resolution, level));
 }
 
-/// What C's frame and cascade have in common: planes and halves.
+/// Writes the fields that pelagic_frame and pelagic_cascade share: planes and textures.
 template <class T>
 void write_surface(const Cascade& cascade, T& out) {
     out.resolution = cascade.resolution();
@@ -176,31 +176,32 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
     return out;
 }
 
-/// Makes it the frame that queries, cascade, copy and hash tell of.
+/// Makes a frame the one that queries, cascade, copy and hash read.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
     if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
-    const auto part = []<class T>(T* data, std::size_t count) {
-        // A pointer with a count of 0 is a mistake, not a wish for nothing; one element is never right.
+    const auto array = []<class T>(T* data, std::size_t count) {
+        // A pointer with a count of 0 is an error, so it becomes a count of 1, which no check
+        // accepts.
         return data ? std::span<T>(data, count == 0 ? 1 : count) : std::span<T>();
     };
-    return {.dx = part(buffers.dx, buffers.plane_count),
-            .height = part(buffers.height, buffers.plane_count),
-            .dz = part(buffers.dz, buffers.plane_count),
-            .velocity_x = part(buffers.velocity_x, buffers.plane_count),
-            .velocity_y = part(buffers.velocity_y, buffers.plane_count),
-            .velocity_z = part(buffers.velocity_z, buffers.plane_count),
-            .displacement_rgba16f = part(buffers.displacement_rgba16f, buffers.rgba16f_count),
-            .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count),
-            .slopes_rgba8 = part(buffers.slopes_rgba8, buffers.slopes_count),
-            .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count),
-            .foam_r8 = part(buffers.foam_r8, buffers.foam_count)};
+    return {.dx = array(buffers.dx, buffers.plane_count),
+            .height = array(buffers.height, buffers.plane_count),
+            .dz = array(buffers.dz, buffers.plane_count),
+            .velocity_x = array(buffers.velocity_x, buffers.plane_count),
+            .velocity_y = array(buffers.velocity_y, buffers.plane_count),
+            .velocity_z = array(buffers.velocity_z, buffers.plane_count),
+            .displacement_rgba16f = array(buffers.displacement_rgba16f, buffers.rgba16f_count),
+            .gradient_rgba8 = array(buffers.gradient_rgba8, buffers.rgba8_count),
+            .slopes_rgba8 = array(buffers.slopes_rgba8, buffers.slopes_count),
+            .moments_rgba8 = array(buffers.moments_rgba8, buffers.slopes_count),
+            .foam_r8 = array(buffers.foam_r8, buffers.foam_count)};
 }
 
-/// As ours, of a struct that read_struct() has read.
+/// Converts a struct that read_struct() has read.
 TextureTargets ours_of(const pelagic_texture_targets& targets) {
     return {.displacement_rgba16f = targets.displacement_rgba16f,
             .gradient_rgba8 = std::to_array(targets.gradient_rgba8),
@@ -208,17 +209,19 @@ TextureTargets ours_of(const pelagic_texture_targets& targets) {
             .moments_rgba8 = std::to_array(targets.moments_rgba8)};
 }
 
-/// What an application says of each cascade of a frame: his structs, one after the other, each of the size that the first states.
+/// The application's array of structs, one for each cascade of a frame, all of the size of the
+/// first.
 template <class Theirs, class Ours>
 class OfEachCascade {
    public:
-    /// Throws std::invalid_argument for null and a wrong struct_size.
+    /// Reads the array. Throws std::invalid_argument for null and a wrong struct_size.
     OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
         const std::size_t bytes = struct_bytes(first, name.c_str());
         if (count_ > 1 && bytes % alignof(Theirs) != 0)
             reject(invalid_value_message(name + ".struct_size", bytes,
                                          number_text(sizeof *first) + ", the size of the struct"));
-        // Before anybody looks behind the first: an application that knows one cascade has one struct.
+        // Checked before reading beyond the first struct: an application for one cascade has only
+        // one.
         if (std::max(first->cascade_count, 1u) != count_)
             reject(invalid_value_message(name + ".cascade_count", first->cascade_count,
                                          number_text(count_) + ", with as many structs one after the other"));
@@ -282,7 +285,7 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
         out.threads = sea.executor().thread_limit();
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
-        out.executor = sea.executor().name().data();  // ours alone: an application's is named "application" here
+        out.executor = sea.executor().name().data();  // a literal too
         write_struct(out, info);
     });
 }
@@ -324,7 +327,7 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
     return guarded([&] {
         need_frame_in_flight(needed(ocean, "ocean"));
         struct_bytes(frame, "frame");
-        ocean->frame_in_flight = false;  // whatever comes
+        ocean->frame_in_flight = false;  // also if complete() throws
         const Frame& completed = ocean->ocean.complete();
         ocean->has_completed = true;
         show(*ocean, completed);
@@ -425,7 +428,7 @@ pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean) {
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_sea_in_flight(*ocean);
-        ocean->sea_in_flight = false;  // whatever comes
+        ocean->sea_in_flight = false;  // also if complete_sea() throws
         ocean->ocean.complete_sea();
     });
 }

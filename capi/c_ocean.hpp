@@ -1,4 +1,4 @@
-// What a pelagic_ocean is: an Ocean, whether it is in order, and the frame that may be asked.
+// Definition of pelagic_ocean: an Ocean, the state of its calls, and the frame that queries read.
 #pragma once
 
 #include <array>
@@ -14,10 +14,12 @@
 
 namespace pelagic::capi {
 
-/// The frame that complete() handed out last, for any number of threads, and the one before as long as somebody asks it.
+/// The frame completed last, for queries on any number of threads, and the preceding one while
+/// queries read it.
 ///
-/// A reader counts himself in at the current slot and looks again whether it still is. So whoever makes another one
-/// current and then sees nobody at the old one knows that nobody will come. Readers never wait.
+/// A reader increments the count of the current slot and then checks that the slot is still
+/// current. So after another slot has become current, a count of 0 means that no reader will use
+/// the old slot. Readers never wait.
 class QueryFrames {
     struct Slot {
         std::optional<SurfaceQuery> query;
@@ -25,14 +27,14 @@ class QueryFrames {
     };
 
    public:
-    /// Keeps the current frame from being written over while it lives.
+    /// Prevents the current frame from being overwritten during its lifetime.
     class Reader {
        public:
         explicit Reader(QueryFrames& frames);
         ~Reader() { leave(); }
         Reader(const Reader&) = delete;
         Reader& operator=(const Reader&) = delete;
-        /// None before the first frame.
+        /// Returns null before the first frame.
         const SurfaceQuery* query() const { return slot_ ? &*slot_->query : nullptr; }
 
        private:
@@ -40,16 +42,17 @@ class QueryFrames {
         Slot* slot_ = nullptr;
     };
 
-    /// Makes a frame the current one. \pre wait_for_old_readers() since the last time
+    /// Makes a frame the current one. \pre wait_for_old_readers() since the last call
     void show(const SurfaceQuery& query);
 
-    /// Returns when nobody reads the frame before the current one any more, so that its memory may be written.
+    /// Waits until no query reads the frame before the current one, so that its memory may be
+    /// overwritten.
     void wait_for_old_readers();
 
    private:
     std::array<Slot, 2> slots_;
-    std::size_t newest_ = 0;                ///< for the thread that completes frames
-    std::atomic<Slot*> current_ = nullptr;  ///< the same for readers
+    std::size_t newest_ = 0;                ///< index, for the thread that completes frames
+    std::atomic<Slot*> current_ = nullptr;  ///< slot, for readers
 };
 
 }  // namespace pelagic::capi
@@ -69,12 +72,12 @@ struct pelagic_ocean {
     pelagic::Ocean ocean;
     pelagic_dynamic_waves dynamic_waves;
     bool has_queries;
-    pelagic::FrameContents contents;  ///< of every frame
+    pelagic::FrameContents contents;  ///< of all frames
     double query_tolerance_m;
     bool frame_in_flight = false;
     bool sea_in_flight = false;
-    bool has_completed = false;             ///< by complete(), not by frame_at() alone
-    const pelagic::Frame* shown = nullptr;  ///< what queries, cascade, copy and hash tell of
+    bool has_completed = false;             ///< by complete(), not only by frame_at()
+    const pelagic::Frame* shown = nullptr;  ///< frame that queries, cascade, copy and hash read
     mutable pelagic::capi::QueryFrames asked;
 };
 
@@ -82,16 +85,18 @@ namespace pelagic::capi {
 
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
 
-/// What a call that needs them throws.
+/// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);
 void need_frame(const pelagic_ocean& ocean);
-/// What options name; none and operator new for null. Throw std::invalid_argument for an unknown name, and for one function of two.
+/// Convert options; null gives no instruction set and operator new. Throw std::invalid_argument for
+/// an unknown name, and if only one function is set.
 std::optional<Isa> isa_of(const char* name);
 Allocator allocator_of(pelagic_allocate allocate, pelagic_release release, void* user);
-/// What the save functions share: writes to `bytes`, unless they are null, and how many there are to *count.
+/// Writes saved data to `bytes`, unless null, and its size to *count. Throws std::invalid_argument
+/// if `room` is too small.
 void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count);
 
-/// Throws std::invalid_argument for a wrong struct_size and for what can't be.
+/// Creates an ocean. Throws std::invalid_argument for a wrong struct_size and an invalid option.
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options);
 
 }  // namespace pelagic::capi

@@ -26,7 +26,7 @@ Interpolation interpolation_of(const pelagic_points& points) {
 }
 
 SurfacePoints points_of(const pelagic_points& points) {
-    // More can't be in memory, and a length in bytes still fits.
+    // The largest count whose size in bytes fits ptrdiff_t; no array in memory is larger.
     constexpr std::size_t max = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
     if (points.count > max)
         reject(invalid_value_message("points.count", points.count, "at most " + number_text(max)));
@@ -35,18 +35,18 @@ SurfacePoints points_of(const pelagic_points& points) {
 }
 
 SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
-    const auto part = [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
-    return {.height_m = part(samples.height_m),
-            .normal_x = part(samples.normal_x),
-            .normal_y = part(samples.normal_y),
-            .normal_z = part(samples.normal_z),
-            .jacobian = part(samples.jacobian),
-            .velocity_x_mps = part(samples.velocity_x_mps),
-            .velocity_y_mps = part(samples.velocity_y_mps),
-            .velocity_z_mps = part(samples.velocity_z_mps),
-            .error_m = part(samples.error_m),
-            .converged = part(samples.converged),
-            .foam = part(samples.foam)};
+    const auto array = [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
+    return {.height_m = array(samples.height_m),
+            .normal_x = array(samples.normal_x),
+            .normal_y = array(samples.normal_y),
+            .normal_z = array(samples.normal_z),
+            .jacobian = array(samples.jacobian),
+            .velocity_x_mps = array(samples.velocity_x_mps),
+            .velocity_y_mps = array(samples.velocity_y_mps),
+            .velocity_z_mps = array(samples.velocity_z_mps),
+            .error_m = array(samples.error_m),
+            .converged = array(samples.converged),
+            .foam = array(samples.foam)};
 }
 
 SurfaceRay ray_of(const pelagic_ray& ray, const Frame& frame) {

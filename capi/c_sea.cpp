@@ -23,7 +23,7 @@ static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::co
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
 static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
 
-/// An older application's struct has 0 where a range has none.
+/// Replaces 0, the value of a missing field, by the default, for options whose range excludes 0.
 double or_default(double value, double SeaState::*member) { return value == 0 ? SeaState{}.*member : value; }
 
 pelagic_sea c_sea_of(const SeaState& from) {
@@ -57,24 +57,27 @@ pelagic_sea c_sea_of(const SeaState& from) {
     return to;
 }
 
-/// An application whose struct ends before it was compiled when a frame was one cascade, and draws one.
+/// Returns whether the struct has the field `cascades`; without it the application draws one
+/// cascade.
 bool knows_cascades(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
 }
 
-/// An application whose struct ends before it gets no sea of other waves than a spectrum's.
+/// Returns whether the struct has the fields of other wave models; without them a sea must be a
+/// spectrum.
 bool knows_waves(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, wave_drag) + sizeof sea.wave_drag;
 }
 
-/// For an application that doesn't know cascades: as it was, 256 texels on this side.
+/// Returns the sea with one cascade of 256 texels, for a struct without `cascades`.
 SeaState one_cascade(SeaState sea, double side_m) {
     sea.resolution = 256;
     sea.patch_size_m = side_m;
     return sea;
 }
 
-/// Four peak wavelengths, or so, instead of sixteen: a cascade that stands alone needs the short waves too.
+/// Returns the side of a single cascade: about four peak wavelengths instead of sixteen, because it
+/// must also resolve short waves.
 double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().grid.side_m / 4; }
 
 std::string preset_names() {

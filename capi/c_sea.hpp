@@ -1,4 +1,4 @@
-// A sea as C spells it.
+// Conversion of pelagic_sea.
 #pragma once
 
 #include "pelagic/pelagic.h"
@@ -6,7 +6,8 @@
 
 namespace pelagic::capi {
 
-/// Throws std::invalid_argument for null and a wrong struct_size. Values are for check().
+/// Converts a sea. Throws std::invalid_argument for null and a wrong struct_size. check() checks
+/// the values.
 SeaState sea_of(const pelagic_sea* sea);
 
 }  // namespace pelagic::capi

@@ -1,4 +1,4 @@
-// Shores as C spells them.
+// C interface of shores.
 #include "pelagic/sim/shore.hpp"
 
 #include "pelagic/capi/c_ocean.hpp"
@@ -27,7 +27,7 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
                       .resolution = from.resolution,
                       .fade_m = from.fade_m,
                       .swash_m = from.swash_m};
-    // Only as many as are there may be read.
+    // Read heights only if the counts are valid.
     constexpr int max = ShoreOptions::max_samples_a_side;
     if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
         const float* const heights = &needed(from.heights_m, "shore.heights_m");

@@ -21,13 +21,13 @@ ErrorCallback callback;
 pelagic_status failure(pelagic_status status, const char* reason) noexcept {
     last_error[write_one_line(reason, last_error)] = 0;
     try {
-        // Called outside the lock: it may set another one.
+        // Called without the lock, because the callback may set another callback.
         const ErrorCallback current = [] {
             const std::lock_guard lock(callback_mutex);
             return callback;
         }();
         if (current.function) current.function(current.user, status, last_error);
-    } catch (...) {  // nobody to tell: the status says it all
+    } catch (...) {  // the status reports the error
     }
     return status;
 }

@@ -1,4 +1,4 @@
-// How C++ turns into C: exceptions into codes, reasons into one line of the calling thread.
+// Conversion of exceptions to status codes, with the message stored for the calling thread.
 #pragma once
 
 #include <exception>
@@ -14,19 +14,19 @@
 
 namespace pelagic::capi {
 
-/// Keeps the reason for pelagic_last_error() as one_line() does, and tells the application's callback: no memory is needed to say
-/// that there is none.
+/// Stores the message for pelagic_last_error() as one line, calls the application's error callback
+/// and returns `status`. Allocates nothing, so it also works when memory is exhausted.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
-/// "ocean is NULL, needs an ocean".
+/// Throws std::invalid_argument: "ocean is NULL, needs an ocean".
 [[noreturn]] void reject(const std::string& reason);
 
-/// What the application asked for at the wrong moment.
+/// A call that the object's state does not allow.
 struct WrongOrder : std::logic_error {
     using std::logic_error::logic_error;
 };
 
-/// Runs a function's body. Its checks throw as the C++ interface does; none of it gets out.
+/// Runs the body of a C function, whose checks may throw, and converts exceptions to a status.
 template <class Body>
 pelagic_status guarded(Body body) noexcept {
     try {
@@ -49,7 +49,7 @@ pelagic_status guarded(Body body) noexcept {
     }
 }
 
-/// The thing behind a pointer that has to be there.
+/// Dereferences a pointer. Throws std::invalid_argument for null.
 template <class T>
 T& needed(T* pointer, const char* name) {
     if (!pointer) reject(std::string(name) + " is NULL, needs a pointer");

@@ -1,4 +1,4 @@
-// Waves that applications add, as C spells them.
+// C interface of wave inputs.
 #include "pelagic/capi/c_wave_input.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a pelagic_input is.
+// Definition of pelagic_input.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 struct pelagic_input {
     std::shared_ptr<pelagic::WaveInput> input;
-    /// The same, if it can be set.
+    /// The input as its type, for the set functions; null for other types.
     std::shared_ptr<pelagic::GerstnerInput> waves = {};
     std::shared_ptr<pelagic::RippleInput> ripple = {};
     bool has_ocean = false;
@@ -20,7 +20,8 @@ struct pelagic_input {
 
 namespace pelagic::capi {
 
-/// The application's list. Throws std::invalid_argument for null and for inputs of other oceans.
+/// Converts the application's array. Throws std::invalid_argument for null and for inputs of other
+/// oceans.
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count);
 
 }  // namespace pelagic::capi

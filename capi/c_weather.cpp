@@ -1,4 +1,4 @@
-// Forecasts as C spells them.
+// C interface of forecasts.
 #include <cstddef>
 
 #include "pelagic/capi/c_ocean.hpp"
@@ -11,7 +11,8 @@
 namespace pelagic::capi {
 namespace {
 
-/// Throws std::invalid_argument for null and a wrong struct_size. Values are for check().
+/// Converts a change. Throws std::invalid_argument for null and a wrong struct_size. check() checks
+/// the values.
 SeaChange change_of(const pelagic_change* pointer, const char* name) {
     const pelagic_change change = read_struct(pointer, name);
     return {.sea = sea_of(change.sea),

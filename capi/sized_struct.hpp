@@ -1,4 +1,5 @@
-// Structs that say their size: those of older applications are smaller than ours, those of newer applications larger.
+// Structs with a size field: those of older applications are smaller than the library's, those of
+// newer ones larger.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,11 @@
 
 namespace pelagic::capi {
 
-/// Larger ones are taken for a struct_size that nobody has set.
+/// A larger struct_size is taken for an uninitialised one.
 inline constexpr std::uint32_t max_struct_bytes = 4096;
 
-/// The size of the first version, up to its last field: what padding follows may differ, and holds nothing.
+/// Size of a struct's first version up to its last field. Padding may follow, whose size may
+/// differ.
 template <class T>
 inline constexpr std::size_t min_struct_bytes = 0;
 #define PELAGIC_LAST_FIELD_AT_FIRST(type, field) \
@@ -48,7 +50,8 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ray, reach_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_hit, position_m);
 #undef PELAGIC_LAST_FIELD_AT_FIRST
 
-/// The size that the application states. Throws std::invalid_argument for null and a size that no struct has.
+/// Returns the application's struct_size. Throws std::invalid_argument for null and an invalid
+/// size.
 template <class T>
 std::size_t struct_bytes(const T* pointer, const char* name) {
     static_assert(min_struct_bytes<T> > 0, "say which field was its last at first");
@@ -59,7 +62,9 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
     return bytes;
 }
 
-/// The application's struct as ours: 0 where his is shorter. Throws as above, and for what is set and not known.
+/// Reads the application's struct; fields that it does not have are 0. Throws std::invalid_argument
+/// as struct_bytes(), and for fields that the library does not define and reserved fields, unless
+/// they are 0.
 template <class T>
 T read_struct(const T* pointer, const char* name) {
     const std::size_t bytes = struct_bytes(pointer, name);
@@ -75,8 +80,8 @@ T read_struct(const T* pointer, const char* name) {
     return ours;
 }
 
-/// Fills the application's struct with ours, but for struct_size: as much as he has room for, and 0 in what we don't know.
-/// \pre struct_bytes() took it
+/// Writes the application's struct except struct_size, up to its size. Fields that the library does
+/// not define become 0. \pre struct_bytes() accepted it
 template <class T>
 void write_struct(const T& ours, T* pointer) {
     const std::size_t bytes = pointer->struct_size;

@@ -14,12 +14,12 @@
 namespace pelagic {
 namespace {
 
-// More than a clock counts: 2^40 loops of less than 2^20 ticks.
+// Upper bound of tick numbers: 2^40 loops of less than 2^20 ticks.
 constexpr std::int64_t max_ticks = std::int64_t{1} << 60;
 
 std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
-/// One cascade always has gradients, several always have slopes.
+/// Adds what frames always have: gradients of one cascade, slopes of several.
 FrameExtras completed(FrameExtras extras, std::size_t cascades) {
     extras.gradients |= cascades == 1;
     extras.slopes |= cascades > 1;
@@ -201,7 +201,7 @@ std::size_t FrameAssembly::bytes() const {
     return bytes;
 }
 
-/// After the sources, which say what the cascades are.
+/// Prepares the wave inputs. Called after the sources, which set the grids of the cascades.
 void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s) {
     if (inputs_.empty()) return;
     for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade)
@@ -218,15 +218,16 @@ std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t
 
 TickClock FrameAssembly::clock() const { return TickClock(weather_.forecast().first.loop_period_s); }
 
-/// The waves are those of the first loop, which are the same; the weather is that of the tick's own time.
+/// Returns the moment of a tick. The forecast is evaluated at the tick's time, and the waves at its
+/// time in the loop, which makes foam repeat with the loop.
 SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
     SeaMoment moment = weather_.moment_at(clock().time_s(number));
     moment.time_s = clock().time_in_loop_s(number);
     return moment;
 }
 
-/// Which ticks the frame of a time needs beyond those that are remembered. A sea that does not change has the same foam in
-/// every loop, unless applications add to it what need not loop.
+/// Determines the ticks that the frame of a time needs beyond the foam history. A constant sea has
+/// equal foam in every loop, unless it has wave inputs, which need not repeat with the loop.
 void FrameAssembly::plan_ticks(double time_s) {
     frame_tick_ = clock().at(time_s);
     const std::int64_t all = FoamHistory::warm_up_ticks;
@@ -240,7 +241,7 @@ void FrameAssembly::plan_ticks(double time_s) {
     if (ticks_due_ == 0) show_foam();
 }
 
-/// The frame finds what is remembered now.
+/// Gives the frame the current foam history.
 void FrameAssembly::show_foam() {
     const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.part >> 32);
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)

@@ -1,5 +1,6 @@
-// How a frame is put together: what the sources of all cascades share, the surfaces that follow from what they make, what is
-// remembered between frames, and the slots that all of it goes into. When that happens, and on which executor, is the ocean's.
+// Assembly of a frame: the sources of all cascades, the surface stages that use their output, foam
+// history, and the slots that receive the results. The ocean decides when and on which executor the
+// stages run.
 #pragma once
 
 #include <cstdint>
@@ -28,30 +29,33 @@ class FrameAssembly {
     /// \pre check(forecast) is empty
     FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs = {});
 
-    /// \param after  those of its tick, by cascade, or none
+    /// Adds the stages of a frame.
+    /// \param after  the last stages of the frame's tick, by cascade, or none
     void add_frame_stages(JobGraph& graph, std::span<const StageId> after = {});
     std::vector<StageId> add_tick_stages(JobGraph& graph);
     void add_spectrum_stages(JobGraph& graph);
 
-    /// Makes room for the next frame, before anything of it can fail; drop_frame() gives it back. \pre no frame is in flight
+    /// Swaps the slots for the next frame, before any step that may fail; drop_frame() reverts it.
+    /// \pre no frame is in flight
     void turn() { slots_.turn(); }
-    /// \pre turn() for this frame, and the moment's seas are at hand
+    /// Prepares a frame. \pre turn() for this frame, and the moment's seas are resident
     void begin_frame(double time_s, std::span<const TextureTargets> targets);
-    /// How many ticks are still to be remembered before the frame is computed.
+    /// Returns the number of foam ticks to compute before the frame.
     int ticks_due() const { return ticks_due_; }
-    /// When the first of them is.
+    /// Returns the time of the first of these ticks.
     double next_tick_s() const;
-    /// The next run of the tick's stages is that one. \pre its moment's seas are at hand
+    /// Prepares that tick for the next run of the tick stages. \pre its moment's seas are resident
     void begin_tick();
-    /// What the frame shows of dynamic waves; before end_frame().
+    /// Set the frame's dynamic waves and shore. \pre before end_frame()
     void show(const DynamicWavesView& dynamic_waves) { slots_.frame().dynamic_waves = dynamic_waves; }
     void show(const ShoreSurface& shore) { slots_.frame().shore = shore; }
     const Frame& end_frame();
     void drop_frame();
 
-    /// Whatever was being remembered may be half of it.
+    /// Discards the foam history, which may be incomplete after a failure.
     void forget() { newest_tick_.reset(); }
-    /// What the next change, or the one that is forgotten for it, says of the past may be another past than the foam's.
+    /// Discards the foam history if it was computed with another forecast: the next change, or the
+    /// change that is discarded for it, may alter the sea at times of the history.
     void keep_foam_of(const SeaChange& next);
     std::vector<std::uint8_t> saved_history() const;
     void restore_history(std::span<const std::uint8_t> saved);
@@ -91,10 +95,11 @@ class FrameAssembly {
     FoldStages folds_;
     WaveInputs inputs_;
     std::optional<FoamHistory> foam_;
-    TickPlace frame_tick_;                     ///< of the frame begun last
-    std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
+    TickPlace frame_tick_;                     ///< of the frame that begin_frame() began last
+    std::optional<std::int64_t> newest_tick_;  ///< none: there is no foam history
     int ticks_due_ = 0;
-    bool foam_ends_with_frame_ = false;  ///< the frame in flight is the last one that what it remembers is right for
+    /// The foam history becomes invalid after the frame in flight.
+    bool foam_ends_with_frame_ = false;
 };
 
 }  // namespace pelagic

@@ -13,7 +13,7 @@ static_assert(std::endian::native == std::endian::little, "the hash is defined o
 
 namespace {
 
-/// The half floats of the displacement, with 0 in the place of foam.
+/// Hashes the half floats of the displacement, with foam replaced by 0.
 void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t> rgba16f) {
     constexpr std::size_t halves_at_once = 4096;
     std::array<std::uint16_t, halves_at_once> halves;

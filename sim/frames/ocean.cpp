@@ -16,7 +16,8 @@
 namespace pelagic {
 namespace {
 
-// A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
+// A frame of 64 x 64 takes 20 microseconds, and distributing it to threads takes as long again. See
+// docs/benchmarks.md.
 constexpr std::size_t max_texels_without_jobs = 64 * 64;
 
 template <class Options>
@@ -27,7 +28,7 @@ const Options& checked(const Options& options) {
 
 }  // namespace
 
-// The runs are last, so that they go first and wait for what is in flight.
+// The runs are last, so that they are destroyed first and wait for work in flight.
 struct Ocean::State {
     /// \pre check(forecast) is empty
     State(const Forecast& forecast, OceanOptions options)
@@ -56,7 +57,8 @@ struct Ocean::State {
         const bool is_small = frames.texels() <= max_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
         frame_runs_ahead = frame_executor->runs_ahead();
-        const auto frame_numbers = std::make_shared<std::uint64_t>();  // of both graphs that make some
+        // shared by both graphs of frames
+        const auto frame_numbers = std::make_shared<std::uint64_t>();
         frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame", frame_numbers);
         if (options.foam) {
             tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick", std::make_shared<std::uint64_t>());
@@ -77,12 +79,12 @@ struct Ocean::State {
         return trace ? prepare_traced(on, graph, trace, run_name, runs) : on.prepare(graph);
     }
 
-    /// What the run of spectra is for.
+    /// Purpose of the run of spectra.
     enum class Bake {
         nothing,
-        ahead,  ///< a sea of the forecast, which frames will need
-        other,  ///< another weather's, until complete_sea()
-        staged  ///< that one is done and waits, and the run is free
+        ahead,  ///< a sea of the forecast, for later frames
+        other,  ///< the sea of schedule_sea(), until complete_sea()
+        staged  ///< that sea is complete and stored, and the run is free
     };
 
     void bake(std::size_t number) {
@@ -106,7 +108,8 @@ struct Ocean::State {
             throw;
         }
     }
-    /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a cascade.
+    /// Computes blocks of the spectrum on this thread, each two lines of a cascade. Without other
+    /// threads a frame computes one block, so that it is not late.
     void bake_blocks(std::size_t max) {
         for (; max > 0 && baking_stage < spectrum_graph.stages().size(); --max) {
             const Stage& stage = spectrum_graph.stages()[baking_stage];
@@ -129,7 +132,7 @@ struct Ocean::State {
         }
         bake_in_flight = Bake::ahead;
     }
-    /// Leaves the run free for another sea.
+    /// Completes the run of spectra, so that it is free for another sea.
     void end_bake() {
         if (bake_in_flight == Bake::ahead) {
             complete_bake();
@@ -141,8 +144,8 @@ struct Ocean::State {
             bake_in_flight = Bake::staged;
         }
     }
-    /// Puts at hand what a pass of that moment takes: a sea that is missing is baked here and now. Before begin_frame() and before
-    /// each tick.
+    /// Makes the seas of a moment resident for a pass, and computes a missing one immediately.
+    /// Called before begin_frame() and before each tick.
     void ensure_resident(Pass pass, double time_s) {
         const SeaMoment moment = frames.weather().moment_at(time_s);
         frames.weather().need(pass, moment);
@@ -155,12 +158,12 @@ struct Ocean::State {
             frames.adopt_sea();
         }
     }
-    /// Takes what was baked ahead, if it is done. \pre no frame is in flight
+    /// Adopts the sea that was computed ahead, if it is complete. \pre no frame is in flight
     void adopt_ahead() {
         frames.weather().need_nothing();
         if (is_baked_ahead()) end_bake();
     }
-    /// Begins to bake what frames around this one will take.
+    /// Starts to compute the seas that frames near this time will need.
     void bake_ahead(double time_s) {
         if (bake_in_flight == Bake::nothing)
             if (const auto soon = frames.weather().wanted_soon(time_s)) begin_ahead(*soon);
@@ -170,18 +173,19 @@ struct Ocean::State {
     std::shared_ptr<Executor> executor;
     Isa isa;
     FrameAssembly frames;
-    std::unique_ptr<ShoreSource> shore;  ///< if the ocean has one
+    std::unique_ptr<ShoreSource> shore;  ///< null without a shore
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
-    bool frame_runs_ahead = false;  ///< else complete() does all the work
+    bool frame_runs_ahead = false;  ///< false: complete() does all the work
     bool frame_in_flight = false;
-    GraphRun* run_in_flight = nullptr;  ///< none: complete() has not begun a frame that needs several ticks
+    /// null: complete() starts a frame that needs several ticks
+    GraphRun* run_in_flight = nullptr;
     Bake bake_in_flight = Bake::nothing;
-    std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
+    std::size_t baking_stage = 0, baking_block = 0;  ///< next block of bake_blocks()
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
-    std::unique_ptr<DynamicWaves> dynamic_waves;  ///< if the ocean has dynamic waves
+    std::unique_ptr<DynamicWaves> dynamic_waves;  ///< null without dynamic waves
 
-    /// \pre the ocean has one
+    /// \pre the ocean has a shore
     void bake_shore() {
         JobGraph graph;
         shore->add_bake_stages(graph);
@@ -204,7 +208,7 @@ struct Ocean::State {
         ensure_resident(Pass::tick, frames.next_tick_s());
         frames.begin_tick();
     }
-    /// Begins the run that makes the frame, with its last tick if it needs one.
+    /// Starts the run that computes the frame, with its last tick if it needs one.
     void begin_run() {
         const bool with_tick = frames.ticks_due() > 0;
         if (with_tick) begin_tick();
@@ -222,7 +226,7 @@ struct Ocean::State {
         }
         run_in_flight->complete();
     }
-    /// All of a frame's buffers, before anything of it can fail: drop_frame() turns all of them back.
+    /// Swaps all of a frame's buffers, before any step that may fail; drop_frame() swaps them back.
     void turn() {
         if (dynamic_waves) dynamic_waves->turn();
         if (shore) shore->turn();
