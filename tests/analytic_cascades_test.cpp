@@ -365,7 +365,7 @@ TEST(AnalyticCascades, FramesDoNotDependOnTheOrderOfTimes) {
         const std::uint64_t paused = hash_of(ocean.frame_at(7.4));
         EXPECT_EQ(hash_of(ocean.frame_at(7.4)), paused);
         EXPECT_EQ(hash_of(ocean.frame_at(0)), hash_of(ocean.frame_at(5 * sea.loop_period_s)));
-        EXPECT_NE(forwards[0], forwards[3.7]) << "the sea stands still";
+        EXPECT_NE(forwards[0], forwards[3.7]) << "the sea does not move";
     }
 }
 
@@ -416,7 +416,8 @@ TEST(AnalyticCascades, OnlySeasOfTheSameKindReplaceARunningSea) {
 
 /// The heights of a pond's octaves by libm, each attenuated as its texels attenuate it.
 Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Long time_s, Long x, Long z) {
-    const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
+    // I0(1) / e
+    const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;
     Long height = 0;
     for (const GridOctave& moved : octaves) {
         const PondOctave& octave = moved.octave;

@@ -55,20 +55,20 @@ Truth truth(const AnalyticSea& sea, Long time_s, Long x, Long z) {
     return sum;
 }
 
-struct Places {
+struct Positions {
     std::vector<double> x, z;
     AnalyticPoints view() const { return {x, z}; }
 };
 
-Places random_places(std::size_t count, double reach_m, unsigned seed = 1) {
+Positions random_positions(std::size_t count, double reach_m, unsigned seed = 1) {
     std::mt19937 random(seed);
     const auto one = [&] { return (static_cast<double>(random()) * 0x1p-31 - 1) * reach_m; };
-    Places places;
+    Positions positions;
     for (std::size_t i = 0; i < count; ++i) {
-        places.x.push_back(one());
-        places.z.push_back(one());
+        positions.x.push_back(one());
+        positions.z.push_back(one());
     }
-    return places;
+    return positions;
 }
 
 enum Kind {
@@ -85,8 +85,8 @@ enum Kind {
     kinds
 };
 
-struct Answers {
-    explicit Answers(std::size_t count) : of(kinds, std::vector<float>(count)) {}
+struct Samples {
+    explicit Samples(std::size_t count) : of(kinds, std::vector<float>(count)) {}
     AnalyticSamples view() { return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7], of[8], of[9]}; }
     std::uint64_t hash() const {  // FNV-1a hash of all samples.
         std::uint64_t bits = 0xcbf29ce484222325;
@@ -97,15 +97,15 @@ struct Answers {
     std::vector<std::vector<float>> of;
 };
 
-Answers sample_undisplaced(const AnalyticSurface& water, double time_s, const Places& places) {
-    Answers answers(places.x.size());
-    water.sample_undisplaced(time_s, places.view(), answers.view());
+Samples sample_undisplaced(const AnalyticSurface& water, double time_s, const Positions& positions) {
+    Samples answers(positions.x.size());
+    water.sample_undisplaced(time_s, positions.view(), answers.view());
     return answers;
 }
 
-Answers in_world(const AnalyticSurface& water, double time_s, const Places& places) {
-    Answers answers(places.x.size());
-    water.sample(time_s, places.view(), answers.view());
+Samples in_world(const AnalyticSurface& water, double time_s, const Positions& positions) {
+    Samples answers(positions.x.size());
+    water.sample(time_s, positions.view(), answers.view());
     return answers;
 }
 
@@ -146,10 +146,10 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
         }
         for (const auto& [reach_m, time_s] :
              {std::pair(100.0, 0.0), {100.0, -7654.3}, {1e6 * double(shortest), 1e6}}) {
-            const Places places = random_places(150, reach_m);
-            const Answers sampled = sample_undisplaced(water, time_s, places);
-            for (std::size_t i = 0; i < places.x.size(); ++i) {
-                const Truth t = truth(sea, time_s, places.x[i], places.z[i]);
+            const Positions positions = random_positions(150, reach_m);
+            const Samples sampled = sample_undisplaced(water, time_s, positions);
+            for (std::size_t i = 0; i < positions.x.size(); ++i) {
+                const Truth t = truth(sea, time_s, positions.x[i], positions.z[i]);
                 const Long n[3] = {t.slope_z * t.xz - t.slope_x * (1 + t.zz), t.jacobian(),
                                    t.slope_x * t.xz - t.slope_z * (1 + t.xx)};
                 const Long length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -167,16 +167,16 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
 TEST_P(AnalyticOnEachIsa, SurfaceFoundForAWorldPointIsDisplacedThere) {
     for (const AnalyticSea& sea : {intense(), short_on_long(), sixty_four_waves()}) {
         const AnalyticSurface water(sea, GetParam());
-        const Places places = random_places(600, 3000);
-        const Answers sampled = in_world(water, 55, places);
-        Places rest;
-        for (std::size_t i = 0; i < places.x.size(); ++i) {
-            rest.x.push_back(places.x[i] - double{sampled.of[horizontal_x][i]});
-            rest.z.push_back(places.z[i] - double{sampled.of[horizontal_z][i]});
+        const Positions positions = random_positions(600, 3000);
+        const Samples sampled = in_world(water, 55, positions);
+        Positions rest;
+        for (std::size_t i = 0; i < positions.x.size(); ++i) {
+            rest.x.push_back(positions.x[i] - double{sampled.of[horizontal_x][i]});
+            rest.z.push_back(positions.z[i] - double{sampled.of[horizontal_z][i]});
         }
-        for (std::size_t i = 0; i < places.x.size(); ++i) {
+        for (std::size_t i = 0; i < positions.x.size(); ++i) {
             const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
-            ASSERT_LE(std::hypot(rest.x[i] + t.x - places.x[i], rest.z[i] + t.z - places.z[i]),
+            ASSERT_LE(std::hypot(rest.x[i] + t.x - positions.x[i], rest.z[i] + t.z - positions.z[i]),
                       AnalyticSurface::tolerance_m);
             // The search stops within half of the tolerance, on faces of slope 0.4; and floats lose
             // 1.2e-5 at wave heights of 12 m.
@@ -199,42 +199,43 @@ TEST(AnalyticSearch, NumberOfStepsIsTheProvenBound) {
 // The FNV-1a hash of all samples is equal on every instruction set, compiler and processor.
 TEST_P(AnalyticOnEachIsa, SamplesHaveTheGoldenHash) {
     const AnalyticSurface water(sixty_four_waves(), GetParam());
-    EXPECT_EQ(sample_undisplaced(water, 1234.5, random_places(1003, 5000)).hash(), 13589754078015390544u);
-    EXPECT_EQ(in_world(water, 1234.5, random_places(1003, 5000)).hash(), 7045321192955639590u);
+    EXPECT_EQ(sample_undisplaced(water, 1234.5, random_positions(1003, 5000)).hash(), 13589754078015390544u);
+    EXPECT_EQ(in_world(water, 1234.5, random_positions(1003, 5000)).hash(), 7045321192955639590u);
 }
 
 TEST_P(AnalyticOnEachIsa, PointsDoNotDependOnTheirBatch) {
     const AnalyticSurface water(intense(), GetParam());
-    const Places places = random_places(200, 300);
-    const Answers all = in_world(water, 9, places);
+    const Positions positions = random_positions(200, 300);
+    const Samples all = in_world(water, 9, positions);
     for (const std::size_t i : {0u, 15u, 16u, 127u, 128u, 199u}) {
-        const Answers alone = in_world(water, 9, {{places.x[i]}, {places.z[i]}});
+        const Samples alone = in_world(water, 9, {{positions.x[i]}, {positions.z[i]}});
         for (int kind = 0; kind < kinds; ++kind) EXPECT_EQ(alone.of[kind][0], all.of[kind][i]);
         float height_alone = 0;
-        water.sample(9, {{&places.x[i], 1}, {&places.z[i], 1}}, {.height_m = {&height_alone, 1}});
+        water.sample(9, {{&positions.x[i], 1}, {&positions.z[i], 1}}, {.height_m = {&height_alone, 1}});
         EXPECT_EQ(height_alone, all.of[height][i]);
     }
 }
 
 TEST_P(AnalyticOnEachIsa, ApplicationsRoundingModeDoesNotMatter) {
-    const std::uint64_t hash = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();
+    const std::uint64_t hash = in_world(AnalyticSurface(intense(), GetParam()), 9, random_positions(100, 300)).hash();
     std::fesetround(FE_UPWARD);
-    const std::uint64_t upwards = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();
+    const std::uint64_t upwards =
+        in_world(AnalyticSurface(intense(), GetParam()), 9, random_positions(100, 300)).hash();
     std::fesetround(FE_TONEAREST);
     EXPECT_EQ(upwards, hash);
 }
 
 TEST(AnalyticTime, SamplesDoNotDependOnTheOrderOfTimes) {
     const AnalyticSurface water(intense());
-    const Places places = random_places(64, 300);
+    const Positions positions = random_positions(64, 300);
     std::vector<std::uint64_t> forwards;
-    for (int frame = 0; frame < 50; ++frame) forwards.push_back(in_world(water, frame / 72.0, places).hash());
+    for (int frame = 0; frame < 50; ++frame) forwards.push_back(in_world(water, frame / 72.0, positions).hash());
     for (int frame = 49; frame >= 0; --frame)
-        EXPECT_EQ(in_world(water, frame / 72.0, places).hash(), forwards[static_cast<std::size_t>(frame)]);
+        EXPECT_EQ(in_world(water, frame / 72.0, positions).hash(), forwards[static_cast<std::size_t>(frame)]);
     std::mt19937 random(3);
     for (int i = 0; i < 50; ++i) {
         const int frame = static_cast<int>(random() % 50);
-        EXPECT_EQ(in_world(AnalyticSurface(intense()), frame / 72.0, places).hash(),
+        EXPECT_EQ(in_world(AnalyticSurface(intense()), frame / 72.0, positions).hash(),
                   forwards[static_cast<std::size_t>(frame)]);
     }
     EXPECT_NE(forwards[0], forwards[1]);
@@ -261,7 +262,7 @@ TEST(AnalyticTime, TurnsAreExactProducts) {
 TEST(AnalyticTime, AnyFiniteTimeGivesFiniteSamples) {
     const AnalyticSurface water(intense());
     for (const double time_s : {-1e308, -1e20, 5e-324, 1e12, 1e308}) {
-        const Answers sampled = in_world(water, time_s, random_places(20, 10));
+        const Samples sampled = in_world(water, time_s, random_positions(20, 10));
         for (const float at : sampled.of[height]) EXPECT_LE(std::fabs(at), 3.f);
     }
 }
@@ -271,13 +272,13 @@ TEST(AnalyticPhysics, WavesTravelAtTheDeepWaterPhaseSpeed) {
     for (const auto& [wavelength_m, period_s] : {std::pair(100.0, 8.0044), {25.0, 4.0022}, {1.0, 0.80044}}) {
         const AnalyticSea sea{.waves = {{.amplitude_m = wavelength_m / 100, .wavelength_m = wavelength_m}}};
         const AnalyticSurface water(sea);
-        const Places places = random_places(100, wavelength_m);
-        Places ahead = places;
+        const Positions positions = random_positions(100, wavelength_m);
+        Positions ahead = positions;
         for (double& x : ahead.x) x += wavelength_m / period_s * 3;
-        const Answers before = sample_undisplaced(water, 0, places), after = sample_undisplaced(water, 3, ahead);
+        const Samples before = sample_undisplaced(water, 0, positions), after = sample_undisplaced(water, 3, ahead);
         // The period is given to five digits: after 3 s the crest is within 1e-5 of 3 s / period of
         // its exact position.
-        for (std::size_t i = 0; i < places.x.size(); ++i)
+        for (std::size_t i = 0; i < positions.x.size(); ++i)
             EXPECT_NEAR(after.of[height][i], before.of[height][i],
                         wavelength_m / 100 * 2 * std::numbers::pi * 3 / period_s * 2e-5);
     }
@@ -298,10 +299,10 @@ class Trochoid : public testing::Test {
 TEST_F(Trochoid, ParticlesMoveOnCircles) {
     const AnalyticSurface water = at_depth(0);
     const double w = std::sqrt(9.80665 * k);
-    const Places places{{3.3}, {-8}};
+    const Positions positions{{3.3}, {-8}};
     for (int i = 0; i < 40; ++i) {
         const double t = 0.13 * i, phase = k * 3.3 - w * t;
-        const Answers at = sample_undisplaced(water, t, places);
+        const Samples at = sample_undisplaced(water, t, positions);
         EXPECT_NEAR(at.of[horizontal_x][0], -surface_a_m * std::sin(phase), 1e-6 * surface_a_m);
         EXPECT_NEAR(at.of[height][0], surface_a_m * std::cos(phase), 1e-6 * surface_a_m);
         EXPECT_NEAR(std::hypot(at.of[horizontal_x][0], at.of[height][0]), surface_a_m, 1e-6 * surface_a_m);
@@ -318,7 +319,7 @@ TEST_F(Trochoid, JacobianIsConstantOnALayer) {
     const double right = 1 - 0.38 * 0.38 * std::exp(-2 * k * b);
     for (int i = 0; i < 50; ++i) {
         const double a = 0.77 * i, t = 0.31 * i;
-        const Answers up = sample_undisplaced(above, t, {{a - step, a, a + step}, {0, 0, 0}}),
+        const Samples up = sample_undisplaced(above, t, {{a - step, a, a + step}, {0, 0, 0}}),
                       down = sample_undisplaced(below, t, {{a - step, a, a + step}, {0, 0, 0}});
         const auto d_a = [&](Kind kind) {
             return double(up.of[kind][2] - up.of[kind][0] + down.of[kind][2] - down.of[kind][0]) / (4 * step);
@@ -334,10 +335,11 @@ TEST_F(Trochoid, SurfacePressureIsConstant) {
     const AnalyticSurface water = at_depth(0);
     const double step = 1.0 / 64;
     for (int i = 0; i < 50; ++i) {
-        const Places places{{0.9 * i}, {0}};
+        const Positions positions{{0.9 * i}, {0}};
         const double t = 0.17 * i;
-        const Answers before = sample_undisplaced(water, t - step, places), at = sample_undisplaced(water, t, places),
-                      after = sample_undisplaced(water, t + step, places);
+        const Samples before = sample_undisplaced(water, t - step, positions),
+                      at = sample_undisplaced(water, t, positions),
+                      after = sample_undisplaced(water, t + step, positions);
         const double a_x = (after.of[velocity_x][0] - before.of[velocity_x][0]) / (2 * step);
         const double a_y = (after.of[velocity_y][0] - before.of[velocity_y][0]) / (2 * step);
         // The component along the tangent. Central differences over 1/64 s lose (w / 64)^2 / 6 =
@@ -348,8 +350,8 @@ TEST_F(Trochoid, SurfacePressureIsConstant) {
 
 TEST(AnalyticDerivatives, NormalsAndVelocitiesMatchFiniteDifferences) {
     const AnalyticSea sea = intense();
-    const Places places = random_places(60, 500);
-    const Answers sampled = sample_undisplaced(AnalyticSurface(sea), 12, places);
+    const Positions positions = random_positions(60, 500);
+    const Samples sampled = sample_undisplaced(AnalyticSurface(sea), 12, positions);
     const Long step = 1e-5L;
     const auto drawn = [&](Long t, Long x, Long z) {
         const Truth at = truth(sea, t, x, z);
@@ -359,8 +361,8 @@ TEST(AnalyticDerivatives, NormalsAndVelocitiesMatchFiniteDifferences) {
         return std::array<Long, 3>{(b[0] - a[0]) / (2 * step), (b[1] - a[1]) / (2 * step),
                                    (b[2] - a[2]) / (2 * step)};
     };
-    for (std::size_t i = 0; i < places.x.size(); ++i) {
-        const Long x = places.x[i], z = places.z[i];
+    for (std::size_t i = 0; i < positions.x.size(); ++i) {
+        const Long x = positions.x[i], z = positions.z[i];
         const auto u = slope(drawn(12, x - step, z), drawn(12, x + step, z)),
                    v = slope(drawn(12, x, z - step), drawn(12, x, z + step));
         const Long n[3] = {v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0]};
@@ -393,12 +395,12 @@ TEST(AnalyticDeathTest, MisuseIsAsserted) {
 #endif
     testing::GTEST_FLAG(death_test_style) = "threadsafe";
     const AnalyticSurface water(intense());
-    const Places places = random_places(3, 10);
+    const Positions positions = random_positions(3, 10);
     std::vector<float> two(2);
-    EXPECT_DEATH_IF_SUPPORTED(in_world(water, std::nan(""), places), "isfinite");
+    EXPECT_DEATH_IF_SUPPORTED(in_world(water, std::nan(""), positions), "isfinite");
     EXPECT_DEATH_IF_SUPPORTED(in_world(water, 0, {{std::nan("")}, {0}}), "furthest_analytic_point_m");
     EXPECT_DEATH_IF_SUPPORTED(in_world(water, 0, {{0}, {1.1e9}}), "furthest_analytic_point_m");
-    EXPECT_DEATH_IF_SUPPORTED(water.sample(0, places.view(), {.height_m = two}), "size\\(\\)");
+    EXPECT_DEATH_IF_SUPPORTED(water.sample(0, positions.view(), {.height_m = two}), "size\\(\\)");
 }
 
 // The example of docs/library.md.

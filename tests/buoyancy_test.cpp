@@ -249,7 +249,7 @@ struct Ride {
 // Heel: the box rolls at 2.9 rad/s by itself. Waves of 60 m, 1 rad/s, tilt it by 1 / (1 -
 // (1/2.9)^2) = 1.13 of their slope, and it oscillates about that.
 TEST(Buoyancy, ABoxFollowsLongSwell) {
-    if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the storm test below runs the same code";
     const Ride ride(
         {.resolution = 128, .patch_size_m = 1600, .wind_speed_mps = 0.5, .swell_height_m = 4, .swell_period_s = 12},
         {.length_m = 5, .height_m = 1.5, .beam_m = 3, .mass_kg = 9000}, 120);
@@ -265,7 +265,7 @@ TEST(Buoyancy, ABoxFollowsLongSwell) {
 // 15 m. The average over the box is at most 1 / (8 pi) = 4 % of a wave along it, and 1 / (3 pi) =
 // 11 % of a wave across it.
 TEST(Buoyancy, WavesMuchShorterThanTheBoxHardlyMoveIt) {
-    if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the storm test below runs the same code";
     const Ride ride(
         {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 128, .patch_size_m = 80, .wind_speed_mps = 2.5},
         {.length_m = 40, .height_m = 3, .beam_m = 15, .mass_kg = 600'000}, 80);

@@ -173,24 +173,16 @@ TEST(CInterfaceErrors, MessagesAreOneShortLineWithoutControlCharacters) {
 // ---- Jobs -------------------------------------------------------------------------
 
 /// A job system that works correctly unless a fault is selected.
-struct OddCaller {
-    enum class Loop {
-        honest,
-        throws,
-        throws_half_way,
-        skips_jobs,
-        returns_early,
-        calls_twice,
-        calls_what_is_not_there
-    };
-    enum class Submit { honest, throws, throws_after_all, twice, never, late };
-    Loop loop = Loop::honest;
-    Submit submitting = Submit::honest;
+struct FaultyApplication {
+    enum class Loop { correct, throws, throws_half_way, skips_jobs, returns_early, calls_twice, calls_out_of_range };
+    enum class Submit { correct, throws, throws_after_all, twice, never, late };
+    Loop loop = Loop::correct;
+    Submit submitting = Submit::correct;
     std::vector<std::thread> threads;
     std::vector<std::pair<void (*)(void*), void*>> late;
 
     static void parallel_for(void* user, std::size_t count, void (*job)(void*, std::size_t), void* work) {
-        auto* const application = static_cast<OddCaller*>(user);
+        auto* const application = static_cast<FaultyApplication*>(user);
         if (application->loop == Loop::throws) throw std::runtime_error("no workers");
         if (application->loop == Loop::returns_early) {
             // The jobs run after the loop has returned.
@@ -199,20 +191,21 @@ struct OddCaller {
             });
             return;
         }
-        const std::size_t honest_part = application->loop == Loop::honest || application->loop == Loop::calls_twice ||
-                                                application->loop == Loop::calls_what_is_not_there
-                                            ? count
-                                            : count / 2;
-        for (std::size_t i = 0; i < honest_part; ++i) {
+        const std::size_t called_count = application->loop == Loop::correct ||
+                                                 application->loop == Loop::calls_twice ||
+                                                 application->loop == Loop::calls_out_of_range
+                                             ? count
+                                             : count / 2;
+        for (std::size_t i = 0; i < called_count; ++i) {
             job(work, i);
             if (application->loop == Loop::calls_twice) job(work, i);
         }
-        if (application->loop == Loop::calls_what_is_not_there) job(work, count), job(work, SIZE_MAX);
+        if (application->loop == Loop::calls_out_of_range) job(work, count), job(work, SIZE_MAX);
         if (application->loop == Loop::throws_half_way) throw 1;
     }
 
     static void submit(void* user, void (*task)(void*), void* work) {
-        auto* const application = static_cast<OddCaller*>(user);
+        auto* const application = static_cast<FaultyApplication*>(user);
         switch (application->submitting) {
             case Submit::throws: throw std::runtime_error("queue is full");
             case Submit::never: return;
@@ -256,8 +249,8 @@ pelagic_status make_frame(pelagic_ocean* ocean, double time_s) {
 
 /// Checks that frames are bit-identical to a serial ocean's before and after a frame in which the
 /// application misbehaves, and that the faulty frame returns `expected`.
-void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, const std::function<void()>& misbehave,
-                                   pelagic_status expected, const std::string& message) {
+void expect_recovery(FaultyApplication& application, bool with_submit, const std::function<void()>& misbehave,
+                     pelagic_status expected, const std::string& message) {
     const COcean reference = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
     const COcean ocean = application.ocean(with_submit);
     const auto expect_right_frames = [&](double time_s) {
@@ -279,8 +272,8 @@ void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, con
         EXPECT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete_sea(ocean.get()), expected) << pelagic_last_error();
         application.join();
-        application.loop = OddCaller::Loop::honest;
-        application.submitting = OddCaller::Submit::honest;
+        application.loop = FaultyApplication::Loop::correct;
+        application.submitting = FaultyApplication::Submit::correct;
         expect_right_frames(3 + round);
     }
     application.join();
@@ -288,22 +281,22 @@ void expect_an_ocean_that_survives(OddCaller& application, bool with_submit, con
 
 TEST(CInterfaceApplicationJobs, AThrowingLoopLosesItsFrameAndReturnsAStatus) {
     for (const bool with_submit : {false, true}) {
-        OddCaller application;
-        expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::throws; }, PELAGIC_APPLICATION_ERROR,
-            "parallel_for threw an exception: no workers");
-        expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::throws_half_way; },
+        FaultyApplication application;
+        expect_recovery(
+            application, with_submit, [&] { application.loop = FaultyApplication::Loop::throws; },
+            PELAGIC_APPLICATION_ERROR, "parallel_for threw an exception: no workers");
+        expect_recovery(
+            application, with_submit, [&] { application.loop = FaultyApplication::Loop::throws_half_way; },
             PELAGIC_APPLICATION_ERROR, "parallel_for threw an exception");
     }
 }
 
 TEST(CInterfaceApplicationJobs, AnIncompleteLoopLosesItsFrameAndReturnsAStatus) {
     for (const bool with_submit : {false, true}) {
-        OddCaller application;
+        FaultyApplication application;
         const char* const message = "parallel_for returned before all of its jobs were done";
-        expect_an_ocean_that_survives(
-            application, with_submit, [&] { application.loop = OddCaller::Loop::skips_jobs; },
+        expect_recovery(
+            application, with_submit, [&] { application.loop = FaultyApplication::Loop::skips_jobs; },
             PELAGIC_APPLICATION_ERROR, message);
     }
 }
@@ -311,15 +304,15 @@ TEST(CInterfaceApplicationJobs, AnIncompleteLoopLosesItsFrameAndReturnsAStatus) 
 // The other thread may or may not finish before the loop returns; later frames are correct in both
 // cases.
 TEST(CInterfaceApplicationJobs, JobsThatOutliveTheirLoopAreHarmless) {
-    OddCaller application;
+    FaultyApplication application;
     const COcean ocean = application.ocean(false);
     for (int n = 0; n < 200; ++n) {
-        application.loop = OddCaller::Loop::returns_early;
+        application.loop = FaultyApplication::Loop::returns_early;
         const pelagic_status status = make_frame(ocean.get(), n);
         EXPECT_TRUE(status == PELAGIC_OK || status == PELAGIC_APPLICATION_ERROR) << pelagic_last_error();
         if (n % 4 == 3) application.join();
     }
-    application.loop = OddCaller::Loop::honest;
+    application.loop = FaultyApplication::Loop::correct;
     ASSERT_EQ(make_frame(ocean.get(), 12.34), PELAGIC_OK) << pelagic_last_error();
     application.join();
     const COcean reference = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
@@ -328,34 +321,34 @@ TEST(CInterfaceApplicationJobs, JobsThatOutliveTheirLoopAreHarmless) {
 }
 
 TEST(CInterfaceApplicationJobs, RepeatedAndOutOfRangeJobsAreIgnored) {
-    OddCaller application;
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.loop = OddCaller::Loop::calls_twice; }, PELAGIC_OK, "");
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.loop = OddCaller::Loop::calls_what_is_not_there; }, PELAGIC_OK, "");
+    FaultyApplication application;
+    expect_recovery(
+        application, true, [&] { application.loop = FaultyApplication::Loop::calls_twice; }, PELAGIC_OK, "");
+    expect_recovery(
+        application, true, [&] { application.loop = FaultyApplication::Loop::calls_out_of_range; }, PELAGIC_OK, "");
 }
 
 TEST(CInterfaceApplicationJobs, AThrowingSubmitReturnsAStatus) {
-    OddCaller application;
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::throws; }, PELAGIC_APPLICATION_ERROR,
-        "submit threw an exception: queue is full");
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::throws_after_all; },
+    FaultyApplication application;
+    expect_recovery(
+        application, true, [&] { application.submitting = FaultyApplication::Submit::throws; },
+        PELAGIC_APPLICATION_ERROR, "submit threw an exception: queue is full");
+    expect_recovery(
+        application, true, [&] { application.submitting = FaultyApplication::Submit::throws_after_all; },
         PELAGIC_APPLICATION_ERROR, "submit threw an exception");
 }
 
 TEST(CInterfaceApplicationJobs, TasksCalledTwiceOrNeverAreHarmless) {
-    OddCaller application;
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::twice; }, PELAGIC_OK, "");
-    expect_an_ocean_that_survives(
-        application, true, [&] { application.submitting = OddCaller::Submit::never; }, PELAGIC_OK, "");
+    FaultyApplication application;
+    expect_recovery(
+        application, true, [&] { application.submitting = FaultyApplication::Submit::twice; }, PELAGIC_OK, "");
+    expect_recovery(
+        application, true, [&] { application.submitting = FaultyApplication::Submit::never; }, PELAGIC_OK, "");
 }
 
 TEST(CInterfaceApplicationJobs, TasksCalledTwiceAfterTheirOceanIsDestroyedAreHarmless) {
-    OddCaller application;
-    application.submitting = OddCaller::Submit::late;
+    FaultyApplication application;
+    application.submitting = FaultyApplication::Submit::late;
     COcean ocean = application.ocean(true);
     for (int n = 0; n < 3; ++n) ASSERT_EQ(make_frame(ocean.get(), n), PELAGIC_OK);
     const COcean next = application.ocean(true);  // may reuse the memory of the first ocean
@@ -368,11 +361,11 @@ TEST(CInterfaceApplicationJobs, TasksCalledTwiceAfterTheirOceanIsDestroyedAreHar
 }
 
 TEST(CInterfaceApplicationJobs, AThrowingLoopPreventsCreationOfAnOcean) {
-    OddCaller application;
-    application.loop = OddCaller::Loop::throws;
+    FaultyApplication application;
+    application.loop = FaultyApplication::Loop::throws;
     auto options = sized<pelagic_executor_options>();
     options.kind = PELAGIC_EXECUTOR_APPLICATION;
-    options.parallel_for = OddCaller::parallel_for;
+    options.parallel_for = FaultyApplication::parallel_for;
     options.user = &application;
     pelagic_executor* executor = nullptr;
     ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK);

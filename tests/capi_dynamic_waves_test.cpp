@@ -140,38 +140,40 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
 }
 
 TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
-    const COcean stays = with_dynamic_waves(), goes = with_dynamic_waves();
-    for (const COcean* ocean : {&stays, &goes}) {
+    const COcean continuous = with_dynamic_waves(), rolled_back = with_dynamic_waves();
+    for (const COcean* ocean : {&continuous, &rolled_back}) {
         std::uint32_t number = 0;
         const pelagic_disturbance source = boat();
         ASSERT_EQ(pelagic_dynamic_waves_add_source(waves_of(ocean->get()), &source, &number), PELAGIC_OK);
         run(*ocean, 0, 30);
     }
     std::size_t count = 0;
-    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), nullptr, 0, &count), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), nullptr, 0, &count), PELAGIC_OK);
     std::vector<std::uint8_t> saved(count);
-    expect_rejected(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), count - 1, &count),
+    expect_rejected(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), count - 1, &count),
                     PELAGIC_INVALID_ARGUMENT,
                     "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
-    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), saved.size(), &count), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), saved.size(), &count),
+              PELAGIC_OK);
     const pelagic_disturbance stone = drop(3);
-    ASSERT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(goes.get()), &stone), PELAGIC_OK);
-    run(goes, 30, 50);
-    ASSERT_EQ(pelagic_dynamic_waves_remove_source(waves_of(goes.get()), 1), PELAGIC_OK);
-    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size()), PELAGIC_OK)
+    ASSERT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(rolled_back.get()), &stone), PELAGIC_OK);
+    run(rolled_back, 30, 50);
+    ASSERT_EQ(pelagic_dynamic_waves_remove_source(waves_of(rolled_back.get()), 1), PELAGIC_OK);
+    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(rolled_back.get()), saved.data(), saved.size()),
+              PELAGIC_OK)
         << pelagic_last_error();
-    run(goes, 30, 80);
-    run(stays, 30, 80);
-    EXPECT_EQ(dynamic_waves_hash(goes), dynamic_waves_hash(stays));
-    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size() - 1),
+    run(rolled_back, 30, 80);
+    run(continuous, 30, 80);
+    EXPECT_EQ(dynamic_waves_hash(rolled_back), dynamic_waves_hash(continuous));
+    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(rolled_back.get()), saved.data(), saved.size() - 1),
               PELAGIC_INVALID_ARGUMENT);
     expect_rejected(
         pelagic_dynamic_waves_restore_state(waves_of(with_dynamic_waves(true, 48).get()), saved.data(), saved.size()),
         PELAGIC_INVALID_ARGUMENT, "the saved state has other options, needs those of these dynamic waves");
-    ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
-    EXPECT_EQ(pelagic_dynamic_waves_save_state(waves_of(goes.get()), saved.data(), saved.size(), &count),
+    ASSERT_EQ(pelagic_ocean_schedule(rolled_back.get(), 2), PELAGIC_OK);
+    EXPECT_EQ(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), saved.size(), &count),
               PELAGIC_WRONG_ORDER);
-    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(goes.get()), saved.data(), saved.size()),
+    EXPECT_EQ(pelagic_dynamic_waves_restore_state(waves_of(rolled_back.get()), saved.data(), saved.size()),
               PELAGIC_WRONG_ORDER);
 }
 

@@ -82,20 +82,20 @@ TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
     EXPECT_GE(*std::min_element(foam.begin(), foam.end()), 0);
     EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0.2f);
 
-    const COcean forgetful = gale(false);
-    complete(forgetful, 4);
+    const COcean without_foam = gale(false);
+    complete(without_foam, 4);
     auto cascade = sized<pelagic_cascade>();
-    ASSERT_EQ(pelagic_ocean_cascade(forgetful.get(), 0, &cascade), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_cascade(without_foam.get(), 0, &cascade), PELAGIC_OK);
     EXPECT_EQ(cascade.foam_r8, nullptr);
-    expect_rejected(pelagic_ocean_query(forgetful.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_query(without_foam.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
                     "the frame has no foam, needs an ocean with OceanOptions::foam");
-    expect_rejected(pelagic_ocean_copy(forgetful.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_copy(without_foam.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,
                     "foam_r8 is wanted, needs an ocean with foam");
     std::uint64_t hash = 7;
-    expect_rejected(pelagic_ocean_foam_hash(forgetful.get(), &hash), PELAGIC_INVALID_ARGUMENT,
+    expect_rejected(pelagic_ocean_foam_hash(without_foam.get(), &hash), PELAGIC_INVALID_ARGUMENT,
                     "the ocean remembers no foam, needs pelagic_ocean_options.foam");
     EXPECT_EQ(hash, 7u);
-    EXPECT_TRUE(saved(forgetful).empty());
+    EXPECT_TRUE(saved(without_foam).empty());
 }
 
 TEST_F(CInterfaceFoam, HistoryIsSavedAndRestored) {
@@ -113,7 +113,7 @@ TEST_F(CInterfaceFoam, HistoryIsSavedAndRestored) {
     ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
     complete(second, 7.3);
     EXPECT_NE(foam_hash(first), foam_hash(second));
-    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), nullptr, 0), PELAGIC_OK) << "forgets";
+    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), nullptr, 0), PELAGIC_OK) << "clears the history";
     complete(second, 7.3);
     EXPECT_EQ(foam_hash(first), foam_hash(second));
 }

@@ -77,7 +77,7 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
         x.push_back(static_cast<double>(random()) / 0x1p22);
         z.push_back(static_cast<double>(random()) / 0x1p22);
     }
-    const auto ask = [&](const pelagic_ocean* ocean) {
+    const auto sample_heights = [&](const pelagic_ocean* ocean) {
         std::vector<float> heights(x.size());
         auto points = sized<pelagic_points>();
         auto samples = sized<pelagic_samples>();
@@ -93,7 +93,7 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     for (int n = 0; n < times; ++n) {
         ASSERT_EQ(pelagic_ocean_schedule(alone.get(), n), PELAGIC_OK);
         ASSERT_EQ(pelagic_ocean_complete(alone.get(), &frame), PELAGIC_OK);
-        expected.push_back(ask(alone.get()));
+        expected.push_back(sample_heights(alone.get()));
         hashes.push_back(hash_of(alone.get()));
     }
 
@@ -102,11 +102,11 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
     std::atomic<bool> stop = false;
     std::atomic<int> ready = 0, torn = 0;
-    std::vector<std::thread> askers;
+    std::vector<std::thread> readers;
     for (int i = 0; i < 8; ++i) {
-        askers.emplace_back([&] {
+        readers.emplace_back([&] {
             while (!stop) {
-                const std::vector<float> heights = ask(ocean.get());
+                const std::vector<float> heights = sample_heights(ocean.get());
                 ++ready;
                 if (std::find(expected.begin(), expected.end(), heights) == expected.end()) ++torn;
             }
@@ -119,7 +119,7 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     }
     while (ready < 8) std::this_thread::yield();
     stop = true;
-    for (std::thread& asker : askers) asker.join();
+    for (std::thread& reader : readers) reader.join();
     EXPECT_EQ(torn, 0);
 }
 

@@ -84,7 +84,7 @@ void look_at(const pelagic_shore_surface& shore, Findings& found) {
 }
 
 /// Frames at several times, all of their outputs, and queries of them.
-std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& options) {
+std::string first_non_finite(pelagic_ocean* ocean, const pelagic_ocean_options& options) {
     Findings found;
     for (const double time_s : {0.0, 0.02, 0.3, 1.1}) {
         auto frame = sized<pelagic_frame>();
@@ -149,7 +149,7 @@ void expect_rejected_or_finite(const std::string& what, const char* name, const 
     const pelagic_status status = make(&made);
     const COcean ocean(made);
     if (status != PELAGIC_OK) return expect_rejected(status, what, name);
-    EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+    EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
 }
 
 /// Each field is set to each of `min_values`; the others are unchanged.
@@ -346,7 +346,7 @@ TEST(CInterfaceLeastValues, FieldsOfADisturbanceAreRejectedOrFinite) {
                          const pelagic_status status =
                              pelagic_dynamic_waves_add_source(waves_of(ocean.get()), &source, &number);
                          if (status != PELAGIC_OK) return expect_rejected(status, what, name);
-                         EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+                         EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
                          EXPECT_EQ(pelagic_dynamic_waves_remove_source(waves_of(ocean.get()), number), PELAGIC_OK);
                      });
     }
@@ -369,7 +369,7 @@ TEST(CInterfaceLeastValues, FieldsOfRainAreRejectedOrFinite) {
              [&](const pelagic_rain& rain, const std::string& what, const char* name) {
                  const pelagic_status status = pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain);
                  if (status != PELAGIC_OK) return expect_rejected(status, what, name);
-                 EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+                 EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
              });
     }
 }
@@ -431,7 +431,7 @@ TEST(CInterfaceLeastValues, SmallestAcceptedValuesGiveFiniteFrames) {
         EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(ocean.get()), &stone), PELAGIC_OK)
             << pelagic_last_error();
         EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(first_unusual(ocean.get(), options), "") << "step " << step;
+        EXPECT_EQ(first_non_finite(ocean.get(), options), "") << "step " << step;
     }
 }
 
@@ -521,7 +521,7 @@ TEST(CInterfaceLeastValues, TimesAndPositionsAreRejectedOrFinite) {
         EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(ocean.get()), value, value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
-        EXPECT_EQ(first_unusual(ocean.get(), options), "");
+        EXPECT_EQ(first_non_finite(ocean.get(), options), "");
         for (std::size_t number = 0; number < 7; ++number) {
             auto ray = sized<pelagic_ray>();
             ray.origin_m[1] = 20;

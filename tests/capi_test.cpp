@@ -609,7 +609,7 @@ TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
         ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), time_s, &buffers, nullptr), PELAGIC_OK);
         const float queried = height_by_query();
         ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &copied_buffers), PELAGIC_OK);
-        EXPECT_EQ(copied, arrays) << "copy tells of it too";
+        EXPECT_EQ(copied, arrays) << "copy() returns that frame too";
         std::uint64_t hash = 0, expected = 0;
         EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &hash), PELAGIC_OK);
         const COcean other = make_ocean(64);
@@ -735,7 +735,7 @@ TEST(CInterface, ApplicationJobsGiveBitIdenticalFrames) {
 }
 
 TEST(CInterface, ACpuMaskIsAccepted) {
-    if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
+    if (!threads_have_cpu_masks()) GTEST_SKIP() << "this system has no CPU masks";
     auto options = sized<pelagic_executor_options>();
     options.kind = PELAGIC_EXECUTOR_THREADS;
     options.cpu_mask = ~std::uint64_t{0};

@@ -140,7 +140,7 @@ TEST(Caustics, TheCascadeIsSelectedByFocalDepth) {
     for (const double depth_m : {0.5, 5.0, 60.0}) {
         baker.schedule(frame, {.depth_m = depth_m});
         const double side_m = baker.complete().grid.side_m;
-        EXPECT_GE(side_m, side_before_m) << "deeper water wants longer waves";
+        EXPECT_GE(side_m, side_before_m) << "deeper water needs longer waves";
         side_before_m = side_m;
     }
     EXPECT_GT(side_before_m, frame.cascades.back().grid.side_m);

@@ -53,8 +53,8 @@ std::uint64_t hash_at(const SeaState& sea, double time_s, Isa isa = choose_isa()
 }
 
 /// All values that a query returns per point, as bits.
-struct Answers {
-    explicit Answers(std::size_t count) : values(9, std::vector<float>(count)), converged(count) {}
+struct PointSamples {
+    explicit PointSamples(std::size_t count) : values(9, std::vector<float>(count)), converged(count) {}
     SurfaceSamples view() {
         return {values[0], values[1], values[2], values[3], values[4],
                 values[5], values[6], values[7], values[8], converged};
@@ -106,12 +106,12 @@ std::unique_ptr<Ocean> queryable_ocean(const SeaState& sea, Isa isa = choose_isa
         sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true});
 }
 
-Answers answers_at(const SeaState& sea, double time_s, Isa isa, const QueryPoints& points,
-                   Interpolation interpolation = Interpolation::linear) {
+PointSamples samples_at(const SeaState& sea, double time_s, Isa isa, const QueryPoints& points,
+                        Interpolation interpolation = Interpolation::linear) {
     const auto ocean = queryable_ocean(sea, isa);
-    Answers answers(points.x.size());
-    SurfaceQuery(ocean->frame_at(time_s), {.interpolation = interpolation}).sample(points.view(), answers.view());
-    return answers;
+    PointSamples samples(points.x.size());
+    SurfaceQuery(ocean->frame_at(time_s), {.interpolation = interpolation}).sample(points.view(), samples.view());
+    return samples;
 }
 
 TEST(Determinism, FramesAreBitIdenticalOnEveryInstructionSetExecutorAndThreadCount) {
@@ -161,7 +161,7 @@ TEST(Determinism, WholeLoopPeriodsGiveTheFrameOfTimeZero) {
         const std::uint64_t start = hash_of(ocean.frame_at(0));
         for (const double periods : {1.0, 2.0, 1000.0, -1.0})
             EXPECT_EQ(hash_of(ocean.frame_at(periods * period)), start) << periods << " periods of " << period;
-        EXPECT_NE(hash_of(ocean.frame_at(period * 0.37)), start) << "the sea stands still";
+        EXPECT_NE(hash_of(ocean.frame_at(period * 0.37)), start) << "the sea does not move";
     }
 }
 
@@ -258,9 +258,9 @@ TEST(Determinism, QueriesAreBitIdenticalOnEveryInstructionSet) {
     const QueryPoints points(20000);
     for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond}) {
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
-            const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points, interpolation).hash();
+            const std::uint64_t expected = samples_at(sea, 3, isas_here().front(), points, interpolation).hash();
             for (const Isa isa : isas_here())
-                EXPECT_EQ(answers_at(sea, 3, isa, points, interpolation).hash(), expected) << name_of(isa);
+                EXPECT_EQ(samples_at(sea, 3, isa, points, interpolation).hash(), expected) << name_of(isa);
         }
     }
 }
@@ -274,7 +274,7 @@ TEST(Determinism, QueriesDoNotDependOnOtherPointsOfTheBatch) {
                                              {sea_of_cascades, Interpolation::cubic}}) {
         const auto ocean = queryable_ocean(sea);
         const SurfaceQuery query(ocean->frame_at(3), {.interpolation = interpolation});
-        Answers expected(points.x.size());
+        PointSamples expected(points.x.size());
         query.sample(points.view(), expected.view());
 
         std::mt19937 random(1);
@@ -289,7 +289,7 @@ TEST(Determinism, QueriesDoNotDependOnOtherPointsOfTheBatch) {
                     x.push_back(points.x[order[first + i]]);
                     z.push_back(points.z[order[first + i]]);
                 }
-                Answers some(count);
+                PointSamples some(count);
                 query.sample({x, z}, some.view());
                 for (std::size_t i = 0; i < count; ++i)
                     ASSERT_EQ(some.of(i), expected.of(order[first + i])) << "batch of " << batch;
@@ -306,14 +306,14 @@ TEST(Determinism, QueriesAreBitIdenticalOnEveryExecutorAndThreadCount) {
     const QueryPoints points(30001);
     const auto ocean = queryable_ocean(overturning_sea);
     const SurfaceQuery query(ocean->frame_at(3));
-    Answers expected(points.x.size());
+    PointSamples expected(points.x.size());
     query.sample(points.view(), expected.view());
     for (const Application& application : applications()) {
         SurfaceQueryJobs jobs(application.executor);
         for (int again = 0; again < 3; ++again) {
-            Answers answers(points.x.size());
-            jobs.sample(query, points.view(), answers.view());
-            EXPECT_EQ(answers.hash(), expected.hash()) << application.name;
+            PointSamples samples(points.x.size());
+            jobs.sample(query, points.view(), samples.view());
+            EXPECT_EQ(samples.hash(), expected.hash()) << application.name;
         }
     }
 }
@@ -328,20 +328,20 @@ TEST(Determinism, EightThreadsQueryWhileFramesAreComputed) {
     for (int i = 0; i < 6; ++i) {
         const Frame& frame = ocean->complete();
         ocean->schedule((i + 1) * 0.5);
-        const std::uint64_t expected = answers_at(sea, i * 0.5, choose_isa(), points).hash();
+        const std::uint64_t expected = samples_at(sea, i * 0.5, choose_isa(), points).hash();
         const SurfaceQuery query(frame);
         std::vector<std::uint64_t> hashes(8);
         std::vector<std::thread> threads;
         for (std::size_t t = 0; t < hashes.size(); ++t) {
             threads.emplace_back([&, t] {
-                Answers answers(points.x.size());
+                PointSamples samples(points.x.size());
                 if (t % 2) {
-                    query.sample(points.view(), answers.view());
+                    query.sample(points.view(), samples.view());
                 } else {
                     SurfaceQueryJobs jobs(executor);  // on the executor that computes the frame
-                    jobs.sample(query, points.view(), answers.view());
+                    jobs.sample(query, points.view(), samples.view());
                 }
-                hashes[t] = answers.hash();
+                hashes[t] = samples.hash();
                 first_hit(query, {{points.x[t], 20, points.z[t]}, {1, -0.2, 0.5}, 200});
             });
         }
@@ -374,16 +374,16 @@ TEST(Determinism, FramesDoNotDependOnTheCallersFloatingPointEnvironment) {
         .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
     const QueryPoints points(2000);
-    const std::uint64_t expected_answers = answers_at(overturning_sea, 5, choose_isa(), points).hash();
+    const std::uint64_t expected_samples = samples_at(overturning_sea, 5, choose_isa(), points).hash();
 #if !defined(__wasm__)  // WebAssembly has one rounding mode
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const std::uint64_t hash = hash_at(sea, 5);
-        const std::uint64_t answered = answers_at(overturning_sea, 5, choose_isa(), points).hash();
+        const std::uint64_t sampled = samples_at(overturning_sea, 5, choose_isa(), points).hash();
         EXPECT_EQ(std::fegetround(), mode);
         std::fesetround(FE_TONEAREST);
         EXPECT_EQ(hash, expected);
-        EXPECT_EQ(answered, expected_answers);
+        EXPECT_EQ(sampled, expected_samples);
     }
 #endif
 #if defined(__x86_64__)
@@ -442,7 +442,7 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
 
 // The displacement of a deep cascade equals that of the first version. Its normals, which then used
 // only the roughness option, are covered by the hashes of whole frames.
-TEST(Determinism, DeepCascadesHaveTheGoldenDisplacement) {
+TEST(Determinism, DeepCascadesKeepTheirDisplacement) {
     std::map<std::string, std::string> golden;
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/displacement_hashes.txt");
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
@@ -507,7 +507,7 @@ TEST(Determinism, FramesHaveTheGoldenHashes) {
                                     {"queries-analytic", analytic_sea_state},
                                     {"queries-pond", pond}}) {
         std::ostringstream hash;
-        hash << std::hex << answers_at(sea, 12.34, choose_isa(), points).hash();
+        hash << std::hex << samples_at(sea, 12.34, choose_isa(), points).hash();
         EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();
         ++compared;
     }

@@ -33,7 +33,7 @@ double sawtooth(int tick, int period) { return 2.0 * (tick % period) / period - 
 
 /// Applies the inputs of tick n: a moved centre, a hull at the centre, a relaxation source, and
 /// drops.
-void happen(DynamicWaveGrid& grid, int tick) {
+void apply_inputs(DynamicWaveGrid& grid, int tick) {
     const double x = 0.05 * tick, z = 5 * sawtooth(tick, 70);
     grid.set_center(x, z);
     grid.sources().add_impulse({.shape = Disturbance::Shape::hull,
@@ -57,7 +57,7 @@ std::uint64_t replayed(const DynamicWavesOptions& options, Isa isa, std::shared_
                        int ticks = 90) {
     DynamicWavePool pool(options, isa, std::move(executor));
     for (int i = 0; i < ticks; ++i) {
-        happen(pool.grid, i);
+        apply_inputs(pool.grid, i);
         pool.tick();
     }
     return pool.grid.hash();
@@ -99,7 +99,7 @@ TEST(GridPlacementMoves, KeepTexelsThatStayInsideTheGrid) {
         DynamicWavePool pool(small(step));
         DynamicWaveGrid& grid = pool.grid;
         for (int i = 0; i < 40; ++i) {
-            happen(grid, i);
+            apply_inputs(grid, i);
             pool.tick();
         }
         std::mt19937 random(5);
@@ -128,7 +128,7 @@ TEST(GridPlacementMoves, KeepTexelsThatStayInsideTheGrid) {
                         was_there ? before[static_cast<std::size_t>((z - z0) * n + x - x0)] : Texel{};
                     ASSERT_TRUE(read(x, z) == expected) << x << ", " << z << " after move " << move;
                 }
-            happen(grid, 40 + move);
+            apply_inputs(grid, 40 + move);
             pool.tick();
         }
     }
@@ -159,31 +159,31 @@ TEST(GridPlacementMoves, VerletInteriorIsBitIdenticalToALargerGrid) {
 
 TEST(DynamicWaveState, RestoredGridContinuesBitIdentically) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
-        DynamicWavePool stays(small(step)), goes(small(step)), late(small(step));
-        const auto go_on = [](DynamicWavePool& pool, int from, int to) {
+        DynamicWavePool continuous(small(step)), rolled_back(small(step)), restored(small(step));
+        const auto run = [](DynamicWavePool& pool, int from, int to) {
             for (int i = from; i < to; ++i) {
-                happen(pool.grid, i);
+                apply_inputs(pool.grid, i);
                 pool.tick();
             }
         };
-        go_on(stays, 0, 80);
-        go_on(goes, 0, 37);
-        const std::vector<std::uint8_t> saved = goes.grid.saved();
-        go_on(goes, 37, 60);  // a prediction that is rolled back
-        goes.grid.restore(saved);
-        late.grid.restore(saved);
-        go_on(goes, 37, 80);
-        go_on(late, 37, 80);
-        EXPECT_EQ(goes.grid.hash(), stays.grid.hash());
-        EXPECT_EQ(late.grid.hash(), stays.grid.hash());
-        EXPECT_EQ(goes.grid.ticks(), 80);
+        run(continuous, 0, 80);
+        run(rolled_back, 0, 37);
+        const std::vector<std::uint8_t> saved = rolled_back.grid.saved();
+        run(rolled_back, 37, 60);  // a prediction that is rolled back
+        rolled_back.grid.restore(saved);
+        restored.grid.restore(saved);
+        run(rolled_back, 37, 80);
+        run(restored, 37, 80);
+        EXPECT_EQ(rolled_back.grid.hash(), continuous.grid.hash());
+        EXPECT_EQ(restored.grid.hash(), continuous.grid.hash());
+        EXPECT_EQ(rolled_back.grid.ticks(), 80);
     }
 }
 
 TEST(DynamicWaveState, InvalidStateIsRejectedWithoutAChange) {
     DynamicWavePool pool(small(DynamicWavesStep::spectral));
     for (int i = 0; i < 5; ++i) {
-        happen(pool.grid, i);
+        apply_inputs(pool.grid, i);
         pool.tick();
     }
     const std::uint64_t before = pool.grid.hash();
@@ -191,7 +191,7 @@ TEST(DynamicWaveState, InvalidStateIsRejectedWithoutAChange) {
     const auto refuses = [&](std::vector<std::uint8_t> bytes, const std::string& reason) {
         try {
             pool.grid.restore(bytes);
-            ADD_FAILURE() << "took " << reason;
+            ADD_FAILURE() << "accepted a state with an invalid " << reason;
         } catch (const std::invalid_argument& error) {
             EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
         }
@@ -235,7 +235,7 @@ TEST(DynamicWavesGridRefuses, InvalidOptions) {
 
 TEST(DynamicWaveGrid, AcceptsTheFarthestPositions) {
     DynamicWavePool pool(small(DynamicWavesStep::spectral));
-    happen(pool.grid, 0);
+    apply_inputs(pool.grid, 0);
     pool.tick();
     // The farthest valid positions, where coordinates still resolve single texels.
     pool.grid.set_center(1e8, -1e8);
@@ -257,7 +257,7 @@ double rotated_by_shortest(const DynamicWavesOptions& options) {
 /// removes 2 decay dt v^2, with v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega
 /// dt)^2), which is 16 s for waves of two texels. Those waves have no group velocity, so the border
 /// does not absorb them. The bound is six times the rms, A / sqrt 2.
-double verlets_unrest_m(const DynamicWavesOptions& options) {
+double max_residual_m(const DynamicWavesOptions& options) {
     const double tick = 1.0 / options.ticks_per_s, turned = rotated_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
     return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(BorderDamping::smallest);
@@ -286,7 +286,7 @@ TEST(DynamicWavesGridLasts, WithoutDriftOrDenormals) {
         };
         const double before = largest();
         const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
-        const double pushed = step == DynamicWavesStep::verlet ? verlets_unrest_m(options) : 0;
+        const double pushed = step == DynamicWavesStep::verlet ? max_residual_m(options) : 0;
         for (int tenth = 1; tenth <= 10; ++tenth) {
             pool.tick(ticks / 10);
             const double decayed = before * std::exp(-options.decay_per_s * tenth * ticks / 10 * pool.grid.tick_s());
@@ -300,7 +300,7 @@ constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // ticks of a round
 /// Applies the inputs of tick n of a round: hulls and pressure sources that are added and removed,
 /// an intermittent relaxation source, and positive and negative impulses. The grid's centre moves
 /// away by up to 12 m and returns.
-void bustle(DynamicWaveGrid& grid, int tick) {
+void apply_round_inputs(DynamicWaveGrid& grid, int tick) {
     constexpr int change_ticks = 400, numbers = 6, last_change = busy_ticks / change_ticks;
     if (tick % change_ticks == 0 && tick <= busy_ticks) {
         const int change = tick / change_ticks;
@@ -435,7 +435,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesWithoutResidue) {
             std::optional<VerletInDouble> in_double;
             double quiet_squares = 0;
             for (int tick = 0; tick < busy_ticks + quiet_ticks; ++tick) {
-                bustle(pool.grid, tick);
+                apply_round_inputs(pool.grid, tick);
                 pool.tick();
                 if (in_double) {
                     in_double->tick();

@@ -412,7 +412,7 @@ TEST(DynamicWavesWaves, OfVerletAreStableAtAnyDecay) {
 
 /// Returns the fraction of a wave packet's energy that remains after the time to cross the border
 /// twice.
-double energy_that_stays(DynamicWavesStep step, double wave_m, double degrees) {
+double remaining_energy(DynamicWavesStep step, double wave_m, double degrees) {
     DynamicWavesOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
     options.viscosity_m2ps = 0;
     options.decay_per_s = 0;
@@ -447,7 +447,7 @@ TEST(BorderDamping, ReflectsLessThanOnePercentOfEnergy) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet})
         for (const double wave_m : {12.0, 6.0, 3.0})
             for (const double degrees : {0.0, 20.0, 45.0})
-                EXPECT_LT(energy_that_stays(step, wave_m, degrees), 0.01)
+                EXPECT_LT(remaining_energy(step, wave_m, degrees), 0.01)
                     << wave_m << " m at " << degrees
                     << (step == DynamicWavesStep::verlet ? " degrees, Verlet" : " degrees");
 }

@@ -34,7 +34,7 @@ Disturbance drop(double height_m) {
 
 /// Moves a boat, followed by the grid, and adds drops; computes frames `from` to `to` at 72
 /// frames/s. Returns the last one.
-const Frame& happen(Ocean& ocean, int from, int to) {
+const Frame& run_frames(Ocean& ocean, int from, int to) {
     const Frame* last = nullptr;
     for (int frame = from; frame < to; ++frame) {
         const double t = frame / 72.0;
@@ -50,7 +50,7 @@ const Frame& happen(Ocean& ocean, int from, int to) {
 
 TEST(DynamicWaves, DoNotChangeTheCascades) {
     Ocean with(breeze, with_dynamic_waves()), without(breeze, {.executor = make_serial_executor()});
-    happen(with, 0, 90);
+    run_frames(with, 0, 90);
     const Frame& frame = with.frame_at(2.5);
     EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
     EXPECT_NE(hash_of(frame.dynamic_waves), 0U);
@@ -59,15 +59,15 @@ TEST(DynamicWaves, DoNotChangeTheCascades) {
 
 TEST(DynamicWaves, AreBitIdenticalOnEveryInstructionSetAndExecutor) {
     Ocean first(breeze, with_dynamic_waves(isas_here().front()));
-    const std::uint64_t expected = hash_of(happen(first, 0, 120).dynamic_waves);
+    const std::uint64_t expected = hash_of(run_frames(first, 0, 120).dynamic_waves);
     for (const Isa isa : isas_here()) {
         Ocean ocean(breeze, with_dynamic_waves(isa));
-        EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << name_of(isa);
+        EXPECT_EQ(hash_of(run_frames(ocean, 0, 120).dynamic_waves), expected) << name_of(isa);
     }
 
     for (const ExecutorKind& kind : executor_kinds()) {
         Ocean ocean(breeze, with_dynamic_waves(choose_isa(), kind.make(kind.threads)));
-        EXPECT_EQ(hash_of(happen(ocean, 0, 120).dynamic_waves), expected) << kind.name;
+        EXPECT_EQ(hash_of(run_frames(ocean, 0, 120).dynamic_waves), expected) << kind.name;
     }
 }
 
@@ -108,7 +108,7 @@ TEST(DynamicWaves, AreInterpolatedLinearlyBetweenTicks) {
 
 TEST(DynamicWaves, StopAtEarlierTimesAndAdvanceHalfASecondInAJump) {
     Ocean ocean(breeze, with_dynamic_waves());
-    happen(ocean, 0, 72);
+    run_frames(ocean, 0, 72);
     const std::uint64_t there = hash_of(ocean.frame_at(1.0).dynamic_waves);
     ocean.frame_at(0.3);
     EXPECT_EQ(hash_of(ocean.frame_at(0.3).dynamic_waves), there);
@@ -125,7 +125,7 @@ TEST(DynamicWaves, StopAtEarlierTimesAndAdvanceHalfASecondInAJump) {
 TEST(DynamicWaves, AreIncludedInQueries) {
     for (const SeaState& sea : {breeze, SeaState{.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 6}}) {
         Ocean with(sea, with_dynamic_waves()), without(sea, with_dynamic_waves());
-        const Frame& moved = happen(with, 0, 100);
+        const Frame& moved = run_frames(with, 0, 100);
         const Frame& still = without.frame_at(moved.time_s);
         std::mt19937 random(3);
         std::uniform_real_distribution<double> place(-20, 20);
@@ -162,7 +162,7 @@ TEST(DynamicWaves, AreIncludedInQueries) {
 // Slopes at texels, compared with differences of heights over two texels.
 TEST(DynamicWaves, SlopesMatchDifferencesOfHeights) {
     Ocean ocean(breeze, with_dynamic_waves());
-    const DynamicWavesView& water = happen(ocean, 0, 100).dynamic_waves;
+    const DynamicWavesView& water = run_frames(ocean, 0, 100).dynamic_waves;
     for (std::int64_t z = water.first_z + 2; z < water.first_z + 60; z += 3)
         for (std::int64_t x = water.first_x + 2; x < water.first_x + 60; x += 3) {
             const double step = water.texel_m, at_x = static_cast<double>(x) * step,
@@ -199,35 +199,36 @@ TEST(DynamicWaves, StopsRays) {
 }
 
 TEST(DynamicWaves, RestoredStateContinuesBitIdentically) {
-    Ocean stays(breeze, with_dynamic_waves()), goes(breeze, with_dynamic_waves()), late(breeze, with_dynamic_waves());
-    for (Ocean* rains : {&stays, &goes})
+    Ocean continuous(breeze, with_dynamic_waves()), rolled_back(breeze, with_dynamic_waves()),
+        late(breeze, with_dynamic_waves());
+    for (Ocean* rains : {&continuous, &rolled_back})
         rains->dynamic_waves().set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
-    const std::uint64_t expected = hash_of(happen(stays, 0, 150).dynamic_waves);
-    happen(goes, 0, 70);
-    const std::vector<std::uint8_t> saved = goes.dynamic_waves().save_state();
-    happen(goes, 70, 110);
-    goes.dynamic_waves().add_impulse({.height_m = 1});  // undone by the restore
-    goes.dynamic_waves().set_rain({.drops_per_m2_s = 1});
-    goes.dynamic_waves().restore_state(saved);
-    EXPECT_EQ(hash_of(happen(goes, 70, 150).dynamic_waves), expected);
+    const std::uint64_t expected = hash_of(run_frames(continuous, 0, 150).dynamic_waves);
+    run_frames(rolled_back, 0, 70);
+    const std::vector<std::uint8_t> saved = rolled_back.dynamic_waves().save_state();
+    run_frames(rolled_back, 70, 110);
+    rolled_back.dynamic_waves().add_impulse({.height_m = 1});  // undone by the restore
+    rolled_back.dynamic_waves().set_rain({.drops_per_m2_s = 1});
+    rolled_back.dynamic_waves().restore_state(saved);
+    EXPECT_EQ(hash_of(run_frames(rolled_back, 70, 150).dynamic_waves), expected);
     late.dynamic_waves().restore_state(saved);
-    EXPECT_EQ(hash_of(happen(late, 70, 150).dynamic_waves), expected);
+    EXPECT_EQ(hash_of(run_frames(late, 70, 150).dynamic_waves), expected);
     EXPECT_GT(late.dynamic_waves().add_source(boat), 1U) << "the boat's number is taken";
 }
 
 TEST(DynamicWaves, RestoredStateIncludesPendingImpulses) {
-    Ocean stays(breeze, with_dynamic_waves()), late(breeze, with_dynamic_waves());
-    stays.frame_at(0.5);
-    stays.dynamic_waves().add_impulse(drop(0.3));
-    stays.frame_at(0.501);  // no tick
-    const std::vector<std::uint8_t> saved = stays.dynamic_waves().save_state();
+    Ocean continuous(breeze, with_dynamic_waves()), late(breeze, with_dynamic_waves());
+    continuous.frame_at(0.5);
+    continuous.dynamic_waves().add_impulse(drop(0.3));
+    continuous.frame_at(0.501);  // no tick
+    const std::vector<std::uint8_t> saved = continuous.dynamic_waves().save_state();
     late.dynamic_waves().restore_state(saved);
-    for (Ocean* ocean : {&stays, &late}) {
+    for (Ocean* ocean : {&continuous, &late}) {
         ocean->dynamic_waves().add_impulse(drop(0.2));
         ocean->frame_at(0.501);  // no time passes for either
     }
-    EXPECT_GT(stays.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
-    EXPECT_EQ(hash_of(late.frame_at(0.55).dynamic_waves), hash_of(stays.frame_at(0.55).dynamic_waves));
+    EXPECT_GT(continuous.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
+    EXPECT_EQ(hash_of(late.frame_at(0.55).dynamic_waves), hash_of(continuous.frame_at(0.55).dynamic_waves));
 }
 
 /// Returns the hash of the dynamic waves at 0.6 s, after a frame at 0.5 s and the given frames. The
@@ -348,7 +349,7 @@ TEST(DynamicWaves, StateOfOtherOptionsIsRejected) {
     const auto refuses = [&](auto change, const char* what) {
         try {
             ocean.dynamic_waves().restore_state(saved_with(change));
-            ADD_FAILURE() << "took water of another " << what;
+            ADD_FAILURE() << "accepted a state with another " << what;
         } catch (const std::invalid_argument& error) {
             EXPECT_STREQ(error.what(), "the saved state has other options, needs those of these dynamic waves");
         }
@@ -373,15 +374,15 @@ TEST(DynamicWaves, StateOfOtherOptionsIsRejected) {
 TEST(DynamicWaves, StateCanBeRestoredInAnOceanOfAnotherSea) {
     Ocean there(breeze, with_dynamic_waves()),
         here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, with_dynamic_waves());
-    happen(there, 0, 40);
+    run_frames(there, 0, 40);
     here.dynamic_waves().restore_state(there.dynamic_waves().save_state());
-    EXPECT_EQ(hash_of(happen(here, 40, 60).dynamic_waves), hash_of(happen(there, 40, 60).dynamic_waves));
+    EXPECT_EQ(hash_of(run_frames(here, 40, 60).dynamic_waves), hash_of(run_frames(there, 40, 60).dynamic_waves));
 }
 
 TEST(DynamicWaves, InvalidStateIsRejectedOrHarmless) {
     Ocean ocean(breeze, with_dynamic_waves());
     ocean.dynamic_waves().set_rain({.drops_per_m2_s = 2});
-    happen(ocean, 0, 20);
+    run_frames(ocean, 0, 20);
     const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
     std::mt19937 random(9);
     for (int i = 0; i < 300; ++i) {
@@ -446,7 +447,7 @@ TEST(DynamicWaves, InvalidArgumentsAreRejected) {
         EXPECT_STREQ(error.what(), "resolution is 65, needs 64, 128, 256, 512 or 1024");
     }
     Ocean ocean(breeze, with_dynamic_waves());
-    happen(ocean, 0, 20);
+    run_frames(ocean, 0, 20);
     const std::uint64_t before = hash_of(ocean.frame_at(0.3).dynamic_waves);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, 1e300}) {

@@ -149,9 +149,9 @@ TEST_F(ExportEvents, DoNotChangeTheCascadesOrTheirHashes) {
 
 /// The events above, applied to the grid tick by tick: 60 ticks per second. An event takes effect
 /// in the first tick that is not before its time.
-class TicksByHand {
+class ManualTicks {
    public:
-    TicksByHand() : pool_({.resolution = grid_texels}) {
+    ManualTicks() : pool_({.resolution = grid_texels}) {
         pool_.grid.set_center(-1, -1.5);
         DynamicWaveSources& sources = pool_.grid.sources();
         const auto set = [&](std::uint32_t number, const Disturbance& source) {
@@ -223,13 +223,13 @@ TEST_F(ExportEvents, EqualTheTicksOfTheirTimes) {
     const json layout = json::parse(read_file(place("ticks") / "sea.json"))["dynamic_waves"];
     EXPECT_EQ(layout["x_m_of_column"], (json{{"scale", texel_m}, {"offset", -1 - 32.0}}));
     EXPECT_EQ(layout["z_m_of_row"], (json{{"scale", texel_m}, {"offset", -1.5 - 32.0}}));
-    TicksByHand by_hand;
+    ManualTicks manual;
     double highest = 0;
     for (const int frame : {2, 7, 9, 14, 17}) {
         // The time of a tick may be rounded down, so a tick begins 2^-16 of its length earlier.
         const double ticks = (-0.5 + frame / 7.0) * 60 + 0x1p-16;
         const std::vector<float> wanted =
-            by_hand.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
+            manual.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
         const ReadImage read =
             map("ticks", (frame < 10 ? "dynamic-waves_000" : "dynamic-waves_00") + std::to_string(frame) + ".exr");
         ASSERT_EQ(read.type, "float");

@@ -125,7 +125,7 @@ TEST(Resume, CompletesAnInterruptedReplacement) {
         ::signal(SIGXFSZ, SIG_IGN);
     });
     ASSERT_EQ(failed.exit_code, 1) << failed.err;
-    EXPECT_FALSE(std::filesystem::exists(folder / "sea.json")) << "nobody may take this for a whole export";
+    EXPECT_FALSE(std::filesystem::exists(folder / "sea.json")) << "the export is not complete";
     ASSERT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), whole);
 }

@@ -21,14 +21,15 @@ namespace {
 using Words = std::vector<std::string>;
 
 // Options that do not affect the content of files.
-const std::set<std::string> how = {"out",     "help",    "version", "resume", "overwrite", "no-sync", "no-lock",
-                                   "preview", "threads", "isa",     "trace",  "shard",     "config",  "weather"};
+const std::set<std::string> unrecorded = {"out",     "help",    "version", "resume",  "overwrite",
+                                          "no-sync", "no-lock", "preview", "threads", "isa",
+                                          "trace",   "shard",   "config",  "weather"};
 
 /// A placeholder for the path of the events file beside the record.
-const std::string the_events = "the events";
+const std::string events_placeholder = "the events";
 
 // For each option that affects files, arguments that set it to a value other than the default.
-const std::map<std::string, Words> tries = {
+const std::map<std::string, Words> other_values = {
     {"start", {"--start", "-3.25"}},
     {"frames", {"--frames", "10-20,40", "--start-number", "4"}},
     {"start-number", {"--start-number", "7", "--frames", "3"}},
@@ -77,11 +78,11 @@ const std::map<std::string, Words> tries = {
     {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
     {"wave-drag", {"--waves", "pond", "--wave-drag", "0.2"}},
-    {"events", {"--events", the_events}},
-    {"events-side", {"--events", the_events, "--events-side", "80"}},
-    {"events-resolution", {"--events", the_events, "--events-resolution", "128"}},
-    {"events-at", {"--events", the_events, "--events-at", "-3.5,2"}},
-    {"events-step", {"--events", the_events, "--events-step", "verlet"}},
+    {"events", {"--events", events_placeholder}},
+    {"events-side", {"--events", events_placeholder, "--events-side", "80"}},
+    {"events-resolution", {"--events", events_placeholder, "--events-resolution", "128"}},
+    {"events-at", {"--events", events_placeholder, "--events-at", "-3.5,2"}},
+    {"events-step", {"--events", events_placeholder, "--events-step", "verlet"}},
 };
 
 ExportOptions options_of(Words words) {
@@ -95,7 +96,7 @@ ExportOptions options_of(Words words) {
 /// Replaces the placeholder by an events file in `folder`, and writes that file.
 Words with_events_of(const std::filesystem::path& folder, Words words) {
     for (std::string& word : words)
-        if (word == the_events) {
+        if (word == events_placeholder) {
             word = (folder / "sea_events.csv").string();
             std::ofstream(word) << "time,x,z,radius,strength\n0.5,1,2,1,0.4\n";
         }
@@ -110,7 +111,7 @@ Words split(const std::string& line) {
     return words;
 }
 
-void expect_there_and_back(Words words) {
+void expect_round_trip(Words words) {
     const TemporaryFolder folder;
     words = with_events_of(folder.path(), std::move(words));
     words.insert(words.end(), {"--out", folder.path().string()});
@@ -136,22 +137,22 @@ TEST(ExportFromRecord, KeepsEachOptionOfExport) {
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_lnames().at(0);
         SCOPED_TRACE("--" + name);
-        if (how.contains(name)) continue;
-        if (!tries.contains(name)) {
+        if (unrecorded.contains(name)) continue;
+        if (!other_values.contains(name)) {
             ADD_FAILURE() << "is it in options_as_json() and in export_from_record.cpp? Then give this test a value";
             continue;
         }
-        Words words = with_events_of(folder.path(), tries.at(name));
+        Words words = with_events_of(folder.path(), other_values.at(name));
         words.insert(words.end(), {"--out", folder.path().string()});
         EXPECT_NE(options_as_json(options_of(words)), usual) << "the record does not hold it";
-        expect_there_and_back(tries.at(name));
+        expect_round_trip(other_values.at(name));
     }
 }
 
 TEST(ExportFromRecord, KeepsCombinedOptions) {
-    expect_there_and_back({"--frames", "7-7"});
-    expect_there_and_back({"--frames", "loop", "--loop-period", "20", "--fps", "24"});
-    expect_there_and_back({"--start", "1e9", "--frames", "2"});
+    expect_round_trip({"--frames", "7-7"});
+    expect_round_trip({"--frames", "loop", "--loop-period", "20", "--fps", "24"});
+    expect_round_trip({"--start", "1e9", "--frames", "2"});
 }
 
 TEST(ExportFromRecord, KeepsNamePatternsAndForecasts) {
@@ -166,7 +167,7 @@ TEST(ExportFromRecord, KeepsNamePatternsAndForecasts) {
                "wind_speed = 9\nresolution = 32\n[[change]]\nfrom = 2\nover = 3\nwind_speed = 12\n[[change]]\nfrom = "
                "9\nover = 1\nswell_height = 1\n"
                "swell_from = 4e4\n");
-    expect_there_and_back({"--weather", (folder / "weather.toml").string(), "--frames", "20"});
+    expect_round_trip({"--weather", (folder / "weather.toml").string(), "--frames", "20"});
 }
 
 TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
@@ -184,8 +185,8 @@ TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
         }
         return "accepted";
     };
-    const auto expect_message = [&](const std::string& line, const std::string& says) {
-        EXPECT_NE(line.find(says), std::string::npos) << line;
+    const auto expect_message = [&](const std::string& line, const std::string& message) {
+        EXPECT_NE(line.find(message), std::string::npos) << line;
     };
     expect_message(invalid_value_message("/version", "99.0"), "was written by pelagic 99.0, needs");
     expect_message(invalid_value_message("/export/maps", "whales"), "--maps is whales");

@@ -77,7 +77,7 @@ void expect_one_line(const Outcome& outcome, int exit_code, const std::string& e
 }
 
 /// Makes a system call fail with an errno, in this process and in the programs that it executes.
-void let_fail(int call, int reason) {
+void make_fail(int call, int reason) {
     sock_filter filter[] = {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1),
@@ -115,7 +115,7 @@ TEST(FolderLock, IsNotTakenWithNoLock) {
 }
 
 TEST(FolderLock, AFileSystemWithoutLocksIsRejectedExceptWithNoLock) {
-    const auto without_locks = [] { let_fail(SYS_flock, ENOLCK); };
+    const auto without_locks = [] { make_fail(SYS_flock, ENOLCK); };
     const TemporaryFolder folder;
     expect_one_line(run_pelagic(export_to(folder.path()), without_locks), 2, "--no-lock");
     EXPECT_EQ(files_in(folder.path()).size(), 1u) << "the lock's file, and nothing else";
@@ -138,7 +138,7 @@ TEST(FolderLock, MayBelongToAnotherUser) {
 class UnsyncedDisk : public testing::TestWithParam<int> {};
 
 TEST_P(UnsyncedDisk, IsAWriteErrorExceptWithNoSync) {
-    const auto without_sync = [] { let_fail(GetParam(), EIO); };
+    const auto without_sync = [] { make_fail(GetParam(), EIO); };
     const TemporaryFolder folder;
     expect_one_line(run_pelagic(export_to(folder.path()), without_sync), 1, "Input/output error");
     for (const auto& [name, bytes] : files_in(folder.path())) {
@@ -161,7 +161,7 @@ TEST(SyncedExport, SyncsAFrameBeforeItIsJournaled) {
         trace + "' " PELAGIC_BINARY;
     for (const std::string& argument : export_to(folder / "sea", {"--frames", "2", "--threads", "1"}))
         command += " '" + argument + "'";
-    if (std::system("strace -o /dev/null true 2>/dev/null") != 0) GTEST_SKIP() << "strace may not trace here";
+    if (std::system("strace -o /dev/null true 2>/dev/null") != 0) GTEST_SKIP() << "strace has no permission to trace";
     ASSERT_EQ(std::system((command + " >/dev/null").c_str()), 0);
 
     std::vector<std::string> calls;

@@ -265,7 +265,7 @@ class EditedRecord : public testing::TestWithParam<bool> {
 
     /// Writes sea_ as the record or journal, resumes, and expects exactly the files of a complete
     /// export.
-    void expect_mended(const std::string& what, const std::string& kept) {
+    void expect_completed(const std::string& what, const std::string& kept) {
         SCOPED_TRACE(what);
         std::filesystem::remove(folder_ / "sea" / journal);
         std::filesystem::remove(folder_ / "sea" / record);
@@ -293,50 +293,50 @@ class EditedRecord : public testing::TestWithParam<bool> {
 TEST_P(EditedRecord, EntriesAreKeptOnlyIfTheExportWouldWriteThem) {
     const auto frames = [&]() -> json& { return sea_["frames"]; };
     const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "gradient_0001.png"); };
-    expect_mended("as it was", "3");
+    expect_completed("as it was", "3");
 
     remove_map();
     frames()[1]["files"] = json::array();
-    expect_mended("no files", "2");
+    expect_completed("no files", "2");
 
     remove_map();
     frames()[1]["files"].erase(1);
-    expect_mended("a file less", "2");
+    expect_completed("a file less", "2");
 
     frames().erase(1);
-    expect_mended("an entry less", "2");
+    expect_completed("an entry less", "2");
     frames()[2] = frames()[1];
-    expect_mended("a frame twice", "2");
+    expect_completed("a frame twice", "2");
 
     // Several errors at once, each in a frame of its own, which is therefore not kept.
     frames()[0]["frame"] = 77;
     frames()[1]["frame"] = -5;
     frames()[2]["frame"] = 4294967298;
-    expect_mended("frames 77, -5 and 2^32 + 2", "0");
+    expect_completed("frames 77, -5 and 2^32 + 2", "0");
     frames()[0]["frame"] = 1e300;
     frames()[1]["frame"] = "1";
-    expect_mended("frame 1e300, and a text as one", "1");
+    expect_completed("frame 1e300, and a text as one", "1");
     std::swap(frames()[0]["files"], frames()[1]["files"]);
-    expect_mended("swapped lists", "1");
+    expect_completed("swapped lists", "1");
     std::swap(frames()[0]["frame"], frames()[1]["frame"]);
     std::swap(frames()[2]["files"][0], frames()[2]["files"][1]);
-    expect_mended("swapped numbers, and another order", "0");
+    expect_completed("swapped numbers, and another order", "0");
     frames()[0]["time_s"] = 0.5;
     frames()[1]["significant_wave_height_m"] = 9.0;
     frames()[2]["hash"] = frames()[1]["hash"];
-    expect_mended("another time, height and hash", "0");
+    expect_completed("another time, height and hash", "0");
     frames()[0]["files"][0]["xxh3"] = 7;
     frames()[2]["files"][0]["xxh3"] = frames()[2]["files"][1]["xxh3"];
-    expect_mended("another hash of a file, and a number for one", "1");
+    expect_completed("another hash of a file, and a number for one", "1");
     frames()[0] = nullptr;
     frames()[1] = 3;
     frames()[2] = "frame";
-    expect_mended("nothing, a number and a text for frames", "0");
+    expect_completed("nothing, a number and a text for frames", "0");
     frames()[0] = json::array();
     frames()[1] = json::object();
-    expect_mended("an empty array and an empty object for frames", "1");
+    expect_completed("an empty array and an empty object for frames", "1");
     frames() = json::array();
-    expect_mended("no frames", "0");
+    expect_completed("no frames", "0");
 }
 
 TEST_P(EditedRecord, FilesThatNoExportCanHaveNamedAreNotRemoved) {
@@ -369,7 +369,7 @@ TEST_P(EditedRecord, FilesThatNoExportCanHaveNamedAreNotRemoved) {
         sea_["frames"][0]["files"].push_back({{"name", name}, {"xxh3", "0000000000000000"}});
         replaced_.push_back(name);
     }
-    expect_mended("names that are none", "2");
+    expect_completed("names that are none", "2");
     auto left = files_in(folder_ / "victim");
     left.erase("empty");
     EXPECT_TRUE(left == mine);
@@ -386,7 +386,7 @@ TEST_P(EditedRecord, OlderImagesAreRemovedOnlyIfTheyAreFiles) {
         replaced_.push_back(name);
     }
     whole_["gradient_0007.png"] = "";
-    expect_mended("older images", "2");
+    expect_completed("older images", "2");
 }
 
 INSTANTIATE_TEST_SUITE_P(Records, EditedRecord, testing::Bool(),

@@ -286,8 +286,7 @@ TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
 }
 
 TEST_F(ExportedTextures, PreviewPrintsWhyThereIsNoFilm) {
-    if (is_sanitized)
-        GTEST_SKIP() << "half a minute of pixels; the test above draws them, the one below starts the program";
+    if (is_sanitized) GTEST_SKIP() << "takes half a minute; the tests above and below cover drawing and encoding";
     write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
     std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = folder_.path().string() + ":/usr/bin:/bin";

@@ -48,11 +48,11 @@ std::vector<int> foam_in_halves(const Cascade& cascade) {
 
 /// The foam of a tick, computed by the rule from frames without history.
 std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
-    Ocean forgetful(sea, {.executor = make_serial_executor()});
+    Ocean without_history(sea, {.executor = make_serial_executor()});
     const TickClock clock(sea.loop_period_s);
     std::vector<std::vector<int>> foam;
     for (std::int64_t number = tick - 40; number <= tick; ++number) {
-        const Frame& frame = forgetful.frame_at(clock.time_in_loop_s(number));
+        const Frame& frame = without_history.frame_at(clock.time_in_loop_s(number));
         foam.resize(frame.cascades.size());
         for (std::size_t t = 0; t < foam.size(); ++t) {
             const Cascade& cascade = frame.cascades[t];
@@ -99,14 +99,14 @@ TEST_P(FoamHistoryOnEachIsa, MatchesItsRule) {
 }
 
 TEST(FoamHistory, DecaysBetweenTicksAndBreaksAtAnyTime) {
-    Ocean ocean(gale, with_foam()), forgetful(gale, {.executor = make_serial_executor()});
+    Ocean ocean(gale, with_foam()), without_history(gale, {.executor = make_serial_executor()});
     const TickClock clock(gale.loop_period_s);
     const double tick = clock.time_in_loop_s(33);
     const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).cascades[0]);
     for (const double fraction : {0.1, 0.5, 0.99}) {
         const double time = tick + fraction * clock.tick_s();
         const std::vector<int> foam = foam_of(ocean.frame_at(time).cascades[0]);
-        const std::vector<int> breaking = foam_in_halves(forgetful.frame_at(time).cascades[0]);
+        const std::vector<int> breaking = foam_in_halves(without_history.frame_at(time).cascades[0]);
         const int faded = static_cast<int>(9 * fraction);
         for (std::size_t i = 0; i < foam.size(); ++i) ASSERT_EQ(foam[i], std::max(at_tick[i] - faded, breaking[i]));
     }

@@ -121,7 +121,7 @@ TEST(FoamQuery, IsRejectedForFramesWithoutFoam) {
     const SurfaceSamples wanted{.height_m = height, .foam = foam};
     EXPECT_THROW(query.sample(points, wanted), std::invalid_argument);
     EXPECT_THROW(SurfaceQueryJobs(make_serial_executor()).sample(query, points, wanted), std::invalid_argument);
-    EXPECT_EQ(height[0], -1) << "it wrote before it looked";
+    EXPECT_EQ(height[0], -1) << "samples were written before the check";
 }
 
 TEST(FoamInBuffers, IsTheMipChainOfEachCascade) {
