@@ -24,9 +24,9 @@
  * radians, time in seconds.
  *
  * Errors. Every function that can fail returns a pelagic_status. Unless the status is PELAGIC_OK,
- * the function has written nothing through its other arguments, except that a handle which could
- * not be created is set to NULL. The objects are unchanged, and pelagic_last_error() returns one
- * line that describes the error. No exception crosses this interface.
+ * the function has written nothing through its other arguments. Only a handle that could not be
+ * created is set to NULL. The objects are unchanged, and pelagic_last_error() returns one line that
+ * describes the error. No exception crosses this interface.
  *
  * Any function may return PELAGIC_OUT_OF_MEMORY or PELAGIC_INTERNAL_ERROR. A NULL handle, or a NULL
  * pointer that is not documented as optional, gives PELAGIC_INVALID_ARGUMENT. The comments of the
@@ -38,12 +38,12 @@
  * version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT.
  *   If the struct is smaller than the library's (an older application), missing fields count as 0
  *   and are not written.
- *   If it is larger (a newer application), the fields that the library does not define must be 0
- *   where it reads the struct, and are set to 0 where it writes the struct.
+ *   If it is larger (a newer application), the library does not define the last fields. They must
+ *   be 0 in structs that the library reads, and it sets them to 0 in structs that it writes.
  * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
  * Threads. Each function's comment names one of two rules:
- *   "one thread" (an object: "one thread per ocean"): one thread at a time calls such functions of
+ *   "one thread per ocean" (or per object): one thread at a time calls such functions of
  *   an object. Different objects may be used concurrently.
  *   "any": any number of threads at once, also while another thread calls "one thread" functions.
  * Oceans on different threads may share an executor.
@@ -52,9 +52,10 @@
  * keeps its executor alive. Memory that a pelagic_frame points to belongs to the ocean. Returned
  * strings live as long as the library, except that of pelagic_last_error().
  *
- * Memory. After an ocean's first frame, schedule, poll, complete and queries allocate nothing,
- * unless its forecast changes or more commands for dynamic waves are queued than ever before.
- * Memory of the size of a frame or a spectrum comes from pelagic_ocean_options.allocate, if set. */
+ * Memory. After an ocean's first frame, schedule, poll, complete and queries allocate nothing. The
+ * exceptions are changes of the forecast, and a larger number of commands for dynamic waves than in
+ * any earlier frame. Memory of the size of a frame or a spectrum comes from
+ * pelagic_ocean_options.allocate, if set. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
 
@@ -92,7 +93,7 @@ PELAGIC_API uint32_t pelagic_version(void);
 typedef int32_t pelagic_status;
 enum {
     PELAGIC_OK = 0,
-    /* unusable value, handle, size or pointer; the message names it */
+    /* Unusable value, handle, size or pointer; the message names it. */
     PELAGIC_INVALID_ARGUMENT = 1,
     PELAGIC_WRONG_ORDER = 2, /* for instance a second schedule without complete */
     PELAGIC_OUT_OF_MEMORY = 3,
@@ -153,7 +154,7 @@ typedef struct pelagic_sea {
      * patch_size_m is set. */
     int32_t resolution;
     uint32_t seed; /* seed of the random phases and amplitudes */
-    /* side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea */
+    /* Side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea. */
     double patch_size_m;
     double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* direction the wind blows towards, from +x to +z; [-2 pi, 2 pi] */
@@ -169,14 +170,14 @@ typedef struct pelagic_sea {
     double short_wave_cutoff;
     /* With 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
     double wind_alignment;
-    /* T, the period after which the sea repeats exactly; [0.1, 86400] */
+    /* T, the period after which the sea repeats exactly; [0.1, 86400]. */
     double loop_period_s;
     int32_t spreading;          /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
     uint32_t reserved;          /* 0 */
     double swell_height_m;      /* significant wave height of the swell; 0: no swell; [0, 30] */
     double swell_period_s;      /* peak period of the swell; 0: 12, else [1, 40] */
     double swell_direction_rad; /* direction the swell runs towards, as wind_direction_rad */
-    /* standard deviation of its directions; 0: 15 deg, else [pi/180, 4 pi/9] */
+    /* Standard deviation of its directions; 0: 15 degrees, else [pi/180, 4 pi/9]. */
     double swell_spread_rad;
     /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
      * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
@@ -229,10 +230,10 @@ typedef struct pelagic_statistics {
     uint32_t reserved;
     double expected_wave_height_m; /* significant wave height, 4 sqrt(variance) */
     double drawn_wave_height_m;
-    /* of all waves of the model; 0 for phillips-paper, without a scale */
+    /* Of all waves of the model; 0 for phillips-paper, which has no scale. */
     double model_wave_height_m;
     double expected_peak_period_s; /* period of the maximum of the frequency spectrum */
-    /* Young 1995; with a swell: of the system with the higher peak */
+    /* Young 1995; with a swell: of the system with the higher peak. */
     double drawn_peak_period_s;
     double peak_wavelength_m;
     double expected_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
@@ -312,7 +313,7 @@ typedef struct pelagic_executor_options {
     uint64_t cpu_mask;
     pelagic_parallel_for parallel_for; /* required by PELAGIC_EXECUTOR_APPLICATION */
     pelagic_submit submit;             /* may be NULL: work then begins in complete() */
-    /* passed to both; must outlive all oceans of this executor */
+    /* Passed to both; must outlive all oceans of this executor. */
     void* user;
 } pelagic_executor_options;
 
@@ -375,8 +376,8 @@ typedef struct pelagic_ocean_options {
     /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
     int32_t gradients;
     /* Nonzero enables foam accumulation: foam of breaking waves drifts and fades over 2.9 seconds.
-     * A frame then takes 10 to 20 % longer, a frame with a tick (ten a second) a further 50 % or
-     * more, and a jump in time, which computes 29 ticks, as long as ten to twenty frames. 5 N^2
+     * A frame then takes 10 to 20 % longer, and a frame with a tick (ten a second) a further 50 %
+     * or more. A jump in time computes 29 ticks, which take as long as ten to twenty frames. 5 N^2
      * bytes for each cascade. With 0 the half floats hold only the foam of waves that break at the
      * frame's time. */
     int32_t foam;
@@ -460,7 +461,7 @@ typedef struct pelagic_frame {
     double time_s;
     double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
-    /* m/s; with pelagic_ocean_options.velocities */
+    /* In m/s; with pelagic_ocean_options.velocities. */
     pelagic_plane velocity_x, velocity_y, velocity_z;
     /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 full), in tight
      * rows of 8 N bytes. The layout is that of GL_RGBA16F with GL_HALF_FLOAT and of
@@ -484,8 +485,8 @@ typedef struct pelagic_frame {
 } pelagic_frame;
 
 /* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The
- * cascades of a frame add: the water with the undisplaced position (x, z) is drawn at
- * (x + Dx, height, z + Dz), where each term is the sum over the cascades at that position.
+ * displacements of a frame are the sums over its cascades: the water with the undisplaced position
+ * (x, z) is drawn at (x + Dx, height, z + Dz).
  *
  * Positions. L being side_m and N the resolution, texel (i, j), column i and row j, has the
  * undisplaced position
@@ -500,9 +501,9 @@ typedef struct pelagic_frame {
  * (u + 0.5 / N, v + 0.5 / N) at every level. Texels hold values in the world's axes, whatever the
  * rotation.
  *
- * Slopes. The normal and Jacobian of a sum of cascades are not the sums of theirs, but derivatives
- * add, and filtering and mipmaps may be applied before the sum. Two chains like gradient_rgba8 hold
- * derivatives, four bytes a texel from the lowest up:
+ * Slopes. The normal and Jacobian of a sum of cascades are not the sums of theirs, but the
+ * derivatives are. Filtering and mipmaps may be applied before the sum. Two chains like
+ * gradient_rgba8 hold derivatives, four bytes a texel from the lowest up:
  *
  *   slopes_rgba8   h_x, h_z, D_xx, D_zz         (byte - 128) / 127 * slope_range each
  *   moments_rgba8  D_xz                         (byte - 128) / 127 * slope_range
@@ -569,7 +570,7 @@ PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double t
  * registers, and never read, so the memory may be write-combined. */
 typedef struct pelagic_texture_targets {
     uint32_t struct_size;
-    /* first struct: cascades of the frame, 0 for one; other structs: 0 */
+    /* First struct: cascades of the frame, 0 for one. Other structs: 0. */
     uint32_t cascade_count;
     uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
     /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a chain, or
@@ -602,10 +603,10 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
 /* Completes the frame in flight and writes its description. The calling thread takes part in the
  * work.
  *
- * Errors: PELAGIC_WRONG_ORDER if no frame is in flight. PELAGIC_INVALID_ARGUMENT if a wave input
- *   wrote a value out of range, PELAGIC_APPLICATION_ERROR if a callback failed, and
- *   PELAGIC_SYSTEM_ERROR if a job needed a thread with a larger stack and the system had none.
- *   After the last three the frame is lost, and another may be scheduled.
+ * Errors: PELAGIC_WRONG_ORDER if no frame is in flight. The frame is lost, and another may be
+ *   scheduled, after three errors: PELAGIC_INVALID_ARGUMENT if a wave input wrote a value out of
+ *   range; PELAGIC_APPLICATION_ERROR if a callback failed; PELAGIC_SYSTEM_ERROR if a job needed a
+ *   thread with a larger stack and the system had none.
  * Threads: one thread per ocean.
  * Lifetime: what `frame` points to stays valid until the second schedule from now, or until
  *   pelagic_ocean_destroy(). So it remains valid while the next frame is computed. */
@@ -624,8 +625,8 @@ PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int
 
 /* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out.
  * Counts are exact, in elements. Rows are tight: texel (i, j) is element j N + i. A frame of
- * several cascades needs an array of these structs, one for each cascade, all of the struct_size of
- * the first, whose cascade_count is their number. */
+ * several cascades needs an array of these structs, one for each cascade. All have the struct_size
+ * of the first, whose cascade_count is their number. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
     uint32_t cascade_count; /* first struct: cascades of the frame, 0 for one; other structs: 0 */
@@ -854,8 +855,8 @@ PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* dis
 
 /* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets.
  * Commands are add_impulse, add_source, set_source, remove_source, set_center and set_rain. They
- * take effect in the order of the calls, at the next pelagic_dynamic_waves_advance(), or at the
- * next schedule of the ocean that owns the waves, whether or not a frame is in flight. */
+ * take effect in the order of the calls, at the next pelagic_dynamic_waves_advance(). For the waves
+ * of an ocean that is its next schedule, whether or not a frame is in flight. */
 typedef struct pelagic_dynamic_waves pelagic_dynamic_waves;
 
 typedef struct pelagic_dynamic_waves_resources {
@@ -883,7 +884,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_wa
  *
  * waves: may be NULL. The waves of an ocean are ignored; the ocean destroys them.
  *
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves);
 
 /* Returns the waves of pelagic_ocean_options.dynamic_waves. The ocean owns them and advances them
@@ -900,7 +901,7 @@ PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pel
  * impulses do not accumulate: only those before the last such advance that has any wait.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many impulses.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
                                                              const pelagic_disturbance* disturbance);
 
@@ -910,18 +911,18 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_wav
  * number: receives the source's number, which is never reused.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many sources.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves,
                                                             const pelagic_disturbance* source, uint32_t* number);
 
 /* Replaces a source from the next tick on. Does nothing if no source has that number.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_waves* waves, uint32_t number,
                                                             const pelagic_disturbance* source);
 
-/* Removes a source. Does nothing if no source has that number. Threads: one thread per waves. */
+/* Removes a source. Does nothing if no source has that number. Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number);
 
 /* Moves the grid's centre to within half a texel of a point. Texels that enter the grid are flat.
@@ -929,7 +930,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_w
  * x_m, z_m: [-1e8, 1e8].
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
 
 /* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with
@@ -953,7 +954,7 @@ PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 /* Sets the rain from the next tick on. Saved states include it.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
 
 /* Computes the ticks up to a time. A time before that of the last call computes no tick,
@@ -963,7 +964,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves*
  *
  * Errors: PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them;
  *   PELAGIC_INVALID_ARGUMENT for a time that is not finite.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s);
 
 /* The grid of dynamic waves, whose height adds to that of the cascades at the drawn position,
@@ -986,7 +987,7 @@ typedef struct pelagic_dynamic_waves_view {
 /* Writes a description of the waves of the last advance, or of the ocean's frame completed last.
  *
  * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
- * Threads: one thread per waves.
+ * Threads: one thread per object.
  * Lifetime: the pointers are valid until the second advance or schedule from now. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves,
                                                           pelagic_dynamic_waves_view* view);
@@ -994,7 +995,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_
 /* Computes the 64-bit hash of the view, which pelagic_ocean_hash() leaves out.
  *
  * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_waves* waves, uint64_t* hash);
 
 /* Saves all that later ticks depend on, sources included, except commands since the last advance.
@@ -1005,7 +1006,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_wave
  *
  * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small; PELAGIC_WRONG_ORDER if a frame is in
  *   flight.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes,
                                                             size_t room, size_t* count);
 
@@ -1014,7 +1015,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynami
  *
  * Errors: PELAGIC_INVALID_ARGUMENT if the options differ or the bytes are damaged;
  *   PELAGIC_WRONG_ORDER if a frame is in flight.
- * Threads: one thread per waves. */
+ * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
                                                                size_t count);
 
@@ -1030,7 +1031,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_w
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     int32_t columns, rows; /* samples of the floor along x and z; 2 to 4096 */
-    /* texels along the longer side of the result; 64, 128, 256, 512 or 1024 */
+    /* Texels along the longer side of the result; 64, 128, 256, 512 or 1024. */
     int32_t resolution;
     /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element
      * j * columns + i. Read before the call returns. */
@@ -1065,7 +1066,7 @@ typedef struct pelagic_shore_surface {
     const uint32_t* parts_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
     const float* vertical_velocity_mps;
-    /* envelope of the crests of the passing waves: sand below it is wet */
+    /* Envelope of the crests of the passing waves: sand below it is wet. */
     const float* reach_m;
     const uint8_t* foam;              /* of breaking waves */
     float height_min_m, height_max_m; /* bounds of the height, between texels too */
@@ -1123,9 +1124,9 @@ PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves
  * Threads: the thread that calls the ocean's functions. */
 PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
 
-/* Rings that run outwards from a point, in the cascade that holds waves of their length L:
- * amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),
- * q^2 = r^2 + (L / 2)^2. */
+/* Rings that run outwards from a point, in the cascade that holds waves of their length L. The
+ * height is amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) +
+ * phase), q^2 = r^2 + (L / 2)^2. */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
     uint32_t reserved;   /* 0 */
@@ -1152,7 +1153,7 @@ PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const 
 
 /* Rows of a cascade at a time: column i of row first_row + j is element j N + i. All floats are 0
  * before the call. The values that the callback writes are added to the cascade, in metres and
- * metres a second along the world's axes; they must be finite and at most 1000 in magnitude.
+ * metres a second along the world's axes. They must be finite and at most 1000 in magnitude.
  * pelagic_cascade gives the undisplaced positions of texels. */
 typedef struct pelagic_input_rows {
     uint32_t struct_size;
@@ -1201,7 +1202,7 @@ PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_cal
  *
  * input: may be NULL.
  *
- * Threads: one thread per input. */
+ * Threads: one thread per object. */
 PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 
 /* ---- Queries --------------------------------------------------------------------------------- */
@@ -1233,7 +1234,7 @@ typedef struct pelagic_samples {
     uint32_t reserved; /* 0 */
     float* height_m;
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
-    /* 1 at rest, small at sharp crests, negative where overturned */
+    /* 1 at rest, small at sharp crests, negative where overturned. */
     float* jacobian;
     /* Velocity of the water at the position; with pelagic_ocean_options.velocities. */
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
@@ -1257,7 +1258,7 @@ typedef struct pelagic_ray {
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* of any length in [1e-100, 1e100] */
-    /* maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each */
+    /* Maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each. */
     double reach_m;
 } pelagic_ray;
 

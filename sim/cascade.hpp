@@ -53,9 +53,9 @@ constexpr std::size_t mip_offset(int resolution, int level) {
     return all - from_here;
 }
 
-/// Undisplaced positions of a cascade's texels. The grid may be rotated: texel (i, j), N being the
-/// resolution, has the position x = (c i - s j) L/N, z = (s i + c j) L/N, where c and s are the
-/// cosine and sine of the rotation. Texels hold values in the world's axes, whatever the rotation.
+/// Undisplaced positions of a cascade's texels. The grid may be rotated by an angle with the cosine
+/// c and the sine s. Texel (i, j), N being the resolution, has the position x = (c i - s j) L/N, z
+/// = (s i + c j) L/N. Texels hold values in the world's axes, whatever the rotation.
 struct CascadeGrid {
     double side_m = 0;            ///< L, the period along both axes of the cascade
     double cosine = 1, sine = 0;  ///< of the rotation, from +x towards +z
@@ -127,8 +127,8 @@ struct Cascade {
     /// OceanOptions::foam is set. The fourth half float of displacement_rgba16f is this byte / 255.
     std::span<const std::uint8_t> foam_r8;
     /// Variance of h_x plus variance of h_z over the whole cascade, as in the last level of the
-    /// chains, also if the chains are in memory of the application (texture_targets.hpp); 0 without
-    /// slopes.
+    /// chains; 0 without slopes. It is also set if the chains are in memory of the application
+    /// (texture_targets.hpp).
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
     /// A point with the Jacobian J of this cascade has the foam

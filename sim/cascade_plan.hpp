@@ -19,7 +19,7 @@ inline constexpr double steps_of_few_waves = 8;
 struct CascadePlan {
     CascadeGrid grid;
     int resolution = 0;  ///< N
-    /// in the stack, 0 is the coarsest; each number has independent random waves
+    /// Position in the stack, 0 is the coarsest; each number has independent random waves.
     int number = 0;
     /// Band of wave numbers min_k <= |k| < max_k, rad/m. A cell of wave vectors on a limit holds
     /// the energy of its area inside the band.

@@ -21,7 +21,7 @@ struct FoamReport {
     int warm_up_ticks;  ///< ticks after which all foam has faded, computed after a jump in time
     /// Speed and direction of the drift before rounding, from +x towards +z.
     double drift_mps, drift_direction_rad;
-    /// fraction covered by whitecaps in this wind (Monahan and O'Muircheartaigh 1980)
+    /// Fraction covered by whitecaps in this wind (Monahan and O'Muircheartaigh 1980).
     double whitecap_cover;
     std::vector<CascadeFoam> cascades;
 };

@@ -19,8 +19,8 @@ struct SeaStatistics {
     /// expected_waves().
     double significant_wave_height_m = 0;
     /// Mean squares of the slopes that the cascades' textures hold at their finest level, mean over
-    /// all seeds; and the remainder of those measured in such a wind (Cox and Munk 1954,
-    /// spectrum/mean_square_slope.hpp).
+    /// all seeds. The unresolved ones are the remainder of those measured in such a wind (Cox and
+    /// Munk 1954, spectrum/mean_square_slope.hpp).
     SlopeVariance resolved_slopes, unresolved_slopes;
     /// GGX roughness of unresolved waves, SeaState::roughness or derived from the wind and the
     /// unresolved slopes. The smoothness channel is 1 - sqrt(roughness).
@@ -52,11 +52,11 @@ struct Frame {
 
 /// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
 ///
-/// For each cascade the hash covers, in this order and little-endian: the rows of dx, height and
-/// dz, the half floats except foam, the gradient chain (for several cascades the two chains of
-/// slopes instead) and the bounds. It leaves out the time, velocities, fold maps and chains that
-/// only OceanOptions enables, so an ocean with more outputs has equal hashes. It also leaves out
-/// textures written to memory of the application (texture_targets.hpp).
+/// The hash covers these outputs of each cascade, in this order and little-endian: the rows of dx,
+/// height and dz; the half floats except foam; the gradient chain; the bounds. For several cascades
+/// the two chains of slopes replace the gradient chain. It leaves out the time, velocities, fold
+/// maps and chains that only OceanOptions enables, so an ocean with more outputs has equal hashes.
+/// It also leaves out textures written to memory of the application (texture_targets.hpp).
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' chains of foam, which OceanOptions::foam enables. Foam is a

@@ -108,8 +108,8 @@ class Ocean {
     /// \pre no frame is in flight
     void schedule(double time_s, std::span<const TextureTargets> cascades);
 
-    /// Returns whether complete() would return without waiting for other threads. That is so if
-    /// they have finished the frame, if they do not work on it (a small frame, an executor without
+    /// Returns whether complete() would return without waiting for other threads. It does if they
+    /// have finished the frame, if they do not work on it (a small frame, an executor without
     /// threads), or if no frame is in flight. Never blocks.
     bool is_ready() const;
 
@@ -178,7 +178,7 @@ class Ocean {
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;  ///< the stages of a frame
-    /// all memory of the ocean, two frames and the spectrum included
+    /// Returns all memory of the ocean, two frames and the spectrum included.
     std::size_t memory_bytes() const;
 
    private:

@@ -101,7 +101,7 @@ struct MeanPeriods {
 
 /// The wind sea or the swell of a sea that has both.
 struct WavePart {
-    /// of the waves that the grid holds, mean over all seeds
+    /// Of the waves that the grid holds, mean over all seeds.
     double significant_wave_height_m = 0;
     double drawn_significant_wave_height_m = 0;
     double peak_period_s = 0;        ///< of the maximum of this system's frequency spectrum

@@ -129,7 +129,7 @@ void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t
         const double since_s = static_cast<double>(ticks - source.since) * tick_s;
         moved.x_m += since_s * moved.velocity_x_mps;
         moved.z_m += since_s * moved.velocity_z_mps;
-        // else it has left the valid range
+        // A source that has left the valid range has no effect.
         if (check(moved).empty()) add_splash(moved, placement, tick_s);
     }
     for (const Disturbance& disturbance : waiting_) add_splash(disturbance, placement, tick_s);

@@ -84,7 +84,7 @@ class DynamicWaveSources {
     std::uint32_t next_number_ = 1;
     std::vector<Source> sources_;       ///< in ascending order of numbers
     std::vector<Disturbance> waiting_;  ///< impulses for the next tick
-    /// number of impulses that are not provisional, the first ones
+    /// Number of impulses that are not provisional, which are the first ones.
     std::size_t settled_ = 0;
     std::vector<Splash> splashes_;  ///< disturbances of the tick in flight
     std::vector<float> profiles_;

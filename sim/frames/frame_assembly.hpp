@@ -54,8 +54,8 @@ class FrameAssembly {
 
     /// Discards the foam history, which may be incomplete after a failure.
     void forget() { newest_tick_.reset(); }
-    /// Discards the foam history if it was computed with another forecast: the next change, or the
-    /// change that is discarded for it, may alter the sea at times of the history.
+    /// Discards the foam history if the next change, or the change that is discarded for it, alters
+    /// the sea at times of the history.
     void keep_foam_of(const SeaChange& next);
     std::vector<std::uint8_t> saved_history() const;
     void restore_history(std::span<const std::uint8_t> saved);

@@ -177,7 +177,7 @@ struct Ocean::State {
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< false: complete() does all the work
     bool frame_in_flight = false;
-    /// null: complete() starts a frame that needs several ticks
+    /// Null for a frame that needs several ticks until complete() starts it.
     GraphRun* run_in_flight = nullptr;
     Bake bake_in_flight = Bake::nothing;
     std::size_t baking_stage = 0, baking_block = 0;  ///< next block of bake_blocks()
