@@ -342,8 +342,8 @@ TEST_F(Trochoid, SurfacePressureIsConstant) {
                       after = sample_undisplaced(water, t + step, positions);
         const double a_x = (after.of[velocity_x][0] - before.of[velocity_x][0]) / (2 * step);
         const double a_y = (after.of[velocity_y][0] - before.of[velocity_y][0]) / (2 * step);
-        // The component along the tangent. Central differences over 1/64 s lose (w / 64)^2 / 6 =
-        // 1.2e-4 of the acceleration, k A g.
+        // The component along the tangent. Central differences over 1/64 s lose
+        // (w / 64)^2 / 6 = 1.2e-4 of the acceleration, k A g.
         EXPECT_NEAR(a_x * at.of[normal_y][0] - (a_y + 9.80665) * at.of[normal_x][0], 0, 2e-4 * 0.38 * 9.80665);
     }
 }

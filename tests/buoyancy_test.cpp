@@ -90,9 +90,9 @@ TEST(Buoyancy, ABoxAtRestDisplacesItsWeightAndFloatsLevel) {
     }
 }
 
-/// Stability of a box whose density is `density` times that of water, heeled about its length: GM =
-/// KB + I/V - KG, with draught T = density H, KB = T/2, I/V = B^2 / (12 T), and KG = H/2 plus the
-/// offset of the centre of mass. (Any textbook of naval architecture.)
+/// Stability of a box whose density is `density` times that of water, heeled about its length:
+/// GM = KB + I/V - KG, with draught T = density H, KB = T/2, I/V = B^2 / (12 T),
+/// and KG = H/2 plus the offset of the centre of mass. (Any textbook of naval architecture.)
 struct Stability {
     Stability(const BoxOptions& box)
         : draught_m(box.mass_kg / (water_density_kgpm3 * box.length_m * box.beam_m)),
@@ -165,11 +165,12 @@ TEST(Buoyancy, BallastTurnsABoxThatIsUpsideDown) {
     EXPECT_LT(heel_rad(box), 0.1 * degree);
 }
 
-// Free heave (m + A) z'' + c z' + rho g L B z = 0: the period is 2 pi / (omega sqrt(1 -
-// damping^2)), and in each period the amplitude is multiplied by exp(-2 pi damping / sqrt(1 -
-// damping^2)). The tolerance of the period is 0.5 %: added mass grows with the draught and drag
-// with the velocity squared, both small at an amplitude of a twentieth of the draught; and the step
-// is up to a seventieth of the period. Drag affects the amplitude more: 5 %.
+// Free heave (m + A) z'' + c z' + rho g L B z = 0: the period is
+// 2 pi / (omega sqrt(1 - damping^2)), and in each period the amplitude is multiplied by
+// exp(-2 pi damping / sqrt(1 - damping^2)). The tolerance of the period is 0.5 %: added mass grows
+// with the draught and drag with the velocity squared, both small at an amplitude of a twentieth of
+// the draught; and the step is up to a seventieth of the period. Drag affects the amplitude more: 5
+// %.
 TEST(Buoyancy, FreeHeaveHasThePeriodAndDampingOfTheOscillator) {
     for (const BoxOptions& options : {BoxOptions{.length_m = 4, .height_m = 1, .beam_m = 3, .mass_kg = 6000},
                                       BoxOptions{.length_m = 40, .height_m = 6, .beam_m = 12, .mass_kg = 1'500'000},
@@ -244,10 +245,11 @@ struct Ride {
 };
 
 // Swell of 12 s (225 m) in very weak wind: its spectrum falls as omega^-13, so almost no wave is
-// shorter than 60 m, twelve times the box. Over the box's length such a wave bends by (pi/12)^2/6 =
-// 1 % of its height. Without the water's acceleration heave would be off by k T, 4 % here.
-// Heel: the box rolls at 2.9 rad/s by itself. Waves of 60 m, 1 rad/s, tilt it by 1 / (1 -
-// (1/2.9)^2) = 1.13 of their slope, and it oscillates about that.
+// shorter than 60 m, twelve times the box. Over the box's length such a wave bends by
+// (pi/12)^2/6 = 1 % of its height. Without the water's acceleration heave would be off by k T, 4 %
+// here.
+// Heel: the box rolls at 2.9 rad/s by itself. Waves of 60 m, 1 rad/s, tilt it by
+// 1 / (1 - (1/2.9)^2) = 1.13 of their slope, and it oscillates about that.
 TEST(Buoyancy, ABoxFollowsLongSwell) {
     if (is_sanitized) GTEST_SKIP() << "takes minutes; the storm test below runs the same code";
     const Ride ride(
@@ -262,8 +264,8 @@ TEST(Buoyancy, ABoxFollowsLongSwell) {
 }
 
 // Waves of 5 m at the peak (2 pi U^2 / (0.877^2 g), Pierson and Moskowitz) under a box of 40 m by
-// 15 m. The average over the box is at most 1 / (8 pi) = 4 % of a wave along it, and 1 / (3 pi) =
-// 11 % of a wave across it.
+// 15 m. The average over the box is at most 1 / (8 pi) = 4 % of a wave along it,
+// and 1 / (3 pi) = 11 % of a wave across it.
 TEST(Buoyancy, WavesMuchShorterThanTheBoxHardlyMoveIt) {
     if (is_sanitized) GTEST_SKIP() << "takes minutes; the storm test below runs the same code";
     const Ride ride(

@@ -52,9 +52,9 @@ TEST(Caustics, FlatWaterGivesUniformLight) {
         for (const double light : baked(sea.frame, 7, sun)) ASSERT_EQ(light, 1);
 }
 
-// A wave a cos(k x) acts as a lens of radius 1 / (a k^2) at its crest: parallel light focuses n /
-// ((n - 1) a k^2) below. At a fraction p of that depth, the intensity is 1 / (1 - p) below crests
-// and 1 / (1 + p) below troughs.
+// A wave a cos(k x) acts as a lens of radius 1 / (a k^2) at its crest: parallel light focuses
+// n / ((n - 1) a k^2) below. At a fraction p of that depth, the intensity is 1 / (1 - p) below
+// crests and 1 / (1 + p) below troughs.
 TEST(Caustics, AWaveFocusesLightLikeALens) {
     constexpr int n = 128;
     // slopes up to 0.016: rays are paraxial

@@ -83,9 +83,9 @@ Kept kept_by_cubic(double k) {
     return kept;
 }
 
-// Linear interpolation preserves (2 + cos k) / 3 of the heights' variance along each axis, and (sin
-// k / k)^2 of the slopes'. Rounding to float and the finite grid of points (27 x 27 per cell, all
-// cells) add an error of 1e-3.
+// Linear interpolation preserves (2 + cos k) / 3 of the heights' variance along each axis,
+// and (sin k / k)^2 of the slopes'. Rounding to float and the finite grid of points (27 x 27 per
+// cell, all cells) add an error of 1e-3.
 TEST(CubicQuery, PreservedVarianceMatchesTheTransferFunction) {
     for (const auto& [m, n] : {std::pair{1, 0}, {3, 0}, {5, 0}, {4, 3}, {8, 2}, {10, 0}, {2, 9}}) {
         const PlaneWave wave(m, n);

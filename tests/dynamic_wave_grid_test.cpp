@@ -254,9 +254,10 @@ double rotated_by_shortest(const DynamicWavesOptions& options) {
 /// other one is not, their difference v (the velocity per tick) changes by less than s. The sign is
 /// random, because equally many heights lie on both sides of zero.
 /// So v^2 grows by s^2 / 3 on average, in 2 s / (pi A) of all ticks, with amplitude A. Decay
-/// removes 2 decay dt v^2, with v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega
-/// dt)^2), which is 16 s for waves of two texels. Those waves have no group velocity, so the border
-/// does not absorb them. The bound is six times the rms, A / sqrt 2.
+/// removes 2 decay dt v^2, with v = A omega dt. Both are equal at
+/// A^3 = s^3 / (3 pi decay dt (omega dt)^2), which is 16 s for waves of two texels. Those waves
+/// have no group velocity, so the border does not absorb them. The bound is six times the rms, A /
+/// sqrt 2.
 double max_residual_m(const DynamicWavesOptions& options) {
     const double tick = 1.0 / options.ticks_per_s, turned = rotated_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));

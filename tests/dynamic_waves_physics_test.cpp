@@ -69,8 +69,8 @@ TEST(DynamicWavesWaves, TravelAtTheSpeedOfDeepAndShallowWater) {
     }
 }
 
-// The dispersion relation of the discrete step without decay: sin^2(omega dt / 2) = c (sin^2(kx dx
-// / 2) + sin^2(kz dx / 2)). To lowest order omega = speed k.
+// The dispersion relation of the discrete step without decay:
+// sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)). To lowest order omega = speed k.
 TEST(DynamicWavesWaves, OfVerletFollowItsDiscreteDispersionRelation) {
     const DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
     for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
@@ -235,9 +235,10 @@ TEST(DynamicWavesWaves, VerticalVelocityMatchesTheShownTime) {
     }
 }
 
-// An impulse adds its height at once, with zero velocity. The water then falls with at most -h'' =
-// height g sqrt(pi) / radius (deep water; the integral of e^(-k^2 radius^2 / 4) k^2 dk, times
-// height radius^2 g / 2). A parabola overestimates that by a factor of up to 1.5 within a tick.
+// An impulse adds its height at once, with zero velocity. The water then falls with at most
+// -h'' = height g sqrt(pi) / radius (deep water; the integral of e^(-k^2 radius^2 / 4) k^2 dk,
+// times height radius^2 g / 2). A parabola overestimates that by a factor of up to 1.5 within a
+// tick.
 TEST(DynamicWavesWaves, OfImpulsesStartWithZeroVelocity) {
     DynamicWavePool pool({.resolution = 64, .side_m = 16, .border_m = 3});
     const double drop_m = 0.4;
@@ -323,8 +324,8 @@ double spectral_energy(const DynamicWaveGrid& grid) {
     });
 }
 
-/// The energy that Verlet's step conserves without decay: |(h - h_before) / dt|^2 + speed^2 grad h
-/// . grad h_before.
+/// The energy that Verlet's step conserves without decay:
+/// |(h - h_before) / dt|^2 + speed^2 grad h . grad h_before.
 double verlet_energy(const DynamicWaveGrid& grid) {
     const double over_tick = 1 / grid.tick_s(), over_texel = grid.options().wave_speed_mps / grid.texel_m();
     return sum_over(grid, [&](auto x, auto z) {
@@ -337,7 +338,7 @@ double verlet_energy(const DynamicWaveGrid& grid) {
     });
 }
 
-/// Applies pressure at many positions for one second.
+/// Applies pressure at many positions for 30 ticks.
 void stir(DynamicWavePool& pool) {
     for (int i = 0; i < 30; ++i) {
         pool.grid.sources().add_impulse(
@@ -489,9 +490,9 @@ double bessel_0(double x) {
     return sum / points;
 }
 
-/// The height of a Gaussian initially at rest, where all waves have one speed and decay: height
-/// radius^2 / 2 times the integral of e^(-k^2 radius^2 / 4) J0(k r) cos(speed k t) e^(-decay t) k
-/// dk.
+/// The height of a Gaussian initially at rest, where all waves have one speed and decay:
+/// height radius^2 / 2 times the integral of
+/// e^(-k^2 radius^2 / 4) J0(k r) cos(speed k t) e^(-decay t) k dk.
 double ring(double height_m, double radius_m, double speed_mps, double decay_per_s, double r, double t) {
     constexpr int steps = 300;
     const double step = 12 / radius_m / steps;
@@ -579,9 +580,9 @@ TEST(DynamicWaveWake, IsEqualInASmallAndALargeGrid) {
 
 /// The distance of a wake's highest waves from its edge, inwards, at a distance `behind` in metres.
 /// Near the edge the phase is cubic across the wake, so heights follow Airy's function, whose first
-/// maximum is at -1.01879. With k = g / v^2, the edge's waves at tan = 1/sqrt 2, and the phase k (x
-/// + y tan) / cos (Kelvin 1887; Ursell 1960), the third derivative of the phase there is 2 k x /
-/// sqrt 3. The derivative of its slope in y is k sqrt(8/3).
+/// maximum is at -1.01879. With k = g / v^2, the edge's waves at tan = 1/sqrt 2, and the phase
+/// k (x + y tan) / cos (Kelvin 1887; Ursell 1960), the third derivative of the phase there is
+/// 2 k x / sqrt 3. The derivative of its slope in y is k sqrt(8/3).
 double crest_inside_of_edge(double behind, double k) {
     return 1.01879 * std::cbrt(k * behind / std::sqrt(3.0)) / (k * std::sqrt(8.0 / 3));
 }

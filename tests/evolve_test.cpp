@@ -94,8 +94,8 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             const double c = std::cos(angle), s = std::sin(angle);
             const double h_re = wave(plus_cos_re, lane) * c + wave(plus_sin_re, lane) * s;
             const double h_im = wave(plus_cos_im, lane) * c + wave(plus_sin_im, lane) * s;
-            // i h times the direction's x and z components, then P = -(Dx + i Dz) and R = -i (Dx -
-            // i Dz).
+            // i h times the direction's x and z components, then
+            // P = -(Dx + i Dz) and R = -i (Dx - i Dz).
             const double dx_re = -wave(direction_x, lane) * h_im, dx_im = wave(direction_x, lane) * h_re;
             const double dz_re = -wave(direction_z, lane) * h_im, dz_im = wave(direction_z, lane) * h_re;
             double expected[line_components];

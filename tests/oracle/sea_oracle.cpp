@@ -21,8 +21,8 @@ double spreading_weight(double alpha, double cosine) {
     return cosine < 0 ? along * (0.01 + 0.49 * (1 - alpha) * (1 - alpha)) : along;
 }
 
-// Analytic solution: the integral of |cos|^s over half a circle is sqrt(pi) Gamma((s + 1)/2) /
-// Gamma(s/2 + 1).
+// Analytic solution: the integral of |cos|^s over half a circle is
+// sqrt(pi) Gamma((s + 1)/2) / Gamma(s/2 + 1).
 double spreading_integral(double alpha) {
     const double s = 1 + 5 * alpha * alpha;
     const double half_circle = std::sqrt(pi) * std::tgamma((s + 1) / 2) / std::tgamma(s / 2 + 1);
