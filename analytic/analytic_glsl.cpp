@@ -5,6 +5,7 @@
 
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -43,12 +44,12 @@ AnalyticWater analytic_water(vec2 reference_m, float time_s) {
 }  // namespace
 
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(sea));
     return analytic_glsl(plane_waves_of(sea), origin);
 }
 
 std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(sea));
     const DefaultFloatEnvironment environment;
     const std::string count = number_text(sea.waves.size());
     std::string waves, turns;

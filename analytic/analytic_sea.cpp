@@ -7,13 +7,13 @@
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 constexpr double min_wavelength_m = 0.01;
 
@@ -31,10 +31,6 @@ bool is_same_wave(const AnalyticWave& a, const AnalyticWave& b) {
 AnalyticWave scaled(AnalyticWave wave, double by) {
     wave.amplitude_m *= by;
     return wave;
-}
-
-void require(const AnalyticSea& sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
 }
 
 // k A of each wave, in thousandths, from the longest wave to the shortest. Calm is a decayed swell.
@@ -120,8 +116,8 @@ std::string check(const AnalyticSea& sea) {
 
 AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u) {
     const DefaultFloatEnvironment environment;
-    require(from);
-    require(to);
+    require(check(from));
+    require(check(to));
     const double within = std::clamp(u, 0.0, 1.0), s = within * within * (3 - 2 * within);
     AnalyticSea sea;
     sea.choppiness = (1 - s) * from.choppiness + s * to.choppiness;
@@ -135,7 +131,7 @@ AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u) {
         if (has_from) sea.waves.push_back(scaled(from.waves[i], 1 - s));
         if (has_to) sea.waves.push_back(scaled(to.waves[i], s));
     }
-    require(sea);
+    require(check(sea));
     return sea;
 }
 

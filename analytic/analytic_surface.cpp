@@ -10,12 +10,12 @@
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
 #include "pelagic/analytic/point_groups.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 // The other half of the tolerance covers float rounding of a displacement of 64 m, the largest.
 constexpr double search_target_m = AnalyticSurface::tolerance_m / 2;
@@ -43,7 +43,7 @@ GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
 
 template <class Sea>
 const Sea& checked(const Sea& sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(sea));
     return sea;
 }
 

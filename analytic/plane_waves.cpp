@@ -6,13 +6,12 @@
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array wave_fields = {
     NumericField<PlaneWave>{"amplitude_m", &PlaneWave::amplitude_m, 0, 100, "[0, 100]"},
@@ -29,7 +28,7 @@ double PlaneWave::turns_per_m() const {
 }
 
 double deep_water_frequency_hz(double turns_per_m) {
-    return std::sqrt(gravity_of_waves_mps2 * (two_pi * turns_per_m)) / two_pi;
+    return std::sqrt(gravity_mps2 * (two_pi * turns_per_m)) / two_pi;
 }
 
 PlaneWaves plane_waves_of(const AnalyticSea& sea) {

@@ -11,13 +11,14 @@
 #include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, divided by its density
 constexpr double golden = 0.6180339887498949;     // of a turn
 constexpr double min_exp = 0.1353352832366127;    // exp(-2)
@@ -73,7 +74,7 @@ double PondOctave::turns_per_m() const {
 
 double ripple_frequency_hz(double turns_per_m) {
     const double k = two_pi * turns_per_m;
-    return std::sqrt(gravity_of_waves_mps2 * k + surface_tension_m3ps2 * k * k * k) / two_pi;
+    return std::sqrt(gravity_mps2 * k + surface_tension_m3ps2 * k * k * k) / two_pi;
 }
 
 double shown_part(double wavelength_m, double footprint_m) {
@@ -117,7 +118,7 @@ PondTerms pond_terms_of(const PondOctave& octave) {
 namespace {
 
 const PondSea& checked(const PondSea& sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(sea));
     return sea;
 }
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-namespace pelagic {
+#include "pelagic/simd/constants.hpp"
 
-inline constexpr double gravity_of_waves_mps2 = 9.80665;
+namespace pelagic {
 
 /// Returns the fractional turns of frequency_hz * time_s, in units of 2^-64 of a turn. The product
 /// of the two doubles is exact in integers, so the accuracy does not depend on the time, and

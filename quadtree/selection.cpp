@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
@@ -14,7 +15,7 @@ namespace {
 constexpr double furthest_m = 1e8;  // positions in steps are exact doubles up to here
 
 QuadtreeOptions checked(const QuadtreeOptions& options) {
-    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(options));
     return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "pelagic/sim/cascade.hpp"
@@ -29,9 +30,9 @@ struct CascadePlan {
     bool has_surface_tension = false;
 
     /// Returns whether breaking makes foam, which waves shorter than a metre do not.
-    bool makes_whitecaps() const { return min_k < 6.28318530717958647693; }
+    bool makes_whitecaps() const { return min_k < 2 * std::numbers::pi; }
 
-    double spacing() const { return 6.28318530717958647693 / grid.side_m; }  ///< dk in rad/m
+    double spacing() const { return 2 * std::numbers::pi / grid.side_m; }  ///< dk in rad/m
     bool is_banded() const { return min_k > 0 || max_k < std::numeric_limits<double>::infinity(); }
 };
 

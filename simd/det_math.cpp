@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "pelagic/simd/constants.hpp"
+
 namespace pelagic::det {
 namespace {
 
@@ -12,7 +14,6 @@ namespace {
 constexpr double ln2_high = 6.93147180369123816490e-01;
 constexpr double ln2_low = 1.90821492927058770002e-10;
 constexpr double log2_e = 1.44269504088896338700;
-constexpr double two_pi = 6.28318530717958647693;
 
 constexpr int exponent_bias = 1023;
 constexpr int mantissa_bits = 52;

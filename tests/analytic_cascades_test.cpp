@@ -25,7 +25,7 @@ namespace pelagic {
 namespace {
 
 using Long = long double;
-constexpr Long two_pi = 2 * std::numbers::pi_v<Long>;
+constexpr Long full_turn = 2 * std::numbers::pi_v<Long>;
 
 const SeaState moderate{.waves = WaveModel::analytic, .choppiness = 1};
 const SeaState on_one_cascade{.waves = WaveModel::analytic,
@@ -65,10 +65,10 @@ Oracle sum_of(const std::vector<GridWave>& waves, const SeaState& sea, const Cas
     const Long n = cascade.resolution, side = cascade.grid.side_m;
     for (const GridWave& wave : waves) {
         const Long steps = std::hypot(Long(wave.at.m), Long(wave.at.n));
-        const Long periods =
-            std::max(Long(1), std::round(std::sqrt(9.80665L * two_pi * steps / side) * sea.loop_period_s / two_pi));
-        const Long phase = two_pi * (wave.at.m * i / n + wave.at.n * j / n - periods * time_s / sea.loop_period_s +
-                                     wave.phase_turns);
+        const Long periods = std::max(
+            Long(1), std::round(std::sqrt(9.80665L * full_turn * steps / side) * sea.loop_period_s / full_turn));
+        const Long phase = full_turn * (wave.at.m * i / n + wave.at.n * j / n - periods * time_s / sea.loop_period_s +
+                                        wave.phase_turns);
         sum.height += wave.amplitude_m * std::cos(phase);
         const Long moved = -Long(sea.choppiness) * wave.amplitude_m * std::sin(phase) / steps;
         const Long along = moved * wave.at.m, across = moved * wave.at.n;
@@ -122,7 +122,7 @@ TEST(AnalyticCascades, AnalyticSurfaceMatchesTexels) {
         const AnalyticSurface water(waves);
         double velocity_sum = 0;
         for (const PlaneWave& wave : waves.waves)
-            velocity_sum += static_cast<double>(two_pi) * wave.frequency_hz * wave.amplitude_m;
+            velocity_sum += static_cast<double>(full_turn) * wave.frequency_hz * wave.amplitude_m;
         Ocean ocean(sea, everything());
         for (const double time_s : {3.0, 1e5}) {
             const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
@@ -157,7 +157,7 @@ TEST(AnalyticCascades, QueriesMatchTheAnalyticSurface) {
     for (const SeaState& sea : {moderate, on_one_cascade}) {
         double bound = SurfaceQuery::default_tolerance_m;
         for (const CascadePlan& cascade : plan_cascades(sea)) {
-            const double texel = static_cast<double>(two_pi) / cascade.resolution;
+            const double texel = static_cast<double>(full_turn) / cascade.resolution;
             for (const GridWave& wave : grid_waves(sea, cascade))
                 bound += 1.6 * wave.amplitude_m * std::pow(wave.at.steps() * texel, 2) / 8;
         }
@@ -199,7 +199,7 @@ TEST(AnalyticCascades, DefaultCascadesChangeWavelengthsByLessThan7Percent) {
         squares += change * change;
         const double angle =
             std::atan2(wave.turns_per_m_z, wave.turns_per_m_x) - std::atan2(same->turns_per_m_z, same->turns_per_m_x);
-        turned = std::max(turned, std::fabs(std::remainder(angle, static_cast<double>(two_pi))));
+        turned = std::max(turned, std::fabs(std::remainder(angle, static_cast<double>(full_turn))));
         const double periods = wave.frequency_hz * moderate.loop_period_s;
         EXPECT_NEAR(periods, std::round(periods), 1e-12);
         EXPECT_NEAR(wave.frequency_hz, deep_water_frequency_hz(wave.turns_per_m()), 0.5001 / moderate.loop_period_s);
@@ -220,7 +220,7 @@ TEST(AnalyticCascades, OneWaveIsATrochoid) {
                        .longest_wave_m = 50,
                        .wave_strength = 2};
     const PlaneWave wave = waves_of_cascades(sea).waves.at(0);
-    const double a = wave.amplitude_m, k = static_cast<double>(two_pi) * wave.turns_per_m();
+    const double a = wave.amplitude_m, k = static_cast<double>(full_turn) * wave.turns_per_m();
     EXPECT_GT(k * a, 0.3);
     const double direction_x = wave.turns_per_m_x / wave.turns_per_m(),
                  direction_z = wave.turns_per_m_z / wave.turns_per_m();
@@ -238,8 +238,8 @@ TEST(AnalyticCascades, OneWaveIsATrochoid) {
                 ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
                 const double delay =
                     k * (i * cascade.texel_m() * direction_x + j * cascade.texel_m() * direction_z - speed * time_s) +
-                    static_cast<double>(two_pi) * wave.phase_turns;
-                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(two_pi)), 0, 4e-6);
+                    static_cast<double>(full_turn) * wave.phase_turns;
+                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(full_turn)), 0, 4e-6);
             }
         }
     }
@@ -423,7 +423,7 @@ Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Lo
         const PondOctave& octave = moved.octave;
         const Long turns = octave.turns_per_m_x * x + octave.turns_per_m_z * z -
                            moved.harmonic * time_s / sea.loop_period_s + octave.phase_turns;
-        const Long phase = two_pi * turns, wave = std::exp(std::sin(phase) - 1);
+        const Long phase = full_turn * turns, wave = std::exp(std::sin(phase) - 1);
         const Long length = std::hypot(Long(octave.turns_per_m_x), Long(octave.turns_per_m_z));
         height += octave.height_m * moved.shown * (wave - mean);
         const Long drag = octave.drag_m * moved.shown * wave * std::cos(phase) / length;

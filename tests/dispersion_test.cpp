@@ -1,5 +1,6 @@
 // Dispersion relation, and frequencies rounded to the loop.
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 TEST(Dispersion, DeepWaterFollowsEquation15) {
     for (const double k : {0.01, 0.1, 1.0, 30.0})

@@ -109,7 +109,7 @@ TEST_P(NormalOnEachIsa, OfOneWaveIsTheTrochoidsNormal) {
     }
     AlignedBuffer<std::uint32_t> rgba8(n * n);
     AlignedBuffer<std::uint16_t> rgba16f(4 * n * n);
-    AlignedBuffer<std::uint32_t> levels(GradientsJob::cascade_levels * n * n);
+    AlignedBuffer<std::uint32_t> levels(GradientsJob::block_levels * n * n);
     AlignedBuffer<float> averages(n * (mip_planes + 1) * n);
     const double two_texels = 2 * patch / n;
     GradientsJob job{.surface = surface.data(),
@@ -126,9 +126,9 @@ TEST_P(NormalOnEachIsa, OfOneWaveIsTheTrochoidsNormal) {
                      .levels = {rgba8.data()},
                      .averages = averages.data(),
                      .average_stride = n};
-    for (std::size_t level = 1; level <= GradientsJob::cascade_levels; ++level)
+    for (std::size_t level = 1; level <= GradientsJob::block_levels; ++level)
         job.levels[level] = levels.data() + (level - 1) * n * n;
-    for (; job.first_column < n; job.first_column += GradientsJob::cascade_columns) kernels().gradients(job);
+    for (; job.first_column < n; job.first_column += GradientsJob::block_columns) kernels().gradients(job);
 
     // Central differences reduce a slope by sin(k d)/(k d), with texel size d: 1 - 0.0009 here, a
     // fifth of a byte's step.

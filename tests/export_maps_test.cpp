@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/simd/half_float.hpp"
 #include "pelagic/tests/read_image.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/files/half_float.hpp"
 #include "pelagic/tools/maps/map_image.hpp"
 
 namespace pelagic {
@@ -272,23 +272,23 @@ TEST(HalfOf, MatchesImathForEveryHalfAndNearEveryMidpoint) {
         };
         const float here = value(bits), next = value(bits + 1), middle = here + (next - here) / 2;
         for (const float x : {here, middle, std::nextafter(middle, 0.f), std::nextafter(middle, 1e9f)}) {
-            ASSERT_EQ(tools::half_of(x), Imath::half(x).bits()) << x;
-            ASSERT_EQ(tools::half_of(-x), Imath::half(-x).bits()) << -x;
+            ASSERT_EQ(half_of(x), Imath::half(x).bits()) << x;
+            ASSERT_EQ(half_of(-x), Imath::half(-x).bits()) << -x;
         }
     }
     // The largest half is 65504; larger values are clamped to it.
     for (const float x : {65504.f, 65519.9f, 65520.f, 1e30f, std::numeric_limits<float>::infinity()}) {
-        EXPECT_EQ(tools::half_of(x), 0x7BFF) << x;
-        EXPECT_EQ(tools::half_of(-x), 0xFBFF) << -x;
+        EXPECT_EQ(half_of(x), 0x7BFF) << x;
+        EXPECT_EQ(half_of(-x), 0xFBFF) << -x;
     }
-    EXPECT_EQ(tools::half_of(-1e-30f), 0x8000);
+    EXPECT_EQ(half_of(-1e-30f), 0x8000);
 }
 
 TEST(FloatOfHalf, MatchesImathForEveryHalf) {
     for (std::uint32_t bits = 0; bits <= 0xFFFF; ++bits) {
         Imath::half half;
         half.setBits(static_cast<std::uint16_t>(bits));
-        const float value = tools::float_of_half(static_cast<std::uint16_t>(bits)), expected = half;
+        const float value = float_of_half(static_cast<std::uint16_t>(bits)), expected = half;
         ASSERT_EQ(std::isnan(value), std::isnan(expected)) << bits;
         if (!std::isnan(expected))
             ASSERT_EQ(std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(expected)) << bits;

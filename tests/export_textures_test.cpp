@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/simd/half_float.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tools/files/half_float.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/preview/shaded_sea.hpp"
@@ -126,7 +126,7 @@ TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
                             2);
                 // Rounding to float may break a tie: the error is at most one half, and no mean
                 // here is near 0.
-                EXPECT_NEAR(half, tools::half_of(static_cast<float>(mean)), 1) << level << ' ' << i << ' ' << j;
+                EXPECT_NEAR(half, half_of(static_cast<float>(mean)), 1) << level << ' ' << i << ' ' << j;
             }
     }
 }

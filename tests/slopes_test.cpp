@@ -515,15 +515,15 @@ Gradients gradients_by(const Kernels& kernels, const CascadePlanes& planes, bool
                      .rgba16f = with_halves ? halves.data() : nullptr,
                      .foam = {.source = planes.foam},
                      .levels = {},
-                     .averages = averages.level(GradientsJob::cascade_levels),
-                     .average_stride = averages.stride(GradientsJob::cascade_levels),
+                     .averages = averages.level(GradientsJob::block_levels),
+                     .average_stride = averages.stride(GradientsJob::block_levels),
                      .cosine = planes.cosine,
                      .sine = planes.sine};
-    for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
+    for (int level = 0; level <= GradientsJob::block_levels; ++level)
         job.levels[level] = texels.data() + mip_offset(n, level);
-    for (; job.first_row < static_cast<std::size_t>(n); job.first_row += GradientsJob::cascade_rows)
+    for (; job.first_row < static_cast<std::size_t>(n); job.first_row += GradientsJob::block_rows)
         kernels.gradients(job);
-    return {{texels.data(), texels.data() + mip_offset(n, GradientsJob::cascade_levels + 1)},
+    return {{texels.data(), texels.data() + mip_offset(n, GradientsJob::block_levels + 1)},
             {halves.data(), halves.data() + halves.size()}};
 }
 

@@ -17,6 +17,7 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -24,7 +25,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi, period_s = 12;
+constexpr double period_s = 12;
 
 SeaState with_swell(SeaState sea) {
     sea.swell_height_m = 3;

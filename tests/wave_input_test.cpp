@@ -20,13 +20,13 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double loop_s = 20;
 
 const SeaState stack{

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 namespace pelagic::viewer {
 namespace {
@@ -80,7 +81,7 @@ Disturbance SteeredBoat::hull() const {
             .z_m = place_.y,
             .radius_m = beam_m / 2,
             .length_m = length_m / 2,
-            .heading_rad = std::remainder(heading_, 2 * 3.14159265358979323846),
+            .heading_rad = std::remainder(heading_, 2 * std::numbers::pi),
             .height_m = -draught_m,
             .velocity_x_mps = velocity.x,
             .velocity_z_mps = velocity.y};

@@ -168,14 +168,14 @@ void FftwFrame::gradients() {
                      .rgba16f = halves_.data(),
                      .foam = {.source = foam_},
                      .levels = {},
-                     .averages = mip_averages_.level(GradientsJob::cascade_levels),
-                     .average_stride = mip_averages_.stride(GradientsJob::cascade_levels)};
-    for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
+                     .averages = mip_averages_.level(GradientsJob::block_levels),
+                     .average_stride = mip_averages_.stride(GradientsJob::block_levels)};
+    for (int level = 0; level <= GradientsJob::block_levels; ++level)
         job.levels[level] = bytes_.data() + mip_offset(sea_.resolution, level);
-    for (job.first_row = 0; job.first_row < size_; job.first_row += GradientsJob::cascade_rows)
-        for (job.first_column = 0; job.first_column < size_; job.first_column += GradientsJob::cascade_columns)
+    for (job.first_row = 0; job.first_row < size_; job.first_row += GradientsJob::block_rows)
+        for (job.first_column = 0; job.first_column < size_; job.first_column += GradientsJob::block_columns)
             own_kernels_.gradients(job);
-    for (int level = GradientsJob::cascade_levels + 1; level < mip_levels(sea_.resolution); ++level)
+    for (int level = GradientsJob::block_levels + 1; level < mip_levels(sea_.resolution); ++level)
         kernels_.mip_level({.finer = mip_averages_.level(level - 1),
                             .finer_stride = mip_averages_.stride(level - 1),
                             .side = size_ >> level,

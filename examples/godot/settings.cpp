@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace pelagic::godot {
 namespace {
 
 // Equal to the command line's conversion factor, so that both have bit-identical seas.
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = std::numbers::pi / 180;
 
 }  // namespace
 

@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <vector>
 
 namespace pelagic::gl {
 namespace {
 
 constexpr int around = 192, down = 96;
-constexpr float pi = 3.14159265f;
+constexpr float pi = std::numbers::pi_v<float>;
 
 /// Returns a deterministic pseudo-random value in [-1, 1] for a corner of the grid.
 float value_at(glm::ivec3 corner) {

@@ -5,11 +5,12 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = 3.14159265f;
+constexpr float pi = std::numbers::pi_v<float>;
 constexpr int elevations = Atmosphere::lines, azimuths = 33;
 constexpr int view_samples = 40;
 

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "pelagic/gl/sky/sky_mirrors.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = 3.14159265f;
+constexpr float pi = std::numbers::pi_v<float>;
 /// Irradiance of the full moon above the atmosphere, relative to the sun's.
 constexpr float full_moon = 1.f / 400'000;
 /// Radiance of the night sky, 2e-4 cd/m^2, relative to the sun's irradiance; slightly blue, as
@@ -62,7 +63,7 @@ double published_illuminance_lx(double elevation_deg) {
 }
 
 double moon_light(double phase_angle_rad) {
-    const double degrees = std::abs(phase_angle_rad) * 180 / 3.14159265358979;
+    const double degrees = std::abs(phase_angle_rad) * 180 / std::numbers::pi;
     return std::pow(10, -0.4 * (0.026 * degrees + 4e-9 * std::pow(degrees, 4)));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace pelagic::gl {
 namespace {
@@ -41,7 +42,7 @@ float noise(glm::vec3 p, int period, unsigned seed) {
 }
 
 float henyey_greenstein(float cosine, float g) {
-    return (1 - g * g) / (4 * 3.14159265f * std::pow(1 + g * g - 2 * g * cosine, 1.5f));
+    return (1 - g * g) / (4 * std::numbers::pi_v<float> * std::pow(1 + g * g - 2 * g * cosine, 1.5f));
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ CloudLayer::CloudLayer(const CloudOptions& options, const ClearSky& sky, const C
       sky_(sky),
       shape_(shape),
       key_(sky.key_light(options.base_m + options.thickness_m)),
-      sky_light_(sky.irradiance() * (1 / 3.14159265f)) {}
+      sky_light_(sky.irradiance() * (1 / std::numbers::pi_v<float>)) {}
 
 /// Returns the noise level above which a cloud forms at its base. It varies over kilometres and is
 /// low where clouds cluster.

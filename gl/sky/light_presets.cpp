@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace pelagic::gl {
 namespace {
 
-constexpr float degree = 3.14159265f / 180;
+constexpr float degree = std::numbers::pi_v<float> / 180;
 
 // Azimuths suit the default camera, which looks towards 45 degrees.
 constexpr std::array presets = {

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr auto half_pi = double{3.14159265f / 2}, max = double{std::numeric_limits<float>::max()};
+constexpr auto half_pi = double{std::numbers::pi_v<float> / 2}, max = double{std::numeric_limits<float>::max()};
 
 using Field = NumericField<SkyOptions>;
 constexpr std::array fields = {

@@ -9,6 +9,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -17,11 +18,12 @@
 #include "pelagic/gl/sky/cube.hpp"
 #include "pelagic/gl/sky/sky_mirrors.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = 3.14159265f;
+constexpr float pi = std::numbers::pi_v<float>;
 constexpr float half_max = 65504;
 /// Exposed radiance of a white card in the open. The filmic curve shows it as 80 % white.
 constexpr float white_card = 1.35f;
@@ -214,7 +216,7 @@ SkyBaker::~SkyBaker() = default;
 
 void SkyBaker::schedule(const SkyOptions& options) {
     assert(!state_->in_flight && "complete() the sky in flight first");
-    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(options));
     state_->writing = 1 - state_->writing;
     state_->target().options = options;
     state_->clear.emplace(options, Atmosphere::FillLater{});

@@ -2,13 +2,14 @@
 
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <numbers>
 
 #include "pelagic/gl/sky/cube.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 
 /// Returns level 0 as floats.
 Cube finest_level(const Sky& sky) {

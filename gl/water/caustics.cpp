@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -326,7 +327,7 @@ CausticsBaker::~CausticsBaker() = default;
 
 void CausticsBaker::schedule(const Frame& frame, const CausticsOptions& options) {
     assert(!state_->in_flight && "complete() the caustics in flight first");
-    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(options));
     state_->begin(frame, options);
     state_->run->schedule();
 }

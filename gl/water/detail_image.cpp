@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <numbers>
 #include <random>
 
 #include "pelagic/gl/water/tileable_noise.hpp"
@@ -15,7 +16,7 @@ namespace pelagic::gl {
 namespace {
 
 constexpr int n = DetailImage::side;
-constexpr float two_pi = 6.2831853f;
+constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 
 void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     std::vector<glm::vec2> slopes(texels.size(), glm::vec2(0));

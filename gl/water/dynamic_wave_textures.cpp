@@ -8,27 +8,12 @@
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/simd/half_float.hpp"
 
 namespace pelagic::gl {
 namespace {
 
 constexpr std::size_t texel_bytes = 2 * sizeof(std::uint32_t);
-
-/// Converts to the nearest half float, ties to even. Values beyond the range, and NaN, become the
-/// largest half. All choices are masks, so that compilers vectorise the loop.
-std::uint32_t half_of(float value) {
-    constexpr auto largest = std::bit_cast<std::uint32_t>(65504.f),
-                   normal_from = std::bit_cast<std::uint32_t>(0x1p-14f);
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    const std::uint32_t size = std::min(bits & 0x7fffffff, largest);
-    const std::uint32_t normal = (size - (112u << 23) + 0xfff + (size >> 13 & 1)) >> 13;
-    // The last bit of the float 0.5 is worth 2^-24, like that of a subnormal half. Adding 0.5
-    // therefore rounds to a subnormal half.
-    const std::uint32_t tiny =
-        std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
-    const std::uint32_t is_tiny = 0u - static_cast<std::uint32_t>(size < normal_from);
-    return (bits >> 16 & 0x8000) | (tiny & is_tiny) | (normal & ~is_tiny);
-}
 
 /// A row of the grid with its neighbours.
 struct Rows {

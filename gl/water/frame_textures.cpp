@@ -8,6 +8,7 @@
 #include "pelagic/gl/errors.hpp"
 #include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -126,9 +127,7 @@ std::span<const TextureTargets> FrameTextures::map() {
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    if (const std::string reason = invalid_value_of(frame, resolution_, cascades_, pixels_.is_mapped());
-        !reason.empty())
-        throw std::invalid_argument(reason);
+    require(invalid_value_of(frame, resolution_, cascades_, pixels_.is_mapped()));
     const GlStateGuard keep(gl_);
     const bool is_there = frame.cascades.front().displacement_rgba16f.empty();
     std::byte* const start = pixels_.map();

@@ -6,17 +6,18 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <numeric>
 
 #include "pelagic/gl/water/foam_image.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double gravity_mps2 = 9.81;
+constexpr double pi = std::numbers::pi;
 /// Angular radius of the sun: 16 minutes of arc.
 constexpr float sun_radius_rad = 0.00465f;
 

@@ -15,6 +15,7 @@
 #include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/gl/water/sea_programs.hpp"
 #include "pelagic/gl/water/shore_textures.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -211,7 +212,7 @@ SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : 
 SeaRenderer::~SeaRenderer() = default;
 
 void SeaRenderer::set_flow(const FlowMap& map) {
-    if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(map));
     const GlStateGuard keep(state_->gl);
     state_->flow = make_flow_texture(state_->gl, map);
     state_->flow_extent = map.extent;
@@ -256,7 +257,7 @@ void SeaRenderer::set_patch_vertices(int patch_vertices) {
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
 
 void SeaRenderer::set_floor(const SeaFloor& floor) {
-    if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(floor));
     State& s = *state_;
     const Functions& gl = s.gl;
     s.floor_facts = {.columns = floor.columns,
@@ -315,8 +316,7 @@ std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->tex
 
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
-    if (const std::string reason = state_->dynamic_waves.invalid_value_of(frame.dynamic_waves); !reason.empty())
-        throw std::invalid_argument(reason);
+    require(state_->dynamic_waves.invalid_value_of(frame.dynamic_waves));
     state_->textures.upload(frame);
     state_->shore.upload(frame.shore);
     state_->dynamic_waves.upload(frame.dynamic_waves);

@@ -6,6 +6,7 @@
 
 #include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/simd/half_float.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -14,16 +15,6 @@ constexpr std::size_t water_bytes = 4 * sizeof(std::uint16_t), reach_bytes = siz
                       parts_bytes = sizeof(std::uint32_t);
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
-
-/// Converts to the nearest half float, ties to even. Magnitudes below 6e-5 become 0, and values
-/// beyond the range become the largest half, so that compilers vectorise the loop.
-std::uint16_t half_of(float value) {
-    constexpr std::uint32_t min_normal = 0x38800000, largest = 0x477FE000;
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    const std::uint32_t magnitude = std::min(bits & 0x7FFFFFFF, largest);
-    const std::uint32_t rounded = (magnitude + 0xFFF + (magnitude >> 13 & 1)) >> 13;
-    return static_cast<std::uint16_t>((bits >> 16 & 0x8000) | (magnitude < min_normal ? 0 : rounded - (112 << 10)));
-}
 
 /// Fills height, slopes and foam. Slopes are central differences. The height is 0 on the edges of
 /// the rectangle and beyond.
@@ -37,10 +28,11 @@ void fill_water(std::uint16_t* to, const ShoreSurface& shore) {
         };
         for (std::size_t i = 0; i < columns; ++i, to += 4) {
             const float before_x = i > 0 ? h[i - 1] : 0, after_x = i + 1 < columns ? h[i + 1] : 0;
-            to[0] = half_of(h[i]);
-            to[1] = half_of((after_x - before_x) * per_m);
-            to[2] = half_of((from_row(j + 1 < rows, 1, i) - from_row(j > 0, -1, i)) * per_m);
-            to[3] = half_of(static_cast<float>(shore.foam[j * columns + i]) / 255);
+            to[0] = static_cast<std::uint16_t>(half_of(h[i]));
+            to[1] = static_cast<std::uint16_t>(half_of((after_x - before_x) * per_m));
+            to[2] =
+                static_cast<std::uint16_t>(half_of((from_row(j + 1 < rows, 1, i) - from_row(j > 0, -1, i)) * per_m));
+            to[3] = static_cast<std::uint16_t>(half_of(static_cast<float>(shore.foam[j * columns + i]) / 255));
         }
     }
 }
@@ -90,7 +82,7 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
     const std::size_t water_at = texels * parts_bytes, reach_at = water_at + texels * water_bytes;
     fill_water(reinterpret_cast<std::uint16_t*>(start + water_at), shore);
     auto* const reaches = reinterpret_cast<std::uint16_t*>(start + reach_at);
-    for (std::size_t i = 0; i < texels; ++i) reaches[i] = half_of(shore.reach_m[i]);
+    for (std::size_t i = 0; i < texels; ++i) reaches[i] = static_cast<std::uint16_t>(half_of(shore.reach_m[i]));
     const std::uintptr_t address = pixels_->hand_over();
     set_ = 1 - set_;
     uploaded_bytes_ = texels * (water_bytes + reach_bytes + (has_other_parts ? parts_bytes : 0));

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 /// surface_tension_m3ps2 is the surface tension of water over its density.
-constexpr double gravity_mps2 = 9.81, surface_tension_m3ps2 = 7.4e-5;
+constexpr double surface_tension_m3ps2 = 7.4e-5;
 constexpr double golden = 1.6180339887;
 constexpr std::array<std::string_view, 5> names = {"open", "lake", "coast", "river", "pond"};
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace pelagic::gl {
 namespace {
@@ -50,7 +51,7 @@ GradientNoise::GradientNoise(int cells_x, int cells_y, std::minstd_rand& engine)
     const float x = uniform(engine);
     moved_ = {x, uniform(engine)};
     for (int i = 0; i < cells_x * cells_y; ++i) {
-        const float angle = 6.2831853f * uniform(engine);
+        const float angle = 2 * std::numbers::pi_v<float> * uniform(engine);
         gradients_.emplace_back(std::cos(angle), std::sin(angle));
     }
 }

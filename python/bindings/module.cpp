@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
@@ -24,7 +25,7 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes,
                         int threads, const std::optional<std::string>& isa, double largest_peak_m) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
-    if (const std::string reason = check(forecast.first); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(forecast.first));
     OceanOptions options{
         .queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
     if (isa) {

@@ -8,6 +8,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/near_names.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace py = pybind11;
@@ -59,9 +60,7 @@ double number_in(py::handle sea, const SeaStateField& field) {
     return number;
 }
 
-void check_sea(py::handle sea) {
-    if (const std::string reason = check(sea_state_of(sea)); !reason.empty()) throw std::invalid_argument(reason);
-}
+void check_sea(py::handle sea) { require(check(sea_state_of(sea))); }
 
 SeaState checked_sea(py::handle sea) {
     check_sea(sea);

@@ -2,11 +2,11 @@
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/harmonic_bands.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 
 Arrival::Arrival(const SeaChange& change) : over_s_(change.over_s) {
-    constexpr double two_pi = 6.28318530717958647693;
     const SwellArrival swell(change.sea, change.swell_from_m);
     const double loop_s = change.sea.loop_period_s;
     delays_s_.resize(harmonic_band(loop_harmonic(swell.last_omega(), loop_s)) + 1);

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/cascades/input_grid.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 /// A wave on the grid of a cascade.
 struct Held {
@@ -141,8 +141,7 @@ GerstnerInput::~GerstnerInput() = default;
 
 void GerstnerInput::set(const AnalyticSea& waves) {
     const DefaultFloatEnvironment environment;
-    if (!waves.waves.empty())
-        if (const std::string reason = check(waves); !reason.empty()) throw std::invalid_argument(reason);
+    if (!waves.waves.empty()) require(check(waves));
     state_->pending = waves;
 }
 

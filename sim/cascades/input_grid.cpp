@@ -5,11 +5,10 @@
 
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 /// Texels in a wave at the end of a cascade's band, in a stack and in a single cascade.
 constexpr double texels_a_wave = 3, texels_of_one_cascade = 2;

@@ -7,15 +7,15 @@
 #include <stdexcept>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/cascades/input_grid.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 constexpr std::array fields = {
     NumericField<Ripple>{"x_m", &Ripple::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
@@ -80,7 +80,7 @@ RippleInput::RippleInput(const Ripple& ripple) : state_(std::make_unique<State>(
 RippleInput::~RippleInput() = default;
 
 void RippleInput::set(const Ripple& ripple) {
-    if (const std::string reason = check(ripple); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(ripple));
     state_->pending = ripple;
 }
 

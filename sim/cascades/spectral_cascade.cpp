@@ -9,6 +9,7 @@
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
-
-constexpr double two_pi = 6.28318530717958647693;
 
 // Lines in a job: few, so that baking a spectrum does not delay frames.
 constexpr std::size_t spectrum_batch = 2;

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
     NumericField<Disturbance>{"x_m", &Disturbance::x_m, -1e8, 1e8, "[-1e8, 1e8]"},

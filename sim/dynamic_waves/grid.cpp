@@ -12,13 +12,13 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr double farthest_m = 1e8;
 constexpr std::int64_t max_ticks = std::int64_t{1} << 50;
 /// Floats between blocks of lines, so that their distance is not a power of two.

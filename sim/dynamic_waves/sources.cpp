@@ -12,12 +12,12 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr double gauss_reach = 3;  ///< in radii
 
 /// Returns the range of texels of the grid within `reach_m` of a position along an axis, its end

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic {
 namespace {
@@ -70,13 +71,11 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
 
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
     const Cascade& first = frame.cascades.front();
-    if (const std::string reason = check(cascades, frame.cascades.size(), first.resolution(),
-                                         {.velocities = first.velocity_x.data != nullptr,
-                                          .gradients = !first.gradient_rgba8.empty(),
-                                          .slopes = !first.slopes_rgba8.empty(),
-                                          .foam = !first.foam_r8.empty()});
-        !reason.empty())
-        throw std::invalid_argument(reason);
+    require(check(cascades, frame.cascades.size(), first.resolution(),
+                  {.velocities = first.velocity_x.data != nullptr,
+                   .gradients = !first.gradient_rgba8.empty(),
+                   .slopes = !first.slopes_rgba8.empty(),
+                   .foam = !first.foam_r8.empty()}));
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
             throw std::invalid_argument(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/shore/shore_source.hpp"
 
@@ -22,7 +23,7 @@ constexpr std::size_t max_texels_without_jobs = 64 * 64;
 
 template <class Options>
 const Options& checked(const Options& options) {
-    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(options));
     return options;
 }
 
@@ -248,8 +249,7 @@ Ocean::Ocean(const SeaState& sea, OceanOptions options)
 Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
     checked(forecast);
     if (options.shore) {
-        if (const std::string reason = check(*options.shore, forecast.first); !reason.empty())
-            throw std::invalid_argument(reason);
+        require(check(*options.shore, forecast.first));
         if (!forecast.changes.empty())
             throw std::invalid_argument(
                 invalid_value_message("changes' number", forecast.changes.size(), "0 where there is a shore"));
@@ -266,11 +266,8 @@ Ocean::~Ocean() = default;
 void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
-    if (const std::string reason = cascades.empty()
-                                       ? std::string()
-                                       : check(cascades, cascade_count(), resolution(), state_->frames.contents());
-        !reason.empty())
-        throw std::invalid_argument(reason);
+    require(cascades.empty() ? std::string()
+                             : check(cascades, cascade_count(), resolution(), state_->frames.contents()));
     state_->adopt_ahead();
     state_->ensure_resident(Pass::frame, time_s);
     state_->bake_ahead(time_s);
@@ -322,9 +319,7 @@ const Frame& Ocean::frame_at(double time_s) {
 
 FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascades) {
     const Frame* const completed = state_->completed;
-    if (const std::string reason = check(cascades, cascade_count(), resolution(), state_->frames.contents());
-        !reason.empty())
-        throw std::invalid_argument(reason);
+    require(check(cascades, cascade_count(), resolution(), state_->frames.contents()));
     const Frame& frame = frame_at(time_s);
     copy_frame(frame, cascades);
     state_->completed = completed;

@@ -16,20 +16,20 @@ namespace pelagic::kernels {
 
 /// Unnormalised normals of a row of a block, and the factors that normalise them.
 enum NormalPlane { normal_x, normal_y, normal_z, inverse_length, normal_planes };
-using NormalRow = float[normal_planes][GradientsJob::cascade_columns];
+using NormalRow = float[normal_planes][GradientsJob::block_columns];
 
 /// Working memory for the mip levels of a block. Whole registers are read and written, two at a
 /// time.
 template <class Arch>
 struct MipScratch {
     static constexpr std::size_t columns(int level) {
-        return (GradientsJob::cascade_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
+        return (GradientsJob::block_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
     template <int level>
     using Rows = GradientRows<columns(level)>;
 
-    alignas(64) float level_1[GradientsJob::cascade_rows / 2 * (mip_planes + 1) * columns(1)];
-    alignas(64) float level_2[GradientsJob::cascade_rows / 4 * (mip_planes + 1) * columns(2)];
+    alignas(64) float level_1[GradientsJob::block_rows / 2 * (mip_planes + 1) * columns(1)];
+    alignas(64) float level_2[GradientsJob::block_rows / 4 * (mip_planes + 1) * columns(2)];
 };
 
 /// Computes equations 45 to 48, times (2 L/N)^2. Differences are not divided by the distance,
@@ -133,8 +133,8 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     using V = xsimd::batch<float, Arch>;
     using Scratch = MipScratch<Arch>;
     const std::size_t n = job.resolution;
-    const std::size_t rows = n < GradientsJob::cascade_rows ? n : GradientsJob::cascade_rows;
-    const std::size_t columns = n < GradientsJob::cascade_columns ? n : GradientsJob::cascade_columns;
+    const std::size_t rows = n < GradientsJob::block_rows ? n : GradientsJob::block_rows;
+    const std::size_t columns = n < GradientsJob::block_columns ? n : GradientsJob::block_columns;
     const bool is_rotated = job.sine != 0 || job.cosine != 1;
     const Turned<Arch> turned{V(job.cosine), V(job.sine)};
     const auto texels = [&](int level) {
@@ -165,7 +165,7 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
         else if (!job.foam.remembered)
             pack.template operator()<FreshFoam<Arch>>();
         else
-            pack.template operator()<ShownFoamRows<Arch, GradientsJob::cascade_columns>>();
+            pack.template operator()<ShownFoamRows<Arch, GradientsJob::block_columns>>();
         texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
     make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);

@@ -116,15 +116,15 @@ inline constexpr std::size_t mip_planes = 4;
 ///   central differences with wrap (equations 45, 46),
 ///   the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)),
 ///   the Jacobian J (48),
-/// packs them (50, 51), writes the half floats with foam as a fraction of 255, then cascade_levels
-/// levels of averages (52, 53). cascade_rows and cascade_columns are the size of the block.
+/// packs them (50, 51), writes the half floats with foam as a fraction of 255, then block_levels
+/// levels of averages (52, 53). block_rows and block_columns are the size of the block.
 struct GradientsJob {
-    static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
-    static constexpr int cascade_levels = 3;
+    static constexpr std::size_t block_rows = 16, block_columns = 256;
+    static constexpr int block_levels = 3;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < cascade_columns
+    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < block_columns
     std::size_t block_stride;             ///< floats between column blocks
     float two_texels_m;                   ///< 2 L / N
     float jacobian_factor;                ///< 1 / two_texels_m^2
@@ -132,9 +132,9 @@ struct GradientsJob {
     std::int32_t smoothness_bits;         ///< 1 - sqrt(roughness) as the highest byte of a texel
     /// Tight rows of four halves per texel; null: not written.
     std::uint16_t* rgba16f;
-    ShownFoam foam;                             ///< written with the half floats
-    std::uint32_t* levels[cascade_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
-    float* averages;                            ///< averages of level 3, for MipLevelJob
+    ShownFoam foam;                           ///< written with the half floats
+    std::uint32_t* levels[block_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
+    float* averages;                          ///< averages of level 3, for MipLevelJob
     std::size_t average_stride;
     /// Cosine and sine of the rotation angle of the cascade's axes in the world, from +x towards
     /// +z. Displacement, normals and J are along the world's axes.
@@ -174,13 +174,13 @@ inline constexpr std::size_t slope_planes = 8;
 /// steepness per octave (docs/equations.md has the integral). The derivative at a texel therefore
 /// amplifies short waves as much as the bilinear filter attenuates them.
 struct SlopesJob {
-    static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
-    static constexpr int cascade_levels = 3;
+    static constexpr std::size_t block_rows = 16, block_columns = 256;
+    static constexpr int block_levels = 3;
     static constexpr double far_weight = -0.2194, near_weight = 0.5 - 2 * far_weight;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < cascade_columns
+    std::size_t first_row, first_column;  ///< of the block, which is smaller if N < block_columns
     std::size_t block_stride;             ///< floats between column blocks
     float cosine, sine;                   ///< as in GradientsJob
     float difference_factor;              ///< near_weight / (slope_step L / N)
@@ -188,10 +188,10 @@ struct SlopesJob {
     float variance_factor;                ///< slope_step^2 / variance_range
     /// As in GradientsJob, J from these slopes; null: not written.
     std::uint16_t* rgba16f;
-    ShownFoam foam;                              ///< written with the half floats
-    std::uint32_t* slopes[cascade_levels + 1];   ///< tight rows, the texels of level 0 to 3
-    std::uint32_t* moments[cascade_levels + 1];  ///< tight rows, the texels of level 0 to 3
-    float* averages;                             ///< averages of level 3, for SlopeLevelJob
+    ShownFoam foam;                            ///< written with the half floats
+    std::uint32_t* slopes[block_levels + 1];   ///< tight rows, the texels of level 0 to 3
+    std::uint32_t* moments[block_levels + 1];  ///< tight rows, the texels of level 0 to 3
+    float* averages;                           ///< averages of level 3, for SlopeLevelJob
     std::size_t average_stride;
 };
 

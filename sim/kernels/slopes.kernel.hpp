@@ -147,13 +147,13 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, A
 template <class Arch>
 struct SlopeScratch {
     static constexpr std::size_t columns(int level) {
-        return (SlopesJob::cascade_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
+        return (SlopesJob::block_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
     template <int level>
     using Rows = SlopeAverages<columns(level)>;
 
-    alignas(64) float level_1[SlopesJob::cascade_rows / 2 * slope_planes * columns(1)];
-    alignas(64) float level_2[SlopesJob::cascade_rows / 4 * slope_planes * columns(2)];
+    alignas(64) float level_1[SlopesJob::block_rows / 2 * slope_planes * columns(1)];
+    alignas(64) float level_2[SlopesJob::block_rows / 4 * slope_planes * columns(2)];
 };
 
 /// Writes level 0 of two rows, the half floats if requested, and level 1.
@@ -235,8 +235,8 @@ void slopes(const SlopesJob& job) {
     using V = xsimd::batch<float, Arch>;
     using Scratch = SlopeScratch<Arch>;
     const std::size_t n = job.resolution;
-    const std::size_t rows = n < SlopesJob::cascade_rows ? n : SlopesJob::cascade_rows;
-    const std::size_t columns = n < SlopesJob::cascade_columns ? n : SlopesJob::cascade_columns;
+    const std::size_t rows = n < SlopesJob::block_rows ? n : SlopesJob::block_rows;
+    const std::size_t columns = n < SlopesJob::block_columns ? n : SlopesJob::block_columns;
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
     const auto texels = [&](int level) {
         const SlopeRows all{job.slopes[level], job.moments[level], n >> level};
@@ -260,7 +260,7 @@ void slopes(const SlopesJob& job) {
         else if (!job.foam.remembered)
             all_rows.template operator()<FreshFoam<Arch>>(turn);
         else
-            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::cascade_columns>>(turn);
+            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::block_columns>>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
         rotated_rows(Turned<Arch>{V(job.cosine), V(job.sine)});

@@ -13,11 +13,10 @@
 #include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/sim/shore/shore_waves.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 constexpr double lowest_m = -11000, highest_m = 9000;
 

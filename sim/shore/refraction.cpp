@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 // Upper bound of the rounds, of four sweeps each. Floors with islands need several.
 constexpr int max_rounds = 64;

@@ -5,13 +5,12 @@
 
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
 constexpr std::size_t groups_an_item = 64;

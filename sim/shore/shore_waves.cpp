@@ -8,12 +8,11 @@
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 // Numerical resolution: logarithmic shells of a band of wave numbers, and directions of a circle.
 constexpr int shells = 256, directions = 180;

@@ -6,12 +6,11 @@
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 /// Side of the paper's single cascade, m. The scale of phillips-paper depends on it.
 constexpr double papers_side_m = 250;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
-namespace {
-constexpr double two_pi = 6.28318530717958647693;
-}
+namespace {}
 
 double angular_frequency(double k, const Water& water) {
     return std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * det::tanh(k * water.depth_m));

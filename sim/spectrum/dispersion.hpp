@@ -9,10 +9,11 @@
 
 #include <cstdint>
 
+#include "pelagic/simd/constants.hpp"
+
 namespace pelagic {
 
 /// Standard gravity, m/s^2 (ISO 80000-3).
-inline constexpr double gravity_mps2 = 9.80665;
 
 /// Surface tension over density, T/rho, m^3/s^2: 0.074 N/m (Lamb 1932, article 267) over 1025
 /// kg/m^3 for sea water. Waves of 1.7 cm have the lowest phase speed. Waves longer than 7 cm become

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, two_pi = 2 * pi;
+using std::numbers::pi;
 
 constexpr double max_time_s = 1e12;  // limit of a resolution of about 1e-4 s in double precision
 constexpr double longest_change_s = 1e9;
@@ -102,6 +104,15 @@ ForecastMoment Forecast::at(double time_s) const {
     if (part >= 1) return {number, number, 0};
     if (part <= 0) return {number - 1, number - 1, 0};
     return {number - 1, number, part};
+}
+
+void keep_constant_fields(SeaState& sea, const SeaState& first) {
+    const SeaState defaults;
+    const auto keep = [&](auto... members) {
+        ((sea.*members == defaults.*members ? void(sea.*members = first.*members) : void()), ...);
+    };
+    keep(&SeaState::cascades, &SeaState::resolution, &SeaState::patch_size_m, &SeaState::depth_m,
+         &SeaState::loop_period_s, &SeaState::seed);
 }
 
 std::string check(const Forecast& forecast) {

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "pelagic/sim/spectrum/wave_list.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
-namespace {
-constexpr double two_pi = 6.28318530717958647693;
-}
+namespace {}
 
 SlopeVariance measured_slopes(double wind_speed_mps) {
     return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};

@@ -4,6 +4,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 namespace {
@@ -25,8 +26,6 @@ constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"pa
 // sides of consecutive cascades is therefore at most N / 18. Cascades with fewer texels cannot form
 // a stack.
 constexpr int min_resolution_of_stacks = 32;
-
-constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
     SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Among::all, 0},

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double two_pi = 6.28318530717958647693;
 constexpr double euler_e = 2.71828182845904523536;
 
 constexpr double phillips_constant = 0.0081;     // alpha; Phillips 1958, Pierson and Moskowitz 1964

@@ -1,6 +1,7 @@
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -18,7 +19,6 @@ double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k
     if (spectrum.is_physical()) return spectrum.radial_density(k);
     // The paper's spreading does not depend on k, so the spectrum along the wind has the shape of
     // the integral.
-    constexpr double two_pi = 6.28318530717958647693;
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     return k * spectrum.amplitude_variance(k * wind.cosine, k * wind.sine);
 }

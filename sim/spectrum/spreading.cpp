@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double sqrt_pi = 1.77245385090551602730;
 constexpr double ln_10 = 2.30258509299404568402;
 

@@ -13,13 +13,12 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 /// Sums of variances over waves, m^2.
 struct Moments {

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
-namespace {
-constexpr double two_pi = 6.28318530717958647693;
-}
+namespace {}
 
 SwellArrival::SwellArrival(const SeaState& sea, double distance_m)
     : distance_m_(distance_m),

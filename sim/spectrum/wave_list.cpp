@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
 
 // Default waves: the waves of the presets, and the octaves of the default pond.
 constexpr AnalyticFamily family;

@@ -1,12 +1,12 @@
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
 
 WindDrift fraction_of_wind(const SeaState& sea, double fraction) {
-    constexpr double two_pi = 6.28318530717958647693;
     const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     return {fraction * sea.wind_speed_mps * cosine, fraction * sea.wind_speed_mps * sine};
 }

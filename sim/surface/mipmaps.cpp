@@ -21,7 +21,7 @@ MipAverages::MipAverages(int resolution, const Allocator& memory, std::size_t pl
 
 std::size_t MipAverages::floats_before(int level) const {
     std::size_t floats = 0;
-    for (int l = GradientsJob::cascade_levels; l < level; ++l)
+    for (int l = GradientsJob::block_levels; l < level; ++l)
         floats += (static_cast<std::size_t>(resolution_) >> l) * planes_ * stride_of(resolution_, l);
     return floats;
 }

@@ -11,7 +11,7 @@
 
 namespace pelagic {
 
-/// Float averages of the levels from GradientsJob::cascade_levels up, which jobs on blocks of
+/// Float averages of the levels from GradientsJob::block_levels up, which jobs on blocks of
 /// texels pass to the tail.
 class MipAverages {
    public:

@@ -9,7 +9,7 @@ namespace pelagic {
 namespace {
 
 std::size_t jobs_across(int resolution) {
-    return std::max(static_cast<std::size_t>(resolution) / SlopesJob::cascade_columns, std::size_t{1});
+    return std::max(static_cast<std::size_t>(resolution) / SlopesJob::block_columns, std::size_t{1});
 }
 
 // Smaller than the resolution of a byte of a normal.
@@ -24,7 +24,7 @@ SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergenc
 }
 
 std::size_t SlopeMaps::jobs() const {
-    return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::cascade_rows;
+    return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::block_rows;
 }
 
 void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
@@ -33,8 +33,8 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
     SlopesJob slopes_job{
         .surface = surface,
         .resolution = static_cast<std::size_t>(resolution),
-        .first_row = job / across * SlopesJob::cascade_rows,
-        .first_column = job % across * SlopesJob::cascade_columns,
+        .first_row = job / across * SlopesJob::block_rows,
+        .first_column = job % across * SlopesJob::block_columns,
         .block_stride = block_stride,
         .cosine = static_cast<float>(cosine),
         .sine = static_cast<float>(sine),
@@ -45,9 +45,9 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
         .foam = foam,
         .slopes = {},
         .moments = {},
-        .averages = averages->level(SlopesJob::cascade_levels),
-        .average_stride = averages->stride(SlopesJob::cascade_levels)};
-    for (std::size_t level = 0; level <= SlopesJob::cascade_levels; ++level) {
+        .averages = averages->level(SlopesJob::block_levels),
+        .average_stride = averages->stride(SlopesJob::block_levels)};
+    for (std::size_t level = 0; level <= SlopesJob::block_levels; ++level) {
         slopes_job.slopes[level] = slopes[level];
         slopes_job.moments[level] = moments[level];
     }
@@ -55,7 +55,7 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
 }
 
 void SlopeMaps::make_tail(const Kernels& kernels) const {
-    for (int level = SlopesJob::cascade_levels + 1; level < mip_levels(resolution); ++level)
+    for (int level = SlopesJob::block_levels + 1; level < mip_levels(resolution); ++level)
         kernels.slope_level({.finer = averages->level(level - 1),
                              .finer_stride = averages->stride(level - 1),
                              .side = static_cast<std::size_t>(resolution) >> level,

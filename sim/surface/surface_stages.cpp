@@ -21,8 +21,8 @@ struct Pieces {
 
 Pieces pieces_of(int resolution) {
     const std::size_t n = static_cast<std::size_t>(resolution);
-    return {std::max(n / GradientsJob::cascade_columns, std::size_t{1}),
-            std::max(n / GradientsJob::cascade_rows, std::size_t{1})};
+    return {std::max(n / GradientsJob::block_columns, std::size_t{1}),
+            std::max(n / GradientsJob::block_rows, std::size_t{1})};
 }
 
 }  // namespace
@@ -103,8 +103,8 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
     const TextureTargets& textures = slots_.textures(cascade_);
     GradientsJob job{.surface = slots_.buffers(cascade_).surface.data(),
                      .resolution = static_cast<std::size_t>(resolution_),
-                     .first_row = piece / all.across * GradientsJob::cascade_rows,
-                     .first_column = piece % all.across * GradientsJob::cascade_columns,
+                     .first_row = piece / all.across * GradientsJob::block_rows,
+                     .first_column = piece % all.across * GradientsJob::block_columns,
                      .block_stride = column_block_floats(resolution_, kernels_.lanes),
                      .two_texels_m = static_cast<float>(two_texels_m),
                      .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
@@ -113,17 +113,17 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .rgba16f = slopes_make_halves() ? nullptr : textures.displacement_rgba16f,
                      .foam = shown_foam(),
                      .levels = {},
-                     .averages = gradient_averages_->level(GradientsJob::cascade_levels),
-                     .average_stride = gradient_averages_->stride(GradientsJob::cascade_levels),
+                     .averages = gradient_averages_->level(GradientsJob::block_levels),
+                     .average_stride = gradient_averages_->stride(GradientsJob::block_levels),
                      .cosine = static_cast<float>(grid.cosine),
                      .sine = static_cast<float>(grid.sine)};
-    for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
+    for (int level = 0; level <= GradientsJob::block_levels; ++level)
         job.levels[level] = textures.gradient_rgba8[static_cast<std::size_t>(level)];
     kernels_.gradients(job);
 }
 
 void SurfaceStages::mipmaps_tail() {
-    for (int level = GradientsJob::cascade_levels + 1; level < mip_levels(resolution_); ++level)
+    for (int level = GradientsJob::block_levels + 1; level < mip_levels(resolution_); ++level)
         kernels_.mip_level({.finer = gradient_averages_->level(level - 1),
                             .finer_stride = gradient_averages_->stride(level - 1),
                             .side = static_cast<std::size_t>(resolution_) >> level,

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "pelagic/simd/half_float.hpp"
 #include "pelagic/tools/files/byte_order.hpp"
-#include "pelagic/tools/files/half_float.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 
 namespace pelagic::tools {

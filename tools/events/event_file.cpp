@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 
 #include "pelagic/simd/det_math.hpp"
@@ -16,7 +17,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,strength";
-constexpr double radians_a_degree = 3.14159265358979323846 / 180;
+constexpr double radians_a_degree = std::numbers::pi / 180;
 
 constexpr NamedValues<Disturbance::Mode, 3> mode_names = {{{Disturbance::Mode::impulse, "impulse"},
                                                            {Disturbance::Mode::pressure, "pressure"},

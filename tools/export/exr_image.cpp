@@ -6,7 +6,7 @@
 #include <span>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/simd/half_float.hpp"
 #include "pelagic/tools/maps/pixel_meaning.hpp"
 
 namespace pelagic::tools {
@@ -15,7 +15,8 @@ namespace {
 /// The value of each byte b = round(255 c) as a half.
 constexpr std::array<std::uint16_t, 256> fractions_of_255 = [] {
     std::array<std::uint16_t, 256> halves{};
-    for (std::size_t byte = 0; byte < halves.size(); ++byte) halves[byte] = half_of(static_cast<float>(byte) / 255.f);
+    for (std::size_t byte = 0; byte < halves.size(); ++byte)
+        halves[byte] = static_cast<std::uint16_t>(half_of(static_cast<float>(byte) / 255.f));
     return halves;
 }();
 

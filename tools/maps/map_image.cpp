@@ -7,7 +7,7 @@
 #include <cstring>
 #include <span>
 
-#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/simd/half_float.hpp"
 #include "pelagic/tools/maps/map_values.hpp"
 
 namespace pelagic::tools {
@@ -46,9 +46,11 @@ Pixels quantised(const std::vector<float>& values, float max, bool from_minus_on
 }
 
 Pixels in_halves(const std::vector<float>& values) {
-    const auto is_beyond = [](float value) { return std::fabs(value) >= first_beyond_halves; };
+    const auto is_beyond = [](float value) {
+        return std::fabs(value) >= 65520; /* would round to infinity */
+    };
     if (std::any_of(values.begin(), values.end(), is_beyond)) halves_are_clamped = true;
-    return converted<std::uint16_t>(values, half_of);
+    return converted<std::uint16_t>(values, [](float value) { return static_cast<std::uint16_t>(half_of(value)); });
 }
 
 Pixels stored(const MapValues& of, MapKind map, Sample sample) {

@@ -1,18 +1,20 @@
 #include "pelagic/tools/maps/pixel_meaning.hpp"
 
 #include <array>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/simd/constants.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double two_pi = 6.28318530717958647693;
+constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Linear conversion of a pixel's number c: scale c + offset.
 struct Line {

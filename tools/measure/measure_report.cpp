@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
@@ -15,7 +16,7 @@
 namespace pelagic::tools {
 namespace {
 
-double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// Returns a measured spectrum with the model's values at its points.
 Json spectrum_json(const std::vector<SpectrumPoint>& found, const char* at, const char* unit, auto model) {

@@ -6,9 +6,11 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tools/measure/fourier.hpp"
 
@@ -16,8 +18,6 @@ namespace pelagic::tools {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double two_pi = 6.28318530717958647693;
 
 constexpr std::size_t max_points_a_side = 16;
 constexpr std::size_t max_pairs = 8;

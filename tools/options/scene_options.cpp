@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "pelagic/gl/sky/light_presets.hpp"
@@ -13,7 +14,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr int max_pixels_a_side = 8192;
 
 void read_size(SceneOptions& options, const std::string& text) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// A numeric flag and its field of SeaState.
 struct SeaFlag {
@@ -241,20 +242,6 @@ void store_defaults(SeaState& sea) {
     sea.resolution = resolution;
 }
 
-/// Copies options that a forecast cannot change from the first sea, unless a preset sets them.
-void keep_cascades(SeaState& sea, const SeaState& first) {
-    const SeaState defaults;
-    const auto keep = [&](auto member) {
-        if (sea.*member == defaults.*member) sea.*member = first.*member;
-    };
-    keep(&SeaState::cascades);
-    keep(&SeaState::resolution);
-    keep(&SeaState::patch_size_m);
-    keep(&SeaState::depth_m);
-    keep(&SeaState::loop_period_s);
-    keep(&SeaState::seed);
-}
-
 constexpr double max_time_s = 1e9;
 /// Cascades are planned for all seas of a forecast, some milliseconds each before the first frame.
 constexpr std::size_t max_changes = 1000;
@@ -348,7 +335,7 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
                 change.swell_from_m = number(0, max_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, option);
-                keep_cascades(change.sea.sea, first.sea);
+                keep_constant_fields(change.sea.sea, first.sea);
             } else {
                 of_sea.push_back(entry);
             }

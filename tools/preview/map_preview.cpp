@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "pelagic/simd/half_float.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -13,13 +15,6 @@ Stored stored_at(const MapImage& map, std::size_t index) {
     Stored stored;
     std::memcpy(&stored, &map.pixels[index * sizeof(Stored)], sizeof(Stored));
     return stored;
-}
-
-/// Converts a finite half exactly. Exponents of halves have a bias of 15, those of floats of 127.
-float float_of_half(std::uint16_t half) {
-    const auto magnitude = static_cast<std::uint32_t>(half & 0x7FFF) << 13;
-    const float value = std::bit_cast<float>(magnitude) * 0x1p112f;
-    return half & 0x8000 ? -value : value;
 }
 
 float value_at(const MapImage& map, std::size_t index) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace pelagic::tools {
 namespace {
@@ -34,7 +35,7 @@ float sun_glint(const LitWater& water, const glm::vec3& to_sun, float to_eye_cos
     const glm::vec3 half = glm::normalize(water.to_eye + to_sun);
     const float alpha2 = 2 * (water.slope_variance + min_slope_variance);
     const float facing = std::max(glm::dot(water.normal, half), 0.f);
-    constexpr float pi = 3.14159265f;
+    constexpr float pi = std::numbers::pi_v<float>;
     const float density = alpha2 / (pi * square(square(facing) * (alpha2 - 1) + 1));
     const auto smith = [&](float cosine) { return cosine + std::sqrt(alpha2 + (1 - alpha2) * square(cosine)); };
     return density * schlick(glm::dot(half, to_sun)) * to_sun_cosine / (smith(to_eye_cosine) * smith(to_sun_cosine));

@@ -8,8 +8,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <numbers>
 
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tools/preview/cascade_levels.hpp"
 #include "pelagic/tools/preview/sea_light.hpp"
@@ -17,7 +19,6 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double two_pi = 6.28318530717958647693;
 /// Samples of a pixel along each axis.
 constexpr int fineness = 2;
 /// Extension of the grid of reference points beyond the image, because displacement moves points

@@ -1,5 +1,7 @@
 #include "pelagic/tools/record/sea_json.hpp"
 
+#include <numbers>
+
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -10,7 +12,7 @@
 namespace pelagic::tools {
 namespace {
 
-double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 Json files_as_json(const std::vector<FileRecord>& files) {
     Json list = Json::array();

@@ -10,6 +10,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/near_names.hpp"
+#include "pelagic/sim/forecast.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -64,21 +65,6 @@ void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member);
     if (!field.accepts(number) || (is_whole && std::trunc(number) != number)) reject(name, value, field.accepted);
     field.set(sea, number);
-}
-
-/// What belongs to the cascades is as `before` has it, where a preset leaves it open.
-SeaState keep_cascades(SeaState preset, const SeaState& before) {
-    const SeaState defaults;
-    const auto keep = [&](auto member) {
-        if (preset.*member == defaults.*member) preset.*member = before.*member;
-    };
-    keep(&SeaState::cascades);
-    keep(&SeaState::resolution);
-    keep(&SeaState::patch_size_m);
-    keep(&SeaState::depth_m);
-    keep(&SeaState::loop_period_s);
-    keep(&SeaState::seed);
-    return preset;
 }
 
 /// True if there is such an option of the sea.
@@ -166,7 +152,8 @@ SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::
 
     SeaState changed = sea;
     if (const val preset = options["preset"]; !preset.isUndefined())
-        changed = keep_cascades(sea_preset_named(word_of("preset", preset, preset_names()))->sea, sea);
+        changed = sea_preset_named(word_of("preset", preset, preset_names()))->sea;
+    keep_constant_fields(changed, sea);
     const val names = val::global("Object").call<val>("keys", options);
     for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
         const auto name = names[i].as<std::string>();

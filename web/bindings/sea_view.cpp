@@ -7,6 +7,7 @@
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -83,7 +84,7 @@ void SeaView::set_sea(const SeaState& sea) { state_->take(sea); }
 
 void SeaView::set_light(const gl::SkyOptions& sky, float stops) {
     State& s = *state_;
-    if (const std::string reason = check(sky); !reason.empty()) throw std::invalid_argument(reason);
+    require(check(sky));
     s.stops = stops;
     if (!s.has_baked) {
         gl::SkyOptions clear = sky;
