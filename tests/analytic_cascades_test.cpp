@@ -239,7 +239,8 @@ TEST(AnalyticCascades, OneWaveIsATrochoid) {
                 const double delay =
                     k * (i * cascade.texel_m() * direction_x + j * cascade.texel_m() * direction_z - speed * time_s) +
                     static_cast<double>(full_turn) * wave.phase_turns;
-                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(full_turn)), 0, 4e-6);
+                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(full_turn)), 0,
+                            4e-6);
             }
         }
     }

@@ -173,7 +173,7 @@ TEST(ExportFromRecord, KeepsNamePatternsAndForecasts) {
 TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
     const TemporaryFolder folder;
     const Json usual = options_as_json(options_of({"--out", folder.path().string()}));
-    const auto invalid_value_message = [&](const std::string& pointer, const ReadJson& value) -> std::string {
+    const auto message_of = [&](const std::string& pointer, const ReadJson& value) -> std::string {
         ReadJson edited = usual;
         edited[ReadJson::json_pointer(pointer)] = value;
         try {
@@ -188,17 +188,16 @@ TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
     const auto expect_message = [&](const std::string& line, const std::string& message) {
         EXPECT_NE(line.find(message), std::string::npos) << line;
     };
-    expect_message(invalid_value_message("/version", "99.0"), "was written by pelagic 99.0, needs");
-    expect_message(invalid_value_message("/export/maps", "whales"), "--maps is whales");
-    expect_message(invalid_value_message("/export/frames", -1), "--frames is -1");
-    expect_message(invalid_value_message("/export/help", true), "sea.json: ");
-    expect_message(invalid_value_message("/export/trace", "/tmp/somewhere"),
-                   "--trace is /tmp/somewhere, not not set");
-    expect_message(invalid_value_message("/export/out", "elsewhere"), "sea.json: ");
-    expect_message(invalid_value_message("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
-    expect_message(invalid_value_message("/sea/wind_speed_mps", 1e6), "wind_speed");
-    EXPECT_EQ(invalid_value_message("/export", 3), "damaged");
-    EXPECT_EQ(invalid_value_message("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
+    expect_message(message_of("/version", "99.0"), "was written by pelagic 99.0, needs");
+    expect_message(message_of("/export/maps", "whales"), "--maps is whales");
+    expect_message(message_of("/export/frames", -1), "--frames is -1");
+    expect_message(message_of("/export/help", true), "sea.json: ");
+    expect_message(message_of("/export/trace", "/tmp/somewhere"), "--trace is /tmp/somewhere, not not set");
+    expect_message(message_of("/export/out", "elsewhere"), "sea.json: ");
+    expect_message(message_of("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
+    expect_message(message_of("/sea/wind_speed_mps", 1e6), "wind_speed");
+    EXPECT_EQ(message_of("/export", 3), "damaged");
+    EXPECT_EQ(message_of("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
 }
 
 // A record that is written frame by frame equals the JSON of the whole record, with one line per

@@ -372,7 +372,7 @@ TEST(ExportedMapsMeasured, DoNotDependOnAxesUnitAndRows) {
     }
 
     json record = json::parse(read_file(folder / "other" / "sea.json"));
-    const auto invalid_value_message = [&](const json& edited) {
+    const auto message_of = [&](const json& edited) {
         write_file(folder / "other" / "sea.json", edited.dump());
         const Outcome outcome = run_pelagic({"info", "--measure", (folder / "other").string()});
         EXPECT_EQ(outcome.exit_code, 2);
@@ -381,13 +381,13 @@ TEST(ExportedMapsMeasured, DoNotDependOnAxesUnitAndRows) {
     };
     json edited = record;
     edited["export"]["rows"] = "left";
-    EXPECT_NE(invalid_value_message(edited).find("rows are neither top nor bottom"), std::string::npos);
+    EXPECT_NE(message_of(edited).find("rows are neither top nor bottom"), std::string::npos);
     edited = record;
     edited["channels"]["displacement"][2]["channel"] = "Q";
-    EXPECT_NE(invalid_value_message(edited).find("the channel of heights is none"), std::string::npos);
+    EXPECT_NE(message_of(edited).find("the channel of heights is none"), std::string::npos);
     edited = record;
     edited["channels"]["displacement"] = {1, "two", nullptr};
-    EXPECT_NE(invalid_value_message(edited).find("has no channel of heights"), std::string::npos);
+    EXPECT_NE(message_of(edited).find("has no channel of heights"), std::string::npos);
 }
 
 TEST(ExportedMapsRefused, EachWithOneLineThatNamesTheAcceptedValues) {

@@ -261,7 +261,7 @@ TEST(NodeCullingTest, SeesWhatTheFrustumSeesAndAllWhereEveryCornerIsInside) {
             ++seen[sight];
         }
     }
-    for (const auto sight : {NodeCulling::Sight::none, NodeCulling::Sight::part, NodeCulling::Sight::whole})
+    for (const auto sight : {NodeCulling::Sight::none, NodeCulling::Sight::partial, NodeCulling::Sight::whole})
         EXPECT_GT(seen[sight], 1000);
 }
 

@@ -101,7 +101,7 @@ Session* find(XrSession handle);
 Space* find(XrSpace handle);
 Swapchain* find(XrSwapchain handle);
 
-/// Writes the invalid_value_message down, so that a test sees it even where the application goes on.
+/// Records the error message, so that a test sees it even where the application goes on.
 XrResult reject(const char* call, XrResult why);
 /// What PELAGIC_STAND_IN_REFUSES says about this call, or XR_SUCCESS.
 XrResult wanted_message(const char* call);
