@@ -43,8 +43,8 @@
  * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
  * Threads. Each function's comment names one of two rules:
- *   "one thread per ocean" (or per object): one thread at a time calls such functions of
- *   an object. Different objects may be used concurrently.
+ *   "one thread per ocean" (or per object): one thread at a time calls such functions of an object.
+ *   Different objects may be used concurrently.
  *   "any": any number of threads at once, also while another thread calls "one thread" functions.
  * Oceans on different threads may share an executor.
  *
@@ -332,7 +332,7 @@ PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_option
  *
  * executor: may be NULL.
  *
- * Threads: one thread. */
+ * Threads: one thread per object. */
 PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
 /* ---- The ocean ------------------------------------------------------------------------------- */
@@ -1125,8 +1125,9 @@ PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves
 PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
 
 /* Rings that run outwards from a point, in the cascade that holds waves of their length L. The
- * height is amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) +
- * phase), q^2 = r^2 + (L / 2)^2. */
+ * height is, with q^2 = r^2 + (L / 2)^2,
+ *
+ *   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase). */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
     uint32_t reserved;   /* 0 */

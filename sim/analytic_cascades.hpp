@@ -1,8 +1,9 @@
 // Analytic waves and procedural pond waves (SeaState::waves analytic and pond): as the options
 // define them, and as the cascades of a frame hold them.
 //
-//   const AnalyticSurface water(waves_of_cascades(sea));  // equals ocean.frame_at(t), also between
-//   texels
+//   const AnalyticSurface water(waves_of_cascades(sea));  // equals ocean.frame_at(t)
+//
+// The surface is that of the frame, also between texels.
 //
 // A cascade holds only waves of its grid, with whole numbers of periods in a loop. Each wave moves
 // to the nearest grid point of the cascade in whose band it is, and keeps amplitude and phase. On

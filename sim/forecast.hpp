@@ -28,16 +28,15 @@ struct SeaChange {
     double from_s = 0;  ///< start
     double over_s = 0;  ///< duration; (0, 1e9]
     /// Distance to the origin of the swell, whose waves are all raised there at one moment; [1e3,
-    /// 2e7], or
-    /// 0: all waves change together. The sea must have a swell. Long waves arrive first, by their
-    /// group velocities cg = d omega / d k, and each changes over over_s:
+    /// 2e7], or 0: all waves change together. The sea must have a swell. Long waves arrive first,
+    /// by their group velocities cg = d omega / d k, and each changes over over_s:
     ///
     ///   begin(omega) = from_s + swell_from_m (1 / cg(omega) - 1 / cg(omega of 1.5 swell periods))
     ///
-    /// Waves longer than 1.5 peak periods of the swell begin with the waves of that period, and
-    /// waves shorter than a third of the peak period with the waves of that period. Waves of one of
-    /// the loop's frequencies begin together; from its 32nd harmonic on, those of one of sixteen
-    /// bands an octave.
+    /// Waves longer than 1.5 peak periods of the swell begin with the waves of that period. Waves
+    /// shorter than a third of the peak period also begin with the waves of that period. Waves of
+    /// one of the loop's frequencies begin together; from its 32nd harmonic on, those of one of
+    /// sixteen bands an octave.
     double swell_from_m = 0;
 
     /// Returns the time at which the last waves have changed.

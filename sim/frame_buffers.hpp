@@ -11,8 +11,8 @@
 namespace pelagic {
 
 /// Arrays that receive one cascade. Each span has the stated length, N being the cascade's
-/// resolution, or is empty to leave that array out. Rows are tight: texel (i, j) is element j N +
-/// i. No array may overlap another or the frame.
+/// resolution, or is empty to leave that array out. Rows are tight: texel (i, j) is element
+/// j N + i. No array may overlap another or the frame.
 struct FrameBuffers {
     std::span<float> dx = {}, height = {}, dz = {};                      ///< N^2, metres
     std::span<float> velocity_x = {}, velocity_y = {}, velocity_z = {};  ///< N^2, m/s

@@ -1,8 +1,8 @@
 // Wave input: a batch of Gerstner waves.
 //
 // A cascade holds only waves of its grid, with whole numbers of periods in a loop. Each wave moves
-// to the nearest grid point of the finest cascade in which it is eight grid steps or more from k =
-// 0. A wave of less than three texels of the next coarser cascade stays in the finer one.
+// to the nearest grid point of the finest cascade in which it is at least eight grid steps from
+// k = 0. A wave of less than three texels of the next coarser cascade stays in the finer one.
 // analytic_cascades.hpp has this rule too. A wave keeps amplitude and phase. Its frequency is that
 // of the moved wave in deep water, rounded to a whole number of periods.
 #pragma once

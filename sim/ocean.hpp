@@ -93,8 +93,7 @@ class Ocean {
     /// Starts a frame and returns immediately.
     ///
     /// \param time_s  any finite time, in any order. A frame is a pure function of the forecast and
-    /// the
-    ///     time. Outside transitions time_s + n * loop_period_s gives a bit-identical frame.
+    ///     the time. Outside transitions time_s + n * loop_period_s gives a bit-identical frame.
     ///
     /// complete() computes small frames (N up to 64), for which threads would take longer. With
     /// OceanOptions::foam it also computes the warm-up after a jump in time.

@@ -1,7 +1,7 @@
 // Wave input: rings around a point, in the cascade that holds waves of their length.
 //
-//   h(r, t) = A (1 - (r / R)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),  q =
-//   sqrt(r^2 + (L / 2)^2)
+//   h(r, t) = A (1 - (r / R)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase),
+//   q = sqrt(r^2 + (L / 2)^2)
 //
 // within the radius R, and exactly 0 beyond it. L is the wavelength far from the centre. f is the
 // frequency in deep water, rounded to a whole number of periods in a loop. At the centre the rings

@@ -95,8 +95,8 @@ struct SeaState {
     int wave_count = 0;
     /// Longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2.
     double longest_wave_m = 0;
-    /// Shortest wavelength, at most the longest; [0.01, 1000]. 0: longest / 60, of a pond longest /
-    /// 45.
+    /// Shortest wavelength, at most the longest; [0.01, 1000]. 0: longest / 60, of a pond
+    /// longest / 45.
     double shortest_wave_m = 0;
     /// Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].
     double wave_strength = 1;
@@ -107,7 +107,7 @@ struct SeaState {
     double wave_drag = 0.38;
 };
 
-/// Returns the number that is used if the option is 0. \pre check(sea) is empty
+/// Return the option, or the value derived for 0. \pre check(sea) is empty
 int cascades_of(const SeaState& sea);
 int resolution_of(const SeaState& sea);
 /// Returns whether the sea has one cascade because patch_size_m is set or its model has only one.

@@ -13,8 +13,8 @@ namespace pelagic {
 ///
 /// Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, 4 x 4 texels; those of
 /// the edge are repeated beyond it); all else is bilinear. Beyond the rectangle the floor continues
-/// as at its nearest
-/// edge: the depth and the weights are those of the edge, and the height is 0, as on the edge.
+/// as at its nearest edge: the depth and the weights are those of the edge, and the height is 0, as
+/// on the edge.
 struct ShoreSurface {
     int columns = 0, rows = 0;  ///< 0: the ocean has no shore
     double texel_m = 0;

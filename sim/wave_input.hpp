@@ -2,8 +2,8 @@
 // foam, queries and textures include them.
 //
 //   const auto waves = std::make_shared<GerstnerInput>(some_waves);
-//   const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 2, .amplitude_m =
-//   0.1}); Ocean ocean(sea, {.inputs = {waves, rings}});
+//   const auto rings = std::make_shared<RippleInput>(Ripple{.amplitude_m = 0.1});
+//   Ocean ocean(sea, {.inputs = {waves, rings}});
 //
 // A cascade adds its inputs in their order, each into rows that are 0 before it. So the sum is
 // bit-identical on any thread and instruction set. Inputs repeat with the cascade's side.
@@ -31,7 +31,7 @@ struct InputMoment {
     std::uint32_t loop_turns = 0;
     /// 0 for a frame, 1 for a tick. A tick begins after the frame that needs it and may run
     /// concurrently with it. So an input stores what add() needs of a moment separately for each
-    /// place.
+    /// value of `place`.
     std::size_t place = 0;
     std::span<const CascadeGrid> grids = {};  ///< of the cascades, the coarsest first
     int resolution = 0;                       ///< of each
@@ -78,8 +78,8 @@ class WaveInput {
     /// Prepares a moment, on the thread that schedules, before anything is added. schedule() or
     /// complete() throws what it throws.
     virtual void begin(const InputMoment& moment) = 0;
-    /// Returns whether the input adds to a cascade; without inputs a cascade is bit-identical to
-    /// that of the wind. Called after begin().
+    /// Returns whether the input adds to a cascade. A cascade to which no input adds is unchanged.
+    /// Called after begin().
     virtual bool adds_to(std::size_t cascade) const = 0;
     /// Returns a bound of the slopes that the input adds to a cascade, in [0, 100]. It widens the
     /// range of Cascade::slopes_rgba8; slopes are clamped to the range if the bound is too small.

@@ -1,7 +1,6 @@
 // The grid of dynamic waves (dynamic_waves.hpp), which advances in ticks.
 //
-// spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over
-// omega(k):
+// spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt / omega(k):
 //                          z_k(t + dt) = z_k(t) exp(-i omega(k) dt - (2 nu k^2 + decay) dt),
 //                          omega^2 = (g k + (T/rho) k^3) tanh(k depth)
 //                          The dispersion is exact at any length of a tick.
@@ -75,8 +74,7 @@ class DynamicWaveGrid {
     /// Interpolates a frame's view for the rows of an item.
     ///
     /// \param fraction  position between the previous and the last tick, 0 to 1. A wave's velocity
-    /// has the
-    ///     relative error (3 fraction^2 - 1) / 6 (omega tick)^2
+    ///     has the relative error (3 fraction^2 - 1) / 6 (omega tick)^2
     /// \param to  receives rows of N floats and bytes, and the extremes of each row's heights
     ///
     /// Items may run concurrently. \pre no tick is in flight
