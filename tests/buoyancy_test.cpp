@@ -169,8 +169,8 @@ TEST(Buoyancy, BallastTurnsABoxThatIsUpsideDown) {
 // 2 pi / (omega sqrt(1 - damping^2)), and in each period the amplitude is multiplied by
 // exp(-2 pi damping / sqrt(1 - damping^2)). The tolerance of the period is 0.5 %: added mass grows
 // with the draught and drag with the velocity squared, both small at an amplitude of a twentieth of
-// the draught; and the step is up to a seventieth of the period. Drag affects the amplitude more: 5
-// %.
+// the draught; and the step is up to a seventieth of the period.
+// Drag affects the amplitude more: 5 %.
 TEST(Buoyancy, FreeHeaveHasThePeriodAndDampingOfTheOscillator) {
     for (const BoxOptions& options : {BoxOptions{.length_m = 4, .height_m = 1, .beam_m = 3, .mass_kg = 6000},
                                       BoxOptions{.length_m = 40, .height_m = 6, .beam_m = 12, .mass_kg = 1'500'000},
@@ -246,8 +246,8 @@ struct Ride {
 
 // Swell of 12 s (225 m) in very weak wind: its spectrum falls as omega^-13, so almost no wave is
 // shorter than 60 m, twelve times the box. Over the box's length such a wave bends by
-// (pi/12)^2/6 = 1 % of its height. Without the water's acceleration heave would be off by k T, 4 %
-// here.
+// (pi/12)^2/6 = 1 % of its height.
+// Without the water's acceleration heave would be off by k T, 4 % here.
 // Heel: the box rolls at 2.9 rad/s by itself. Waves of 60 m, 1 rad/s, tilt it by
 // 1 / (1 - (1/2.9)^2) = 1.13 of their slope, and it oscillates about that.
 TEST(Buoyancy, ABoxFollowsLongSwell) {

@@ -256,8 +256,8 @@ double rotated_by_shortest(const DynamicWavesOptions& options) {
 /// So v^2 grows by s^2 / 3 on average, in 2 s / (pi A) of all ticks, with amplitude A. Decay
 /// removes 2 decay dt v^2, with v = A omega dt. Both are equal at
 /// A^3 = s^3 / (3 pi decay dt (omega dt)^2), which is 16 s for waves of two texels. Those waves
-/// have no group velocity, so the border does not absorb them. The bound is six times the rms, A /
-/// sqrt 2.
+/// have no group velocity, so the border does not absorb them.
+/// The bound is six times the rms, A / sqrt 2.
 double max_residual_m(const DynamicWavesOptions& options) {
     const double tick = 1.0 / options.ticks_per_s, turned = rotated_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
@@ -300,7 +300,7 @@ constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // ticks of a round
 
 /// Applies the inputs of tick n of a round: hulls and pressure sources that are added and removed,
 /// an intermittent relaxation source, and positive and negative impulses. The grid's centre moves
-/// away by up to 12 m and returns.
+/// away by up to 6 m and returns.
 void apply_round_inputs(DynamicWaveGrid& grid, int tick) {
     constexpr int change_ticks = 400, numbers = 6, last_change = busy_ticks / change_ticks;
     if (tick % change_ticks == 0 && tick <= busy_ticks) {

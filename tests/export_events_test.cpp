@@ -288,8 +288,8 @@ TEST_F(ExportEvents, ADropMakesTheRingsOfLinearTheory) {
     }
 }
 
-// 800 drops of 100 m at one position and time: 80 km high, with vertical velocities beyond the
-// largest half as well.
+// 800 drops of 100 m at one position and time: 80 km high, with vertical velocities of as many
+// cm/s.
 TEST_F(ExportEvents, HeightsBeyondTheLargestHalfAreClampedWithOneNote) {
     std::string rows = "time,x,z,radius,strength\n";
     for (int row = 0; row < 800; ++row) rows += "0.5,0,0,2,100\n0.5,12,0,2,-100\n";
