@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# An application that builds everything, Pelagic included, with -march=native and -ffast-math: it compiles, and the golden frames
-# keep their bits. Kernels are optimised less than usual, to be done sooner; the flags do their harm at -O1 too.
+# Builds an application and Pelagic with -march=native and -ffast-math, and checks that the golden frames are bit-identical. Kernels
+# are compiled at -O1 to save time; the flags would change results at -O1 too.
 #
 # usage: application_flags_test.sh SOURCE_FOLDER CMAKE CXX_COMPILER
 set -euo pipefail
@@ -8,7 +8,7 @@ source=$1 cmake=$2 cxx=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Contraction is asked for last: nothing of what our targets add may be lost behind it.
+# The contraction flag comes last, to check that it does not override the flags that Pelagic's targets add.
 "$cmake" -S "$source" -B "$work/build" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_FLAGS="-march=native -ffast-math -funsafe-math-optimizations -ffp-contract=fast" \
   -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DPELAGIC_KERNEL_OPTIMISATION=-O1 -DPELAGIC_TBB=OFF -DPELAGIC_TESTS=ON \
@@ -16,5 +16,5 @@ trap 'rm -rf "$work"' EXIT
   "$cmake" --build "$work/build" --target pelagic_determinism_tests -j 2 >>"$work/log" 2>&1 ||
   { tail -40 "$work/log"; exit 1; }
 "$work/build/bin/pelagic_determinism_tests" --gtest_filter='*Golden*:*EveryInstructionSet*' >"$work/log" 2>&1 || { tail -40 "$work/log"; exit 1; }
-# A filter that matches nothing passes too.
+# A filter without a match passes too, so the number of tests is checked.
 grep -qE '\[  PASSED  \] [1-9][0-9]* test' "$work/log"

@@ -1,6 +1,6 @@
-/* A plain C application that opens the shared library at run time, computes frames with the default executor, and closes the library: eight
- * times, each in a process of its own, which has to end as usual. oneTBB's threads end later than its last arena, so their code has to
- * stay where it is.
+/* A C application that opens the shared library at run time, computes frames with the default
+ * executor, and closes the library: eight times, each in its own process, which must exit normally.
+ * oneTBB's threads end later than its last arena, so their code must stay loaded.
  *
  * usage: application_that_unloads LIBRARY */
 #include <dlfcn.h>
@@ -21,7 +21,7 @@ static int compute_and_unload(const char* path) {
         fprintf(stderr, "%s\n", dlerror());
         return 1;
     }
-    /* What POSIX says of functions that dlsym() returns. */
+    /* The conversion that POSIX specifies for functions returned by dlsym(). */
 #define IMPORTED(name) \
     __typeof__(&name) name##_; \
     *(void**)&name##_ = dlsym(library, #name)
@@ -38,7 +38,7 @@ static int compute_and_unload(const char* path) {
             return 1;
     pelagic_ocean_destroy_(ocean);
     if (dlclose(library) != 0) return 1;
-    usleep(20000); /* for threads that were about to end */
+    usleep(20000); /* time for threads to end */
     return 0;
 }
 

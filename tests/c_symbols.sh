@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What a shared library exports is what its list in tests/abi says, all of it and nothing else: the C interface, or what Godot looks for.
-# A symbol that goes is a break for every application; one that comes is added to the list in the same commit.
+# Checks that a shared library exports exactly the symbols of its list in tests/abi: the C interface, or the symbols that Godot loads.
+# A removed symbol breaks applications; a new symbol is added to the list in the same commit.
 #
 # usage: c_symbols.sh NM LIBRARY LIST
 set -euo pipefail

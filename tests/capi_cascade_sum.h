@@ -1,12 +1,12 @@
-/* docs/library.md's way of adding cascades, as an application would write it in C. */
+/* The sum of cascades that docs/library.md specifies, as a C application would write it. */
 #ifndef PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 #define PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 
 #include <math.h>
 #include <pelagic/pelagic.h>
 
-/* Adds what a cascade says about the water that has the reference position (x, z), as a GPU's filter reads it: h_x, h_z, D_xx, D_zz, D_xz, and the
- * variances var_xx, var_zz, cov_xz. */
+/* Adds a cascade's slopes at the reference position (x, z), interpolated as a GPU's filter does:
+ * h_x, h_z, D_xx, D_zz, D_xz, and the variances var_xx, var_zz, cov_xz. */
 static inline void add_slopes(const pelagic_cascade* cascade, double x, double z, double sum[8]) {
     const int n = cascade->resolution;
     const double u = (cascade->cosine * x + cascade->sine * z) * n / cascade->side_m;

@@ -1,4 +1,4 @@
-/* The header is C99, pedantic: that this compiles is the test. */
+/* The test is that this file compiles as pedantic C99. */
 #include <pelagic/pelagic.h>
 
 #include "pelagic/tests/capi_cascade_sum.h"
