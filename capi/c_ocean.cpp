@@ -388,7 +388,7 @@ pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
 pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        if (!ocean->contents.foam) reject("the ocean remembers no foam, needs pelagic_ocean_options.foam");
+        if (!ocean->contents.foam) reject("the ocean has no foam, needs pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->shown);
     });
 }

@@ -93,7 +93,8 @@ pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_in
 
 pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves) {
     return guarded([&] {
-        if (!needed(input, "input").waves) reject("input is no waves, needs one of pelagic_input_create_waves");
+        if (!needed(input, "input").waves)
+            reject("input is not a batch of waves, needs one of pelagic_input_create_waves");
         input->waves->set(waves_of(waves));
     });
 }
@@ -109,7 +110,7 @@ pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic
 
 pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple) {
     return guarded([&] {
-        if (!needed(input, "input").ripple) reject("input is no ripple, needs one of pelagic_input_create_ripple");
+        if (!needed(input, "input").ripple) reject("input is not a ripple, needs one of pelagic_input_create_ripple");
         input->ripple->set(ripple_of(ripple));
     });
 }

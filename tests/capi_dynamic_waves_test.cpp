@@ -132,7 +132,7 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     // drops ten texels wide, half a metre per texel
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
-                    "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
+                    "drops_per_m2_s is 100, needs [0, 38.4] for drops of this radius on this grid");
     rain.drops_per_m2_s = 1;
     EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(with_dynamic_waves(false).get()), &rain),
               PELAGIC_INVALID_ARGUMENT);

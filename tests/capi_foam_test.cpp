@@ -93,7 +93,7 @@ TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
                     "foam_r8 is wanted, needs an ocean with foam");
     std::uint64_t hash = 7;
     expect_rejected(pelagic_ocean_foam_hash(without_foam.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                    "the ocean remembers no foam, needs pelagic_ocean_options.foam");
+                    "the ocean has no foam, needs pelagic_ocean_options.foam");
     EXPECT_EQ(hash, 7u);
     EXPECT_TRUE(saved(without_foam).empty());
 }

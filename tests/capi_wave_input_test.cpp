@@ -158,9 +158,9 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(hash_of(ocean, 3), hash_of(pure, 3));
     expect_rejected(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
-                    "input is no ripple, needs one of pelagic_input_create_ripple");
+                    "input is not a ripple, needs one of pelagic_input_create_ripple");
     expect_rejected(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
-                    "input is no waves, needs one of pelagic_input_create_waves");
+                    "input is not a batch of waves, needs one of pelagic_input_create_waves");
     pelagic_ocean* second = nullptr;
     const pelagic_sea sea = flat_sea();
     expect_rejected(pelagic_ocean_create(&sea, &options, &second), PELAGIC_INVALID_ARGUMENT,

@@ -314,7 +314,7 @@ TEST(RainDrops, RefusesWhatCantFall) {
     rain = {.drops_per_m2_s = 16.0 * 60 / 4};
     EXPECT_EQ(check(rain, water), "");
     rain.drops_per_m2_s = 250;
-    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops so wide in such a grid");
+    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops of this radius on this grid");
     rain.drops_per_m2_s = -1;
     EXPECT_NE(check(rain, water), "");
     rain.drops_per_m2_s = std::numeric_limits<double>::infinity();

@@ -322,16 +322,16 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     const std::size_t row_bytes = n() * sizeof(float);
     if (saved.size() < sizeof header + saved_texel_bytes())
         throw std::invalid_argument(
-            invalid_value_message("the saved water", number_text(saved.size()) + " bytes",
+            invalid_value_message("the saved state", number_text(saved.size()) + " bytes",
                                   number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
     std::memcpy(&header, saved.data(), sizeof header);
     const double max_texels = farthest_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= max_texels))
             throw std::invalid_argument(
-                invalid_value_message("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
+                invalid_value_message("the saved state's first texel", first, "one within [-1e8, 1e8] m"));
     if (header.ticks < 0 || header.ticks > max_ticks)
-        throw std::invalid_argument(invalid_value_message("the saved water's ticks", header.ticks, "[0, 2^50]"));
+        throw std::invalid_argument(invalid_value_message("the saved state's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
     for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {
         float texel;

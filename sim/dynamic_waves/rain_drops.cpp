@@ -60,7 +60,7 @@ std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     const double max = max_drops(rain, water);
     if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= max))
         return invalid_value_message("drops_per_m2_s", rain.drops_per_m2_s,
-                                     "[0, " + rounded_text(max, 6) + "] for drops so wide in such a grid");
+                                     "[0, " + rounded_text(max, 6) + "] for drops of this radius on this grid");
     return {};
 }
 

@@ -289,10 +289,10 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
         bytes.size() !=
             sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
         throw std::invalid_argument(invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes",
-                                                          "as many as their number says"));
+                                                          "as many as their count gives"));
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(
-            invalid_value_message("the saved water's next source", header.next_number, "[1, 2^32)"));
+            invalid_value_message("the saved state's next source", header.next_number, "[1, 2^32)"));
     DynamicWaveSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
@@ -307,10 +307,10 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
         const SavedSource saved = next();
         if (saved.number <= last || saved.number >= header.next_number)
             throw std::invalid_argument(
-                invalid_value_message("a saved source's number", saved.number, "more than the one before"));
+                invalid_value_message("a saved source's number", saved.number, "more than the preceding number"));
         if (saved.since < 0 || saved.since > ticks)
             throw std::invalid_argument(
-                invalid_value_message("a saved source's tick", saved.since, "one of the water's"));
+                invalid_value_message("a saved source's tick", saved.since, "a completed tick"));
         sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }

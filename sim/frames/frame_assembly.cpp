@@ -155,7 +155,7 @@ void FrameAssembly::restore_history(std::span<const std::uint8_t> saved) {
     std::int64_t number;
     std::memcpy(&number, saved.data(), sizeof number);
     if (number < -max_ticks || number > max_ticks)
-        throw std::invalid_argument(invalid_value_message("history's tick", number, "one of a clock"));
+        throw std::invalid_argument(invalid_value_message("the saved tick", number, "[-2^60, 2^60]"));
     newest_tick_ = number;
     foam_->restore(saved.subspan(sizeof *newest_tick_));
 }

@@ -251,8 +251,7 @@ Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
     if (options.shore) {
         require(check(*options.shore, forecast.first));
         if (!forecast.changes.empty())
-            throw std::invalid_argument(
-                invalid_value_message("changes' number", forecast.changes.size(), "0 where there is a shore"));
+            throw std::invalid_argument("a forecast with changes cannot be combined with a shore");
     }
     state_.reset(new State(forecast, std::move(options)));
     state_->bake(0);
