@@ -1241,7 +1241,8 @@ typedef struct pelagic_samples {
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
     float* error_m;     /* horizontal distance from the point to the sample's drawn position */
     uint8_t* converged; /* 1 if the error is within the tolerance */
-    float* foam;        /* fraction covered by foam, 0 to 1; with pelagic_ocean_options.foam */
+    /* Fraction covered by foam, 0 to 1; with pelagic_ocean_options.foam, dynamic_waves or shore. */
+    float* foam;
 } pelagic_samples;
 
 /* Samples the surface of the frame completed last. If the surface intersects itself above a

@@ -51,7 +51,7 @@ struct DynamicWavesOptions {
     double foam_height_m = 0.2;
 };
 
-/// Returns an empty string for usable options, else a message that names the first bad one:
+/// Returns an empty string for usable options, else a message that names the first invalid one:
 /// "resolution is 100, needs 64, 128, 256, 512 or 1024".
 std::string check(const DynamicWavesOptions& options);
 
@@ -82,7 +82,7 @@ std::uint64_t hash_of(const DynamicWavesView& view);
 /// Not thread-safe: one thread at a time calls its functions; the work runs on the executor.
 class DynamicWaves {
    public:
-    /// What the ticks run on.
+    /// Executor, instruction set, tracing and memory of the ticks.
     struct Resources {
         /// Null: oneTBB with its default number of threads.
         std::shared_ptr<Executor> executor = {};
@@ -120,7 +120,7 @@ class DynamicWaves {
     /// Sets the rain from the next tick on; 0 drops end it.
     void set_rain(const Rain& rain);
 
-    /// Largest time whose ticks a jump ahead computes.
+    /// A jump ahead computes the ticks of at most this time, seconds.
     static constexpr double max_jump_s = 0.5;
     /// Returns the number of the last tick at a time, counted from t = 0.
     std::int64_t tick_at(double time_s) const;

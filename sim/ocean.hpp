@@ -64,7 +64,7 @@ struct OceanOptions {
     /// second of one core longer, and 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
     /// Wave inputs, added to the waves of the wind in this order (wave_input.hpp). They change
-    /// hash_of(). Without inputs frames are bit-identical, with equal jobs and branches of kernels.
+    /// hash_of(). An ocean without inputs has no additional jobs or branches in kernels.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
     /// Allocator of frames and spectra, all but some 100 KB of an ocean; none: operator new.
     Allocator memory = {};
