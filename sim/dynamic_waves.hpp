@@ -102,6 +102,9 @@ class DynamicWaves {
     DynamicWaves(const DynamicWaves&) = delete;
     DynamicWaves& operator=(const DynamicWaves&) = delete;
 
+    /// Impulses of a tick, and sources at once, at most.
+    static constexpr std::size_t max_disturbances = 4096;
+
     /// Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses wait for a
     /// tick. While advances are to times not later than the one before, impulses do not accumulate:
     /// only those before the last such advance that has any wait.

@@ -31,7 +31,7 @@ using json = nlohmann::ordered_json;
 // A drop, a hull that moves through the grid, a relaxation between ticks, and an event after the
 // last frame.
 constexpr const char* several =
-    "time,x,z,radius,strength,velocity,heading,duration,length,mode\n"
+    "time,x,z,radius,height,velocity,heading,duration,length,mode\n"
     "0.5,0,0,1,0.4,,,,,\n"
     "0.7,-10,5,1,-0.5,6,-30,1.5,4,\n"
     "-0.258,8,-8,1.5,0.2,1,90,0.8,,relaxation\n"
@@ -261,7 +261,7 @@ double ring(double amplitude, double radius, double r, double t, double depth) {
 }
 
 TEST_F(ExportEvents, ADropMakesTheRingsOfLinearTheory) {
-    write_file(events(), "radius,z,x,time,strength\n1.5,0,0,0.5,0.4\n");
+    write_file(events(), "radius,z,x,time,height\n1.5,0,0,0.5,0.4\n");
     for (const char* depth : {"4000", "0.5"}) {
         made(
             {"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none",
@@ -291,7 +291,7 @@ TEST_F(ExportEvents, ADropMakesTheRingsOfLinearTheory) {
 // 800 drops of 100 m at one position and time: 80 km high, with vertical velocities of as many
 // cm/s.
 TEST_F(ExportEvents, HeightsBeyondTheLargestHalfAreClampedWithOneNote) {
-    std::string rows = "time,x,z,radius,strength\n";
+    std::string rows = "time,x,z,radius,height\n";
     for (int row = 0; row < 800; ++row) rows += "0.5,0,0,2,100\n0.5,12,0,2,-100\n";
     write_file(events(), rows);
     const auto outcome_of = [&](const std::string& name, const Arguments& more) {
@@ -425,20 +425,20 @@ TEST_F(ExportEvents, ExportsWithAnotherFileAreNotResumedOrMerged) {
 }
 
 TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
-    const std::string start = "time,x,z,radius,strength";
+    const std::string start = "time,x,z,radius,height";
     const std::vector<std::pair<std::string, std::string>> bad = {
         {"", " is empty, needs a CSV file whose first line names"},
         {start + "\n", "holds no events, needs rows"},
         {"0,0,0,1,1\n", ":1: a column's name is 0, needs time, x, z"},
-        {"time,x,z,radius\n", "a column strength"},
-        {"time,x,z,x,radius,strength\n", ":1: a column's name is x, needs each column once"},
+        {"time,x,z,radius\n", "a column height"},
+        {"time,x,z,x,radius,height\n", ":1: a column's name is x, needs each column once"},
         {start + ",speed\n", ":1: a column's name is speed, needs time"},
         {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, needs 5"},
         {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in [0.001, 1000]"},
         {start + "\n0,nan,0,1,1\n", ":2: x is nan, needs metres in"},
         {start + "\n0,+-1,0,1,1\n", ":2: x is +-1, needs metres in"},
         {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
-        {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},
+        {start + "\n0,0,0,1,1e3\n", ":2: height is 1e3, needs metres in [-100, 100]"},
         {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},
         {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs impulse, pressure or relaxation"},
         {start + ",mode,duration\n0,0,0,1,1,impulse,1\n",
@@ -457,7 +457,7 @@ TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
     std::string many = start + "\n";
     for (int i = 0; i < 4097; ++i) many += "1,0,0,1,0.1\n";
     write_file(events(), many);
-    expect_rejected(run_pelagic(to("bad")), "more than 4096 pushes at 1 s");
+    expect_rejected(run_pelagic(to("bad")), "more than 4096 disturbances at 1 s");
     EXPECT_FALSE(std::filesystem::exists(place("bad")));
 }
 

@@ -75,7 +75,7 @@ const std::map<std::string, Words> other_values = {
     {"wave-count", {"--waves", "analytic", "--wave-count", "9"}},
     {"longest-wave", {"--waves", "analytic", "--longest-wave", "80"}},
     {"shortest-wave", {"--waves", "analytic", "--shortest-wave", "3"}},
-    {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
+    {"wave-height", {"--waves", "analytic", "--wave-height", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
     {"wave-drag", {"--waves", "pond", "--wave-drag", "0.2"}},
     {"events", {"--events", events_placeholder}},
@@ -98,7 +98,7 @@ Words with_events_of(const std::filesystem::path& folder, Words words) {
     for (std::string& word : words)
         if (word == events_placeholder) {
             word = (folder / "sea_events.csv").string();
-            std::ofstream(word) << "time,x,z,radius,strength\n0.5,1,2,1,0.4\n";
+            std::ofstream(word) << "time,x,z,radius,height\n0.5,1,2,1,0.4\n";
         }
     return words;
 }

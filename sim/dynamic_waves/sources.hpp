@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/dynamic_waves/grid_placement.hpp"
 #include "pelagic/sim/dynamic_waves/rain_drops.hpp"
 
@@ -16,7 +17,7 @@ namespace pelagic {
 class DynamicWaveSources {
    public:
     /// Maximum number of sources, and of impulses in one tick.
-    static constexpr std::size_t max_count = 4096;
+    static constexpr std::size_t max_count = DynamicWaves::max_disturbances;
 
     /// Adds an impulse for the next tick. \pre check(disturbance) is empty, and waiting() <
     /// max_count

@@ -6,15 +6,14 @@
 #include <utility>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-/// Of a tick: a time that is meant to be a tick's own may be rounded up.
+/// Fraction of a tick by which a time that is meant to be a tick's own may be rounded up.
 constexpr double clock_slack = 0x1p-16;
-/// What an ocean takes for a tick, pushes and sources each.
-constexpr std::size_t max_at_once = 4096;
 
 }  // namespace
 
@@ -43,9 +42,10 @@ std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s)
             --sources;
         else
             ++(file.events[command.event].duration_s > 0 ? sources : pushes);
-        if (std::max(sources, pushes) > max_at_once)
-            throw InputError("--events has more than " + number_text(max_at_once) + " pushes at " +
-                             number_text(static_cast<double>(tick) / rate) + " s, needs at most that many at once");
+        if (std::max(sources, pushes) > DynamicWaves::max_disturbances)
+            throw InputError("--events has more than " + number_text(DynamicWaves::max_disturbances) +
+                             " disturbances at " + number_text(static_cast<double>(tick) / rate) +
+                             " s, needs at most that many at once");
     }
     return commands;
 }

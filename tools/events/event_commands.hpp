@@ -1,4 +1,4 @@
-// What is said to the water before which tick.
+// The commands of an events file, by the tick before which they take effect.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace pelagic::tools {
 
 struct EventCommand {
     std::int64_t tick;
-    enum class Kind { remove, push } kind;  ///< of one tick in this order
-    std::size_t event;                      ///< in the file's order
+    enum class Kind { remove, push } kind;  ///< within one tick in this order
+    std::size_t event;                      ///< its index in the file
 };
 
-/// In their order: an event counts in the first tick that is not before it, and while it lasts. Throws InputError if more pushes
-/// meet in a tick than an ocean takes.
+/// Returns the commands in order. An event acts in the first tick that is not before it, a source until it
+/// ends. Throws InputError if more disturbances meet in a tick than DynamicWaves accepts.
 std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s);
 
 }  // namespace pelagic::tools

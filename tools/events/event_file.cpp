@@ -16,14 +16,14 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,strength";
+constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,height";
 constexpr double radians_a_degree = std::numbers::pi / 180;
 
 constexpr NamedValues<Disturbance::Mode, 3> mode_names = {{{Disturbance::Mode::impulse, "impulse"},
                                                            {Disturbance::Mode::pressure, "pressure"},
                                                            {Disturbance::Mode::relaxation, "relaxation"}}};
 
-enum class Column { time, x, z, radius, strength, velocity, heading, duration, length, mode };
+enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode };
 
 /// A column, the numbers that it may hold, and how that is said.
 struct ColumnRule {
@@ -39,7 +39,7 @@ constexpr std::array<ColumnRule, 10> rules = {{
     {Column::x, "x", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
     {Column::z, "z", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
     {Column::radius, "radius", true, 0.001, 1000, "metres in [0.001, 1000]"},
-    {Column::strength, "strength", true, -100, 100, "metres in [-100, 100]"},
+    {Column::height, "height", true, -100, 100, "metres in [-100, 100]"},
     {Column::velocity, "velocity", false, -1000, 1000, "metres a second in [-1000, 1000]"},
     {Column::heading, "heading", false, -360, 360, "degrees in [-360, 360]"},
     {Column::duration, "duration", false, 0, EventFile::longest_s, "seconds in [0, 86400]"},
@@ -106,7 +106,7 @@ class EventReader {
         for (const ColumnRule& rule : rules)
             if (rule.is_needed && std::find(columns_.begin(), columns_.end(), &rule) == columns_.end())
                 reject("the first line", std::string(line),
-                       "a column " + std::string(rule.name) + ": time, x, z, radius and strength are needed");
+                       "a column " + std::string(rule.name) + ": time, x, z, radius and height are needed");
     }
 
     double number(const ColumnRule& rule, const std::string& cell) const {
@@ -138,7 +138,7 @@ class EventReader {
                 case Column::x: push.x_m = value; break;
                 case Column::z: push.z_m = value; break;
                 case Column::radius: push.radius_m = value; break;
-                case Column::strength: push.height_m = value; break;
+                case Column::height: push.height_m = value; break;
                 case Column::velocity: velocity_mps = value; break;
                 case Column::heading: heading_deg = value; break;
                 case Column::duration: event.duration_s = value; break;

@@ -1,11 +1,14 @@
-// Pushes at the water as people keep them: a CSV file whose first line names its columns, a row for each push.
+// Disturbances of dynamic waves as a CSV file. Its first line names the columns, in any order, and
+// each further line is one event.
 //
-//   time, x, z         seconds, metres: when and where in the world; needed
-//   radius, strength   metres: how wide, how high the water is pushed (below 0: down); needed
-//   velocity, heading  metres a second, and degrees from east (+x) towards south (+z): how the push moves while it lasts
-//   duration           seconds that it lasts; 0, as without it: it is one push
-//   length             metres: half a hull's length, whose half beam is the radius; 0, as without it: it is round
-//   mode               impulse, pressure or relaxation (sim/disturbance.hpp); impulse for one push, pressure for what lasts, unless it says so
+//   time, x, z         seconds, metres: when and where in the world; required
+//   radius, height     metres: width and height of the shape (below 0: depth); required
+//   velocity, heading  m/s, and degrees from east (+x) towards south (+z): motion of a source
+//   duration           seconds of a source; 0 or absent: the disturbance acts once
+//   length             metres: half the length of a hull, whose half beam is the radius; 0 or
+//                      absent: the shape is round
+//   mode               impulse, pressure or relaxation (sim/disturbance.hpp); by default impulse
+//                      for one that acts once, pressure for a source
 #pragma once
 
 #include <cstddef>
@@ -20,25 +23,25 @@ namespace pelagic::tools {
 
 struct WaterEvent {
     double time_s = 0, duration_s = 0;
-    Disturbance push;  ///< where it is at that time, and how it moves
+    Disturbance push;  ///< at `time_s`, with its velocity
 };
 
 struct EventFile {
     static constexpr std::size_t max_bytes = std::size_t{16} << 20, max_events = 100'000;
     static constexpr double longest_s = 86400;  ///< of an event
 
-    std::string text;                ///< as it was read
-    std::string digest;              ///< of it
+    std::string text;                ///< the file's bytes
+    std::string digest;              ///< XXH3 of the text
     std::vector<WaterEvent> events;  ///< at least one, in the order of the rows
 
     double first_s() const;
 };
 
-/// Throws InputError, one line that names the file, the row's line, the column, its value and what is accepted.
-/// \param name  of the file, for messages
+/// Parses a file's text. Throws InputError with one line that names the file, the line, the column, its
+/// value and what is accepted. \param name  of the file, for messages
 EventFile parse_events(const std::string& name, std::string_view text);
 
-/// The file that --events names. Throws InputError likewise.
+/// Reads and parses the file of --events. Throws InputError as parse_events() does.
 std::shared_ptr<const EventFile> read_events(const std::string& file);
 
 }  // namespace pelagic::tools

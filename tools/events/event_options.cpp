@@ -10,9 +10,9 @@
 namespace pelagic::tools {
 namespace {
 
-/// A day of ticks takes some ten minutes of a core.
+/// A day of ticks takes about ten minutes on one core.
 constexpr double longest_replay_s = 86400;
-/// As 12 m of 64.
+/// The default border of 12 m on 64 m.
 constexpr double border_part = 0.1875;
 
 std::array<double, 2> place_in(const std::string& text) {
@@ -28,7 +28,7 @@ std::array<double, 2> place_in(const std::string& text) {
     return place;
 }
 
-/// Of the least box around the places where pushes begin.
+/// Returns the centre of the smallest box around the places where events begin.
 std::array<double, 2> middle_of(const EventFile& file) {
     const Disturbance& first = file.events.front().push;
     double min_x = first.x_m, max_x = first.x_m, min_z = first.z_m, max_z = first.z_m;
@@ -66,7 +66,7 @@ std::vector<std::string> warnings_about(const EventOptions& options, bool is_loo
         warnings.push_back(number_text(outside) + " of " + number_text(options.file->events.size()) +
                            " events begin outside of the grid of " + number_text(options.water.side_m) +
                            " m around " + number_text(options.middle_x_m) + "," + number_text(options.middle_z_m) +
-                           ", where alone water answers; --events-side and --events-at say where it is");
+                           " and have no effect; --events-side and --events-at place it");
     if (is_loop)
         warnings.push_back("the frames are a loop, but dynamic waves events does not come back to where it began");
     return warnings;
@@ -81,20 +81,18 @@ void require_reachable(const EventOptions& options, double last_frame_s) {
 
 void EventFlags::add_to(CLI::App& app) {
     app.add_option("--events", file_,
-                   "what pushes at the water, and when: columns time,x,z,radius,strength and, if wanted, "
+                   "disturbances of dynamic waves: columns time,x,z,radius,height and optionally "
                    "velocity,heading,duration,length,mode, named by the first line")
         ->type_name("FILE.csv");
-    app.add_option("--events-side", side_, "side of the grid that answers, in metres; [1, 10000], default 64")
+    app.add_option("--events-side", side_, "side of the dynamic-wave grid in metres; [1, 10000] (default: 64)")
         ->type_name("METRES");
     app.add_option("--events-resolution", resolution_,
-                   "texels along its side; 64, 128, 256, 512 or 1024, default 256")
+                   "texels along its side; 64, 128, 256, 512 or 1024 (default: 256)")
         ->type_name("NUMBER");
-    app.add_option("--events-at", at_, "its middle, in metres; default the middle of the events' places")
-        ->type_name("X,Z");
-    app.add_option(
-           "--events-step", step_,
-           "spectral (waves of water of --depth, wakes) or verlet (one speed for all waves, cheaper); default "
-           "spectral")
+    app.add_option("--events-at", at_, "its centre in metres (default: the centre of the events)")->type_name("X,Z");
+    app.add_option("--events-step", step_,
+                   "spectral (dispersion of water of --depth, wakes) or verlet (one speed for all waves, cheaper) "
+                   "(default: spectral)")
         ->type_name("NAME");
 }
 
@@ -126,7 +124,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
     options.file = read_events(*file_);
     event_commands(*options.file,
-                   options.water.ticks_per_s);  // so that too many at once are told before anything is made
+                   options.water.ticks_per_s);  // rejects too many at once before anything is written
     if (!at) at = middle_of(*options.file);
     options.middle_x_m = (*at)[0];
     options.middle_z_m = (*at)[1];

@@ -1,4 +1,4 @@
-// Which pushes at the water a command was given, and the grid that answers them.
+// The events that a command was given, and the grid of their dynamic waves.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -21,16 +21,17 @@ inline constexpr NamedValues<DynamicWavesStep, 2> dynamic_waves_step_names = {
 struct EventOptions {
     std::shared_ptr<const EventFile> file;
     DynamicWavesOptions water;
-    double middle_x_m = 0, middle_z_m = 0;  ///< of the grid, which rests
+    double middle_x_m = 0, middle_z_m = 0;  ///< centre of the grid, which does not move
 
     double texel_m() const { return water.side_m / water.resolution; }
-    /// The lowest texels of the grid, along x and z; texel i stands at i texel_m().
+    /// Returns the lowest texels of the grid along x and z; texel i is at i texel_m().
     std::array<std::int64_t, 2> first_texels() const;
-    /// Rows whose push begins outside of the grid, where no water answers.
+    /// Returns the number of events that begin outside of the grid, where they have no effect.
     std::size_t events_outside() const;
 };
 
-/// What people should know of them: "3 of 10 events begin outside of the grid ...". \param is_loop  frames are one loop
+/// Returns warnings, such as "3 of 10 events begin outside of the grid ...".
+/// \param is_loop  the frames are one loop
 std::vector<std::string> warnings_about(const EventOptions& options, bool is_loop);
 
 /// Throws InputError if ticks from the first event to the last frame would take days.
@@ -39,8 +40,8 @@ void require_reachable(const EventOptions& options, double last_frame_s);
 class EventFlags {
    public:
     void add_to(CLI::App& app);
-    /// None without --events. Throws InputError.
-    /// \param depth_m  of the sea, whose waves of pushes feel it as well; that of its beginning if it changes
+    /// Returns none without --events. Throws InputError.
+    /// \param depth_m  depth of the (first) sea, which dynamic waves share
     std::optional<EventOptions> resolve(double depth_m) const;
 
    private:
