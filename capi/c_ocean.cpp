@@ -179,7 +179,7 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
 /// Makes a frame the one that queries, cascade, copy and hash read.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
-    if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
+    if (ocean.has_queries) ocean.query_frames.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
@@ -294,7 +294,7 @@ pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
-        ocean->asked.wait_for_old_readers();
+        ocean->query_frames.wait_for_old_readers();
         ocean->ocean.schedule(time_s);
         ocean->frame_in_flight = true;
     });
@@ -310,7 +310,7 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             reject("targets: " + reason);
-        ocean->asked.wait_for_old_readers();
+        ocean->query_frames.wait_for_old_readers();
         sea.schedule(time_s, to.all());
         ocean->frame_in_flight = true;
     });
@@ -364,7 +364,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             reject(reason);
-        ocean->asked.wait_for_old_readers();
+        ocean->query_frames.wait_for_old_readers();
         FrameBounds all;
         if (ocean->has_completed) {
             all = sea.frame_at(time_s, to.all());

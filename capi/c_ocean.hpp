@@ -78,7 +78,7 @@ struct pelagic_ocean {
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not only by frame_at()
     const pelagic::Frame* shown = nullptr;  ///< frame that queries, cascade, copy and hash read
-    mutable pelagic::capi::QueryFrames asked;
+    mutable pelagic::capi::QueryFrames query_frames;
 };
 
 namespace pelagic::capi {

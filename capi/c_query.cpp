@@ -50,11 +50,11 @@ SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
 }
 
 SurfaceRay ray_of(const pelagic_ray& ray, const Frame& frame) {
-    const SurfaceRay asked{.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
-                           .direction = {ray.direction[0], ray.direction[1], ray.direction[2]},
-                           .reach_m = ray.reach_m};
-    if (const std::string reason = check(asked, frame); !reason.empty()) reject("ray." + reason);
-    return asked;
+    const SurfaceRay ours{.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
+                          .direction = {ray.direction[0], ray.direction[1], ray.direction[2]},
+                          .reach_m = ray.reach_m};
+    if (const std::string reason = check(ours, frame); !reason.empty()) reject("ray." + reason);
+    return ours;
 }
 
 pelagic_hit c_hit_of(const SurfaceHit& found) {
@@ -78,22 +78,21 @@ using namespace pelagic::capi;
 pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                    const pelagic_samples* samples) {
     return guarded([&] {
-        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
+        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const pelagic_points asked = read_struct(points, "points");
-        const SurfacePoints where = points_of(asked);
-        query.with(interpolation_of(asked))
-            .sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
+        const pelagic_points ours = read_struct(points, "points");
+        const SurfacePoints where = points_of(ours);
+        query.with(interpolation_of(ours)).sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
     });
 }
 
 pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray, pelagic_hit* hit) {
     return guarded([&] {
-        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
+        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame());
+        const SurfaceRay ours = ray_of(read_struct(ray, "ray"), query.frame());
         struct_bytes(hit, "hit");
-        const std::optional<SurfaceHit> found = first_hit(query, asked);
+        const std::optional<SurfaceHit> found = first_hit(query, ours);
         write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);
     });
 }
