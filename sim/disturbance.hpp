@@ -1,7 +1,10 @@
 // Disturbances of dynamic waves: oars, hulls, drops.
 #pragma once
 
+#include <span>
 #include <string>
+
+#include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic {
 
@@ -40,6 +43,9 @@ struct Disturbance {
 /// Returns the height of the shape at a position in the world, metres above rest. It is the surface
 /// that a pressure at rest makes of still water.
 double shape_at(const Disturbance& disturbance, double x_m, double z_m);
+
+/// Returns the table of its numeric fields.
+std::span<const NumericField<Disturbance>> disturbance_fields();
 
 /// Returns an empty string for a usable disturbance, else what is wrong: "radius_m is 0, needs
 /// [0.001, 1000]".

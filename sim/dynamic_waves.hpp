@@ -18,6 +18,7 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
+#include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/rain.hpp"
@@ -50,6 +51,9 @@ struct DynamicWavesOptions {
     /// Foam begins above this height and is full at twice it; [0.001, 100].
     double foam_height_m = 0.2;
 };
+
+/// Returns the table of the numeric options.
+std::span<const NumericField<DynamicWavesOptions>> dynamic_waves_fields();
 
 /// Returns an empty string for usable options, else a message that names the first invalid one:
 /// "resolution is 100, needs 64, 128, 256, 512 or 1024".

@@ -14,8 +14,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
+#include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/wave_input.hpp"
 
 namespace pelagic {
@@ -28,6 +30,9 @@ struct Ripple {
     double reach_m = 0;
     double phase_rad = 0;  ///< at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]
 };
+
+/// Returns the table of its numeric fields.
+std::span<const NumericField<Ripple>> ripple_fields();
 
 /// Returns an empty string for a usable ripple, else what is wrong: "wavelength_m is 0, needs
 /// [0.01, 1000]".

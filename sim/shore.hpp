@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/frame.hpp"
 
 namespace pelagic {
@@ -32,6 +34,9 @@ struct ShoreOptions {
     /// waterline.
     double swash_m = 0.25;
 };
+
+/// Returns the table of the numeric options.
+std::span<const NumericField<ShoreOptions>> shore_fields();
 
 /// Returns an empty string for usable options, else what is wrong: "columns is 1, needs 2 to 4096".
 std::string check(const ShoreOptions& options);

@@ -28,6 +28,8 @@ constexpr std::array fields = {
 
 }  // namespace
 
+std::span<const NumericField<Ripple>> ripple_fields() { return fields; }
+
 std::string check(const Ripple& ripple) {
     if (std::string reason = check_fields(ripple, fields); !reason.empty()) return reason;
     if (two_pi * ripple.amplitude_m > ripple.wavelength_m)

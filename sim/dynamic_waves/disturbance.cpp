@@ -39,6 +39,8 @@ double shape_at(const Disturbance& of, double x_m, double z_m) {
     return inside > 0 ? of.height_m * std::sqrt(inside) : 0;
 }
 
+std::span<const NumericField<Disturbance>> disturbance_fields() { return fields; }
+
 std::string check(const Disturbance& disturbance) { return check_fields(disturbance, fields); }
 
 }  // namespace pelagic

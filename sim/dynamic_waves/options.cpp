@@ -64,6 +64,8 @@ DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample
 
 }  // namespace
 
+std::span<const NumericField<DynamicWavesOptions>> dynamic_waves_fields() { return fields; }
+
 std::string check(const DynamicWavesOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     if (options.border_m > options.side_m / 4)

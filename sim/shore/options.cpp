@@ -37,6 +37,8 @@ constexpr std::array fields = {
 
 }  // namespace
 
+std::span<const NumericField<ShoreOptions>> shore_fields() { return fields; }
+
 std::string check(const ShoreOptions& options) {
     if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
     const std::size_t samples = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
