@@ -20,11 +20,6 @@ void need_foam(const Frame& frame) {
         throw std::invalid_argument("the frame has no foam, needs an ocean with foam=True");
 }
 
-namespace {
-
-using Shape = std::vector<py::ssize_t>;
-
-/// A read-only array of `data`, which keeps the ocean's memory as it is until the last array that shares it is gone.
 py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape, const void* data) {
     auto view = std::make_unique<SharedOcean::View>(handle.ocean, handle.number);
     const py::capsule owner(view.get(), [](void* held) { delete static_cast<SharedOcean::View*>(held); });
@@ -33,6 +28,8 @@ py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape,
     array.attr("flags").attr("writeable") = false;
     return array;
 }
+
+namespace {
 
 py::array halves_of(const CascadeHandle& handle) {
     const auto reader = handle.of->read();
@@ -133,13 +130,6 @@ void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, std:
         py::arg("level"), doc_of(("Cascade." + of_level).c_str()));
 }
 
-/// The property `name` of a class, with its docstring.
-template <class Class, class Getter>
-void add(Class& to, const std::string& name, Getter getter) {
-    const std::string class_name = py::str(to.attr("__name__"));
-    to.def_property_readonly(name.c_str(), getter, doc_of((class_name + "." + name).c_str()));
-}
-
 void add_bounds(py::module_& module) {
     py::class_<FrameBounds> bounds(module, "Bounds", doc_of("Bounds"));
     add(bounds, "height_min_m", [](const FrameBounds& of) { return of.height_min_m; });
@@ -173,7 +163,7 @@ void add_cascade(py::module_& module) {
 
 using FramePointer = std::shared_ptr<FrameHandle>;
 
-void add_frame(py::module_& module) {
+FrameClass add_frame(py::module_& module) {
     FrameClass frame(module, "Frame", doc_of("Frame"));
     add(frame, "displacement", [](const FramePointer& of) { return halves_of(first_cascade(of)); });
     add(frame, "height", [](const FramePointer& of) { return plane_of(first_cascade(of), &Cascade::height, ""); });
@@ -190,14 +180,15 @@ void add_frame(py::module_& module) {
               doc_of("Frame.measured_significant_wave_height_m"));
     add_questions(frame);
     add_reference_points(frame);
+    return frame;
 }
 
 }  // namespace
 
-void add_frame_classes(py::module_& module) {
+FrameClass add_frame_classes(py::module_& module) {
     add_bounds(module);
     add_cascade(module);
-    add_frame(module);
+    return add_frame(module);
 }
 
 }  // namespace pelagic::python

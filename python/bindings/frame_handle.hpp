@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "pelagic/python/bindings/shared_ocean.hpp"
 
@@ -29,10 +30,15 @@ struct CascadeHandle {
 /// Throws std::invalid_argument if the frame has no foam.
 void need_foam(const Frame& frame);
 
-/// The classes Frame, Cascade and Bounds; what a frame is asked is added by add_questions().
-void add_frame_classes(pybind11::module_& module);
+using Shape = std::vector<pybind11::ssize_t>;
+
+/// A read-only array of `data`, which keeps the ocean's memory as it is until the last array that shares it is gone.
+pybind11::array view_of(const FrameHandle& handle, const pybind11::dtype& type, Shape shape, const void* data);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
+
+/// The classes Frame, Cascade and Bounds; what a frame is asked is added by add_questions().
+FrameClass add_frame_classes(pybind11::module_& module);
 void add_questions(FrameClass& frame);
 
 using OceanClass = pybind11::class_<SharedOcean, std::shared_ptr<SharedOcean>>;

@@ -8,6 +8,7 @@
 #include "pelagic/message/require.hpp"
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/python/bindings/ocean_parts.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
 
 namespace py = pybind11;
@@ -23,7 +24,8 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
 }
 
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes,
-                        int threads, const std::optional<std::string>& isa, double largest_peak_m) {
+                        int threads, const std::optional<std::string>& isa, double largest_peak_m,
+                        py::handle dynamic_waves, py::handle shore, py::handle inputs) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
     require(check(forecast.first));
     OceanOptions options{
@@ -33,9 +35,18 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
         if (!options.isa)
             throw std::invalid_argument(invalid_value_message("isa", *isa, "sse4.2, avx2, avx512 or neon"));
     }
-    const py::gil_scoped_release others_run;
-    options.executor = make_default_executor(threads);
-    return std::make_shared<SharedOcean>(forecast, options);
+    options.dynamic_waves = dynamic_waves_options_of(dynamic_waves);
+    options.shore = shore_options_of(shore);
+    TakenInputs taken(inputs);
+    options.inputs = taken.inputs();
+    OceanPointer ocean;
+    {
+        const py::gil_scoped_release others_run;
+        options.executor = make_default_executor(threads);
+        ocean = std::make_shared<SharedOcean>(forecast, options);
+    }
+    taken.give_to(ocean);
+    return ocean;
 }
 
 std::vector<std::string> names_of_isas() {
@@ -84,7 +95,7 @@ void schedule_sea(SharedOcean& ocean, py::handle sea, double from_s, double over
     ocean.schedule_sea(change);
 }
 
-void add_ocean_class(py::module_& module) {
+OceanClass add_ocean_class(py::module_& module) {
     using Facts = SharedOcean::Facts;
     const auto facts_and_docs = [](auto& ocean, const char* name, auto get) {
         ocean.def_property_readonly(name, fact(get), doc_of((std::string("Ocean.") + name).c_str()));
@@ -93,6 +104,7 @@ void add_ocean_class(py::module_& module) {
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
               py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false,
               py::arg("threads") = 0, py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0,
+              py::arg("dynamic_waves") = py::none(), py::arg("shore") = py::none(), py::arg("inputs") = py::tuple(),
               doc_of("Ocean.__init__"));
     ocean.def("__enter__", &entered);
     ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely (&SharedOcean::close)(of); });
@@ -117,6 +129,7 @@ void add_ocean_class(py::module_& module) {
         ocean, "memory_bytes", +[](const Facts& of) { return of.memory_bytes; });
     facts_and_docs(
         ocean, "isa", +[](const Facts& of) { return std::string(name_of(of.isa)); });
+    return ocean;
 }
 
 }  // namespace
@@ -138,6 +151,9 @@ PYBIND11_MODULE(_pelagic, module) {
     });
     module.def("isas_here", &names_of_isas, doc_of("isas_here"));
     add_sea_functions(module);
-    add_frame_classes(module);
-    add_ocean_class(module);
+    add_inputs(module);
+    FrameClass frame = add_frame_classes(module);
+    OceanClass ocean = add_ocean_class(module);
+    add_dynamic_waves(module, frame, ocean);
+    add_shore(module, frame);
 }

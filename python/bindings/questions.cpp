@@ -24,7 +24,6 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-using Shape = std::vector<py::ssize_t>;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Shape shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/message/near_names.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/python/bindings/option_fields.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace py = pybind11;
@@ -24,40 +24,9 @@ std::vector<std::string> names_of(const Names& all) {
 }
 
 /// The option that a name stands for.
-template <class Value, class Named, class All>
-Value named_in(py::handle sea, const char* field, Named named, const All& all) {
-    const py::object value = sea.attr(field);
-    if (!py::isinstance<py::str>(value))
-        throw py::type_error(
-            invalid_value_message(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
-    const auto name = value.cast<std::string>();
-    if (const std::optional<Value> found = named(name)) return *found;
-    const std::vector<std::string> names = names_of(all);
-    throw std::invalid_argument(invalid_value_message(field, name, list_of(names)) + nearest_hint(name, names));
-}
-
-double number_in(py::handle sea, const SeaStateField& field) {
-    const std::string name(field.name);
-    const py::object value = sea.attr(name.c_str());
-    const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member) &&
-                          !std::holds_alternative<float SeaState::*>(field.member);
-    // Whatever Python itself takes for a number, NumPy's too; a bool is one only to Python.
-    PyObject* const converted = py::isinstance<py::bool_>(value) ? nullptr
-                                : is_whole                       ? PyNumber_Index(value.ptr())
-                                : py::isinstance<py::str>(value) ? nullptr
-                                                                 : PyNumber_Float(value.ptr());
-    if (!converted) {
-        PyErr_Clear();
-        throw py::type_error(
-            invalid_value_message(name, std::string(py::repr(value)), is_whole ? "a whole number" : "a number"));
-    }
-    const double number = PyFloat_AsDouble(py::reinterpret_steal<py::object>(converted).ptr());
-    if (PyErr_Occurred()) {  // a whole number beyond all doubles
-        PyErr_Clear();
-        throw std::invalid_argument(invalid_value_message(name, std::string(py::str(value)), field.accepted));
-    }
-    if (!field.accepts(number)) throw std::invalid_argument(invalid_value_message(name, number, field.accepted));
-    return number;
+template <class Value, class All>
+Value named_in(py::handle sea, const char* field, const All& all) {
+    return all[name_in(sea, field, names_of(all))];
 }
 
 void check_sea(py::handle sea) { require(check(sea_state_of(sea))); }
@@ -65,14 +34,6 @@ void check_sea(py::handle sea) { require(check(sea_state_of(sea))); }
 SeaState checked_sea(py::handle sea) {
     check_sea(sea);
     return sea_state_of(sea);
-}
-
-/// name, default and range of each number, as the table has them.
-py::list sea_fields() {
-    py::list fields;
-    for (const SeaStateField& field : sea_state_fields())
-        fields.append(py::make_tuple(field.name, field.value_in(SeaState{}), field.accepted));
-    return fields;
 }
 
 py::list preset_list() {
@@ -113,10 +74,10 @@ SeaState sea_state_of(py::handle sea) {
         throw py::type_error(invalid_value_message("sea", std::string(py::repr(sea)),
                                                    "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
     SeaState state;
-    state.waves = named_in<WaveModel>(sea, "waves", wave_model_named, wave_models());
-    state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_model_named, spectrum_models());
-    state.spreading = named_in<SpreadingModel>(sea, "spreading", spreading_model_named, spreading_models());
-    for (const SeaStateField& field : sea_state_fields()) field.set(state, number_in(sea, field));
+    state.waves = named_in<WaveModel>(sea, "waves", wave_models());
+    state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_models());
+    state.spreading = named_in<SpreadingModel>(sea, "spreading", spreading_models());
+    read_fields(sea, sea_state_fields(), state);
     return state;
 }
 
@@ -132,7 +93,7 @@ py::object python_sea_of(const SeaState& sea) {
 
 void add_sea_functions(py::module_& module) {
     module.def("check_sea", &check_sea, py::arg("sea"));
-    module.def("sea_fields", &sea_fields);
+    module.def("sea_fields", [] { return described(sea_state_fields()); });
     module.def("preset_list", &preset_list);
     module.def("report", &report, py::arg("sea"));
     module.def(

@@ -20,7 +20,8 @@ SharedOcean::SharedOcean(const Forecast& forecast, const OceanOptions& options)
       ocean_(std::make_unique<Ocean>(forecast, options)),
       repeat_length_m_(pelagic::repeat_length_m(forecast.first)),
       has_velocities_(options.velocities),
-      has_foam_(options.foam) {}
+      has_foam_(options.foam || options.dynamic_waves || options.shore),
+      has_dynamic_waves_(options.dynamic_waves.has_value()) {}
 
 void SharedOcean::need_open_now() const {
     if (is_closed_) throw std::invalid_argument("the ocean is closed, needs one that is open");
@@ -108,6 +109,23 @@ bool SharedOcean::is_ready() {
 void SharedOcean::schedule_sea(const SeaChange& change) {
     const std::lock_guard turn(turn_);
     opened().schedule_sea(change);
+}
+
+void SharedOcean::use_dynamic_waves(const std::function<void(DynamicWaves&)>& use) {
+    const std::lock_guard turn(turn_);
+    use(opened().dynamic_waves());
+}
+
+void SharedOcean::use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use) {
+    const std::lock_guard turn(turn_);
+    need_open_now();
+    if (in_flight_) throw WrongOrder("a frame is in flight, needs complete() first");
+    use(opened().dynamic_waves());
+}
+
+void SharedOcean::alter_input(const std::function<void()>& change) {
+    const std::lock_guard turn(turn_);
+    change();
 }
 
 SharedOcean::Facts SharedOcean::facts() {

@@ -56,6 +56,14 @@ class SharedOcean {
     void frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use);
     void schedule_sea(const SeaChange& change);
 
+    bool has_dynamic_waves() const { return has_dynamic_waves_; }
+    /// Calls use(waves). \pre has_dynamic_waves()
+    void use_dynamic_waves(const std::function<void(DynamicWaves&)>& use);
+    /// The same where no frame may be in flight.
+    void use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use);
+    /// Calls change() while no other method runs, of a closed ocean too.
+    void alter_input(const std::function<void()>& change);
+
     /// Waits for readers, and gives the memory back; what is on view goes when its last view does.
     void close();
     bool is_closed();
@@ -120,7 +128,7 @@ class SharedOcean {
     std::shared_ptr<Executor> executor_;
     std::unique_ptr<Ocean> ocean_;
     double repeat_length_m_;
-    bool has_velocities_, has_foam_;
+    bool has_velocities_, has_foam_, has_dynamic_waves_;
     std::array<Use, 2> uses_;
     std::array<double, 2> times_s_{};
     std::uint64_t scheduled_ = 0;  ///< frames up to now

@@ -14,11 +14,14 @@ from types import MappingProxyType as _MappingProxyType
 from typing import Mapping as _Mapping
 
 from ._explained import explain as _explain, nearest_hint as _nearest_hint
-from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Cascade, isas_here, preset_list as _preset_list, version as __version__
+from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions
+from ._pelagic import (Bounds, Cascade, DynamicWaves, DynamicWavesView, Frame, GerstnerInput, Ocean, RippleInput, ShoreSurface, StaleFrame,
+                       WaveInput, isas_here, preset_list as _preset_list, version as __version__)
 from ._sea import Report, Sea
 
 __all__ = [
-    "Bounds", "Frame", "Ocean", "Report", "Sea", "StaleFrame", "Cascade",
+    "AnalyticWave", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
+    "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "StaleFrame", "WaveInput",
     "isas_here", "preset", "preset_summaries", "presets",
 ]
 
@@ -28,7 +31,8 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 #: A line about each of them.
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
 
-_explain(Frame, Ocean, Sea, Cascade)
+_explain(AnalyticWave, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Ocean, Rain, Ripple, RippleInput, Sea,
+         ShoreOptions)
 
 
 def preset(name: str) -> Sea:

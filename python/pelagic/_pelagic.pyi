@@ -6,6 +6,7 @@ from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Type, Ty
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions
 from ._sea import Sea
 
 version: str
@@ -132,6 +133,100 @@ class Cascade:
     def bounds(self) -> Bounds:
         """Exact."""
 
+class DynamicWavesView:
+    """The dynamic waves of a frame, whose height adds to that of the cascades where water is drawn.
+
+    Texel (i, j) of the world stands at x = i texel_m, z = j texel_m and is element [j mod N, i mod N]; the grid has
+    first_x <= i < first_x + N, and j likewise. np.roll(array, (-first_z, -first_x), (0, 1)) begins with the lowest texel. Arrays are
+    views; the other values stay when the frame is over.
+    """
+
+    @property
+    def height_m(self) -> NDArray[np.float32]:
+        """(N, N), a view."""
+    @property
+    def vertical_velocity_mps(self) -> NDArray[np.float32]:
+        """(N, N), a view."""
+    @property
+    def foam(self) -> NDArray[np.uint8]:
+        """(N, N), a view: 0 none to 255 covered."""
+    @property
+    def resolution(self) -> int:
+        """N, texels along a side."""
+    @property
+    def texel_m(self) -> float:
+        """Side of a texel."""
+    @property
+    def first_x(self) -> int:
+        """The lowest texel along x."""
+    @property
+    def first_z(self) -> int:
+        """The lowest texel along z."""
+    @property
+    def height_min_m(self) -> float:
+        """Lower bound of the heights."""
+    @property
+    def height_max_m(self) -> float:
+        """Upper bound of the heights."""
+    @property
+    def hash(self) -> int:
+        """XXH3 of the position and the arrays: dynamic_waves_hash in sea.json."""
+
+class ShoreSurface:
+    """The shore of a frame: a rectangle with a floor, where cascades are attenuated and waves that feel the floor add to them.
+
+    Element [j, i] stands at x = x_m + i texel_m, z = z_m + j texel_m. Arrays are views; the other values stay when the frame is over.
+    """
+
+    @property
+    def columns(self) -> int:
+        """Texels along x."""
+    @property
+    def rows(self) -> int:
+        """Texels along z."""
+    @property
+    def texel_m(self) -> float:
+        """Side of a texel."""
+    @property
+    def x_m(self) -> float:
+        """Position of element [0, 0]."""
+    @property
+    def z_m(self) -> float:
+        """Position of element [0, 0]."""
+    @property
+    def depth_m(self) -> NDArray[np.float32]:
+        """(rows, columns), a view: depth of still water, below 0 on land."""
+    @property
+    def parts_rgba8(self) -> NDArray[np.uint8]:
+        """(rows, columns, 4), a view: weight of cascade t in [..., t], 255 for 1."""
+    @property
+    def height_m(self) -> NDArray[np.float32]:
+        """(rows, columns), a view: height that adds to the cascades."""
+    @property
+    def vertical_velocity_mps(self) -> NDArray[np.float32]:
+        """(rows, columns), a view."""
+    @property
+    def potential_m2ps(self) -> NDArray[np.float32]:
+        """(rows, columns), a view: velocity potential of these waves at the surface."""
+    @property
+    def reach_m(self) -> NDArray[np.float32]:
+        """(rows, columns), a view: envelope of the crests. Sand below it is wet."""
+    @property
+    def foam(self) -> NDArray[np.uint8]:
+        """(rows, columns), a view: foam of breaking waves, 0 none to 255 covered."""
+    @property
+    def height_min_m(self) -> float:
+        """Lower bound of the heights."""
+    @property
+    def height_max_m(self) -> float:
+        """Upper bound of the heights."""
+    @property
+    def parts_change_per_m(self) -> float:
+        """Upper bound of the change of a weight over a metre."""
+    @property
+    def hash(self) -> int:
+        """XXH3 of the arrays."""
+
 class Frame:
     """The sea at a moment. It lasts until the second schedule() or frame_at() after its own, and then raises StaleFrame; time_s,
     sea, bounds and significant_wave_height_m stay. Any number of threads may ask it at once.
@@ -161,6 +256,12 @@ class Frame:
     @property
     def is_alive(self) -> bool:
         """It would not raise StaleFrame, nor is its ocean closed."""
+    @property
+    def dynamic_waves(self) -> DynamicWavesView:
+        """Wakes, ripples and splashes. With Ocean(dynamic_waves=...)."""
+    @property
+    def shore(self) -> ShoreSurface:
+        """Depths, weights and waves over the floor. With Ocean(shore=...)."""
     @property
     def hash(self) -> int:
         """XXH3 of all of its bits, which the command line prints in hexadecimal digits."""
@@ -194,6 +295,53 @@ class Frame:
     def sample_undisplaced(self, points: ArrayLike) -> UndisplacedSamples:
         """The same and velocities in one go, for meshes of many vertices that move every frame. Points are (n, 2), within 1e9 m."""
 
+class WaveInput:
+    """Waves that are added to an ocean's cascades: a GerstnerInput or a RippleInput. It belongs to one ocean; changes take effect at
+    the next schedule().
+    """
+
+class GerstnerInput(WaveInput):
+    """A list of Gerstner waves, for Ocean(inputs=[...]). Each becomes the nearest wave of a cascade's grid, with whole periods in a
+    loop.
+    """
+
+    def __init__(self, waves: Iterable[AnalyticWave] = (), choppiness: float = 1.0) -> None:
+        """At most 64 waves; choppiness is in [0, 1], and 0 gives a height field."""
+    def set(self, waves: Iterable[AnalyticWave], choppiness: float = 1.0) -> None:
+        """Replaces the waves."""
+
+class RippleInput(WaveInput):
+    """Rings around a point, for Ocean(inputs=[...])."""
+
+    def __init__(self, ripple: Ripple) -> None:
+        """The rings."""
+    def set(self, ripple: Ripple) -> None:
+        """Replaces the rings."""
+
+class DynamicWaves:
+    """The dynamic waves of an ocean: its dynamic_waves. Commands take effect at the next schedule(), in the order of the calls. Equal
+    times with equal commands between them give bit-identical waves. A time before the last one leaves the waves as they are, and a
+    jump ahead computes half a second at most.
+    """
+
+    def add_impulse(self, disturbance: Disturbance) -> None:
+        """Acts once, in the next tick. At most 4096 impulses wait for a tick."""
+    def add_source(self, source: Disturbance) -> int:
+        """Acts in every tick, moving at its velocity, until it is removed. Returns its number. At most 4096 sources at once."""
+    def set_source(self, number: int, source: Disturbance) -> None:
+        """Replaces a source. Does nothing if there is no source of that number."""
+    def remove_source(self, number: int) -> None:
+        """Does nothing if there is no source of that number."""
+    def set_center(self, x_m: float, z_m: float) -> None:
+        """Moves the grid's centre to within half a texel of the point. Texels that enter are flat."""
+    def set_rain(self, rain: Rain) -> None:
+        """Rain from the next tick on; 0 drops end it."""
+    def save_state(self) -> bytes:
+        """Returns all that ticks to come depend on, but for commands since the last schedule(). No frame may be in flight."""
+    def restore_state(self, saved: bytes) -> None:
+        """Continues from a saved state of waves with equal options, and drops commands since the last schedule(). No frame may be in
+        flight."""
+
 class Ocean:
     """A sea that computes frames. Use it in a `with` statement, or close() it.
 
@@ -212,6 +360,9 @@ class Ocean:
         threads: int = 0,
         isa: Optional[str] = None,
         largest_peak_m: float = 0.0,
+        dynamic_waves: Optional[DynamicWavesOptions] = None,
+        shore: Optional[ShoreOptions] = None,
+        inputs: Iterable[WaveInput] = (),
     ) -> None:
         """
         queries     frames can be asked by query() and rays()
@@ -223,6 +374,9 @@ class Ocean:
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest. All have the same bits
         largest_peak_m  cascades are laid out for waves with peaks up to this long, which a sea to come may have: its
                     report().peak_wavelength_m. 0: the first sea's
+        dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
+        shore       a floor that waves feel; None: no shore
+        inputs      waves that are added to those of the wind, in this order; they change the hash
         """
     def __enter__(self) -> Ocean: ...
     def __exit__(
@@ -260,6 +414,9 @@ class Ocean:
         """The sea turns into another one, from a time on and over so many seconds; the same cascades, depth, loop and seed. If its swell
         was raised so many metres away, long waves come first."""
     @property
+    def dynamic_waves(self) -> DynamicWaves:
+        """With Ocean(dynamic_waves=...)."""
+    @property
     def sea(self) -> Sea:
         """That there will be after the last change."""
     @property
@@ -282,6 +439,18 @@ def isas_here() -> List[str]:
     """The instruction sets that this processor runs, weakest first."""
 
 def check_sea(sea: Sea) -> None: ...
+def check_analytic_wave(wave: AnalyticWave) -> None: ...
+def check_disturbance(disturbance: Disturbance) -> None: ...
+def check_dynamic_waves_options(options: DynamicWavesOptions) -> None: ...
+def check_rain(rain: Rain) -> None: ...
+def check_ripple(ripple: Ripple) -> None: ...
+def check_shore_options(options: ShoreOptions) -> None: ...
+def analytic_wave_fields() -> List[Tuple[str, float, str]]: ...
+def disturbance_fields() -> List[Tuple[str, float, str]]: ...
+def dynamic_waves_fields() -> List[Tuple[str, float, str]]: ...
+def rain_fields() -> List[Tuple[str, float, str]]: ...
+def ripple_fields() -> List[Tuple[str, float, str]]: ...
+def shore_fields() -> List[Tuple[str, float, str]]: ...
 def sea_fields() -> List[Tuple[str, float, str]]: ...
 def preset_list() -> List[Tuple[str, str, Sea]]: ...
 def report(sea: Sea) -> Dict[str, Any]: ...

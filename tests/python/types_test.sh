@@ -17,6 +17,13 @@ from numpy.typing import NDArray
 import pelagic
 
 def heights(sea: pelagic.Sea) -> NDArray[np.float32]:
+    floor = pelagic.ShoreOptions([[-9.0, 2.0], [-8.0, 1.0]])
+    rings = pelagic.RippleInput(pelagic.Ripple(amplitude_m=0.1))
+    with pelagic.Ocean(sea, dynamic_waves=pelagic.DynamicWavesOptions(), shore=floor, inputs=[rings, pelagic.GerstnerInput()]) as ocean:
+        boat: int = ocean.dynamic_waves.add_source(pelagic.Disturbance(shape="hull"))
+        ocean.dynamic_waves.remove_source(boat)
+        depths: NDArray[np.float32] = ocean.frame_at(1).shore.depth_m
+        print(depths.shape, ocean.frame_at(2).dynamic_waves.hash + 1)
     with pelagic.Ocean(sea, threads=1, isa="sse4.2") as ocean:
         frame: pelagic.Frame = ocean.frame_at(1)
         halves: NDArray[np.float16] = frame.cascades[0].displacement
@@ -28,7 +35,8 @@ check right.py
 
 lines=('pelagic.Sea(wind_speed=9)' 'pelagic.Sea(wind_speed_mps="9")' 'pelagic.preset("rough").seed = 2' 'pelagic.Ocean(pelagic.Sea(), query=True)'
        'pelagic.Ocean(pelagic.Sea()).frame_at("now")' 'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]], fields=["depth"])'
-       'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]])["depth"]')
+       'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]])["depth"]'
+       'pelagic.Disturbance(radius=2)' 'pelagic.Ocean(pelagic.Sea(), inputs=[3])' 'pelagic.Ocean(pelagic.Sea()).dynamic_waves.add_impulse(3)')
 for line in "${lines[@]}"; do
   printf 'import pelagic\n%s\n' "$line" >wrong.py
   if check wrong.py >said; then echo "$line is taken" && exit 1; fi

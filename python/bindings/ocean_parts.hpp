@@ -1,0 +1,51 @@
+// What an ocean may have beside the waves of the wind: dynamic waves, a shore, wave inputs.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/wave_input.hpp"
+
+namespace pelagic::python {
+
+/// Of any object that has the fields as attributes; None: none. Throws std::invalid_argument and TypeError.
+std::optional<DynamicWavesOptions> dynamic_waves_options_of(pybind11::handle options);
+std::optional<ShoreOptions> shore_options_of(pybind11::handle options);
+
+/// A wave input and the ocean that has it.
+struct InputHandle {
+    bool is_taken = false;
+    std::weak_ptr<SharedOcean> ocean;
+
+    virtual ~InputHandle() = default;
+    virtual std::shared_ptr<WaveInput> input() const = 0;
+};
+
+/// The inputs of one new ocean, which no other can have unless the ocean is not made.
+class TakenInputs {
+   public:
+    /// Throws TypeError for what is no list of inputs, and std::invalid_argument for an input that is taken.
+    explicit TakenInputs(pybind11::handle inputs);
+    ~TakenInputs();
+    TakenInputs(const TakenInputs&) = delete;
+    TakenInputs& operator=(const TakenInputs&) = delete;
+
+    std::vector<std::shared_ptr<WaveInput>> inputs() const;
+    void give_to(const std::shared_ptr<SharedOcean>& ocean);
+
+   private:
+    std::vector<std::shared_ptr<InputHandle>> handles_;
+    bool are_given_ = false;
+};
+
+/// Each adds classes, the checks of the options in _options.py, and properties.
+void add_dynamic_waves(pybind11::module_& module, FrameClass& frame, OceanClass& ocean);
+void add_shore(pybind11::module_& module, FrameClass& frame);
+void add_inputs(pybind11::module_& module);
+
+}  // namespace pelagic::python
