@@ -1,5 +1,5 @@
-// Closed-form water as text for shaders: GLSL's reference compiler takes it, and a driver computes the same water
-// with it.
+// Tests of the GLSL source of the analytic waves: GLSL's reference compiler accepts it, and a
+// driver computes the same water.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,12 +20,13 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = 48;  // pixels: places that are asked
+constexpr int side = 48;  // Pixels a side; each pixel evaluates one position.
 constexpr const char* every_place =
     "#version 300 es\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, "
     "1.0); }\n";
 
-/// A shader that writes `result`, an expression of `water`, for a square of places of 3 m.
+/// Returns a shader that writes `result`, an expression of `water`, for a square of positions of
+/// side 3 m.
 std::string shader_of(const std::string& water, const std::string& result, float time_s) {
     return "#version 300 es\nprecision highp float;\n" + water +
            "out vec4 result;\nvoid main() {\n    AnalyticWater water = analytic_water(gl_FragCoord.xy * 3.0 - "
@@ -33,7 +34,7 @@ std::string shader_of(const std::string& water, const std::string& result, float
            std::to_string(time_s) + ");\n    result = " + result + ";\n}\n";
 }
 
-/// What the driver computes, from the lowest row up.
+/// Returns the values that the driver computes, from the lowest row up.
 std::vector<float> drawn(const std::string& fragment) {
     const gl::HeadlessContext context{{.debug = true}};
     const gl::Functions& gl = context.functions();
@@ -68,10 +69,11 @@ std::vector<float> drawn(const std::string& fragment) {
 
 const AnalyticSea& intense() { return analytic_preset_named("analytic-intense")->sea; }
 
-TEST(AnalyticGlsl, IsGlslForVertexAndFragmentShaders) {
+TEST(AnalyticGlsl, CompilesInVertexAndFragmentShaders) {
     std::string folder = (std::filesystem::temp_directory_path() / "pelagic_analytic_XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    AnalyticSea flat{.waves = {{}}, .choppiness = 0};  // whole numbers must be floats, too
+    // whole numbers must be written as floats, too
+    AnalyticSea flat{.waves = {{}}, .choppiness = 0};
     for (const AnalyticSea& sea : {intense(), flat}) {
         const std::string vertex = folder + "/water.vert", fragment = folder + "/water.frag";
         std::ofstream(vertex)
@@ -88,8 +90,8 @@ TEST(AnalyticGlsl, IsGlslForVertexAndFragmentShaders) {
     std::filesystem::remove_all(folder);
 }
 
-// A target holds half floats, which tell 2.4e-4 of a number.
-TEST(AnalyticGlsl, DrawsTheWaterThatTheSurfaceTells) {
+// The target holds half floats, whose relative precision is 2.4e-4.
+TEST(AnalyticGlsl, MatchesTheSurfaceOnTheCpu) {
     const GlslOrigin origin{.time_s = 86400, .x_m = 1e5, .z_m = -2e5};
     const float time_s = 12.5f;
     std::vector<double> x, z;

@@ -1,4 +1,5 @@
-// Radiance from anywhere, under any sky, in any depth of water: a finite number that is not negative. And two eyes that agree.
+// Radiance is finite and not negative from any position, under any sky and in any depth of water.
+// The images of two eyes agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 
 double uniform(std::minstd_rand& random) { return static_cast<double>(random()) / 2147483647.0; }
 
-/// From 30 m deep to 3 km high, half of them within 3 m of the surface, in all directions, some of them exactly down, up, level or along an
-/// axis.
+/// Positions from 30 m deep to 3 km high, half of them within 3 m of the surface. Directions are
+/// random; some are exactly down, up, level or along an axis.
 Camera anywhere(std::minstd_rand& random, int i) {
     const double metres =
         i % 2 == 0 ? 3 - 6 * uniform(random) : 3000 * std::pow(uniform(random), 4) - 30 * uniform(random);
@@ -33,8 +34,8 @@ INSTANTIATE_TEST_SUITE_P(Tiers, GlAnyView,
                          testing::Values(gl::Shading::headset, gl::Shading::medium, gl::Shading::high),
                          [](const auto& test) { return std::string(gl::name_of(test.param)); });
 
-// 30 views a tier in the gate, 500 at night, five to a sky, ten to a sea.
-TEST_P(GlAnyView, IsFiniteAndNotNegative) {
+// 30 views a tier in the quick run, 500 at night; five views share a sky, ten share a sea.
+TEST_P(GlAnyView, RadianceIsFiniteAndNotNegative) {
     constexpr int width = 48, height = 32;
     std::minstd_rand random(5);
     gl::SkyBaker baker(make_default_executor(), 16);
@@ -70,8 +71,9 @@ TEST_P(GlAnyView, IsFiniteAndNotNegative) {
     }
 }
 
-// Eyes look in parallel, so what is infinitely far away stands at the same place in both images; and the sea's light there is the same.
-TEST(GlEyes, AgreeToAPixelAtInfinity) {
+// The eyes look in parallel, so infinitely distant points have the same position in both images.
+// The sea's radiance there is also the same.
+TEST(GlEyes, ImagesAgreeToAPixelAtInfinity) {
     constexpr int width = 240, height = 60;
     GlScene scene(
         {.quality = "low", .resolution = 64, .width = width, .height = height, .writes = gl::PixelKind::radiance});
@@ -88,9 +90,9 @@ TEST(GlEyes, AgreeToAPixelAtInfinity) {
             difference += std::abs(luminance(x, y) - luminance(x + width / 2, y));
             sum += luminance(x, y);
         }
-    // 63 mm at a kilometre are a hundredth of a pixel here.
+    // 63 mm at a distance of one kilometre are a hundredth of a pixel here.
     EXPECT_LT(difference, 0.005 * sum);
-    // The test can fail: a pixel to the side it is another image.
+    // Check that the test can fail: a shift of one pixel gives another image.
     double beside = 0;
     for (int y = 0; y < height / 2 + 1; ++y)
         for (int x = 0; x < width / 2 - 1; ++x) beside += std::abs(luminance(x, y) - luminance(x + 1 + width / 2, y));

@@ -1,4 +1,4 @@
-// A box that an application hands in is mirrored where the image of it in a level mirror is.
+// A box in the application's scene is reflected at the position that a level mirror gives.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ constexpr double pi = 3.14159265358979323846;
 struct Box {
     glm::dvec3 min, max;
 
-    /// Metres along a ray of unit length to where it enters; infinity if it does not.
+    /// Returns the distance in metres along a unit ray to its entry point; infinity if the ray
+    /// misses.
     double met(glm::dvec3 from, glm::dvec3 along) const {
         double enters = 0, leaves = std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
@@ -35,20 +36,20 @@ const Camera camera{.position_m = {0, 3, 0}, .target_m = {30, -2, 0}, .vertical_
 
 gl::Eye test_eye() { return gl::eye_of(camera, {0, 0, width, height}); }
 
-/// Where a place is in the image, pixels from its lower left corner.
+/// Returns the position of a point in the image, in pixels from its lower left corner.
 glm::dvec2 pixel_of(glm::dvec3 place) {
     const glm::dvec4 clip = test_eye().clip_from_world * glm::dvec4(place, 1);
     return (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(width, height);
 }
 
-/// Of a pixel's middle.
+/// Returns the ray through a pixel's centre.
 glm::dvec3 ray_through(int x, int y) {
     const glm::dvec4 on_near(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, -1, 1);
     const glm::dvec4 at = glm::inverse(test_eye().clip_from_world) * on_near;
     return glm::normalize(glm::dvec3(at) / at.w - camera.position_m);
 }
 
-/// A red box as an application would draw it, by rays.
+/// Draws a red box by ray casting, as an application would.
 struct ApplicationImage {
     ApplicationImage(const gl::Functions& gl, const Box& box) : radiance(gl), depth(gl) {
         const gl::GlStateGuard keep(gl);
@@ -80,7 +81,8 @@ struct ApplicationImage {
 
 class GlApplicationScene : public testing::Test {
    protected:
-    /// How much more red each pixel of the sea is with the box than without, the lower row first.
+    /// Returns how much more red each pixel of the sea has with the box than without it, the lower
+    /// row first.
     std::vector<float> added_red(const Box& box) {
         const Frame& frame = scene_.ocean.frame_at(0);
         const auto drawn = [&] {
@@ -116,13 +118,15 @@ class GlApplicationScene : public testing::Test {
                     .writes = gl::PixelKind::radiance}};
 };
 
-// Half of the light of a box 40 times as bright as the sky's unit, at the least that water mirrors, 2 %.
+// The threshold is half of the light of a box 40 times as bright as the sky's unit, at the minimum
+// reflectance of water, 2 %.
 constexpr float is_red = 0.4f;
 
-TEST_F(GlApplicationScene, IsMirroredWhereALevelMirrorShowsIt) {
+TEST_F(GlApplicationScene, IsReflectedWhereALevelMirrorShowsIt) {
     const Box box{{20, -2, -3}, {22, 2.5, 2}};
     const std::vector<float> added = added_red(box);
-    // Its image stands on its head, as deep as the box is high; the nearer face hides the other one.
+    // The reflection is upside down and extends as far below the waterline as the box is high. The
+    // nearer face hides the other one.
     const glm::dvec2 foot = pixel_of({20, 0, -3}), head = pixel_of({20, -2.5, -3}), other = pixel_of({20, -2.5, 2});
     ASSERT_GT(std::abs(foot.y - head.y), 15);
     const int middle = static_cast<int>(0.5 * (head.x + other.x));
@@ -135,13 +139,13 @@ TEST_F(GlApplicationScene, IsMirroredWhereALevelMirrorShowsIt) {
             leftmost = std::min(leftmost, x);
             rightmost = std::max(rightmost, x + 1);
         }
-    // A step of the ray, by which the last that is mirrored of its head may be missed, is about 4 pixels here; ripples move the
-    // image about as much.
+    // The reflection may miss the last ray step of the box's top, about 4 pixels here. Ripples move
+    // the image by about as much.
     EXPECT_NEAR(lowest, head.y, 4);
     EXPECT_NEAR(leftmost, std::min(pixel_of({20, -1.25, -3}).x, pixel_of({20, -1.25, 2}).x), 2);
     EXPECT_NEAR(rightmost, std::max(pixel_of({20, -1.25, -3}).x, pixel_of({20, -1.25, 2}).x), 2);
     for (int y = lowest + 4; y < static_cast<int>(foot.y) - 1; ++y) EXPECT_GT(at(added, middle, y), is_red) << y;
-    // Nothing is mirrored beside it.
+    // Nothing is reflected beside the box.
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             if (y < head.y - 4 || x < leftmost - 3 || x > rightmost + 3) {
@@ -149,8 +153,9 @@ TEST_F(GlApplicationScene, IsMirroredWhereALevelMirrorShowsIt) {
             }
 }
 
-// Of a tower higher than the image, what its upper edge cuts off is not mirrored: the sky is.
-TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesTheImage) {
+// A tower extends above the image: its part beyond the upper edge is not reflected; the sky is
+// reflected instead.
+TEST_F(GlApplicationScene, ReflectionIsTheSkyWhereTheRayLeavesTheImage) {
     const std::vector<float> added = added_red({{20, -2, -3}, {22, 60, 2}});
     int inside = 0, outside = 0;
     for (int y = 0; y < height; ++y) {
@@ -160,7 +165,7 @@ TEST_F(GlApplicationScene, IsTheSkyWhereTheRayLeavesTheImage) {
         const glm::dvec3 water = camera.position_m + way * ray;
         const double risen = -ray.y / ray.x * (20 - water.x);
         const double seen_at = pixel_of({20, risen, water.z}).y / height;
-        // The fade at the edge; ripples turn rays by up to a tenth of the image.
+        // The fade at the edge; ripples deflect rays by up to a tenth of the image.
         if (seen_at < 0.9) {
             EXPECT_GT(at(added, width / 2, y), is_red) << y;
             ++inside;

@@ -1,5 +1,6 @@
-// Below the surface: the floor through the water, Snell's window, the waterline across the lens. Light that is black but for
-// one source tells where each part of an image comes from.
+// Rendering below the surface: the floor through the water, Snell's window, the waterline across
+// the lens. The light is black except for one source, so that the source of each pixel's light is
+// known.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi, water_index = 1.333;
 
-/// A sky of one colour all around, and nothing else: what it does not reach is black.
+/// Sets a sky of one colour and no other light: a pixel that the sky does not reach is black.
 gl::Sky even_sky(float radiance) {
     gl::Sky sky;
     sky.face_size = 16;
@@ -33,14 +34,14 @@ gl::Sky even_sky(float radiance) {
     return sky;
 }
 
-/// Sunlight straight down from a black sky.
+/// Sets sunlight straight down from a black sky.
 gl::Sky only_sun() {
     gl::Sky sky = even_sky(0);
     sky.sun_irradiance = glm::vec3(1);
     return sky;
 }
 
-/// Draws radiance, one sample a pixel.
+/// Draws radiance with one sample a pixel.
 class BelowScene {
    public:
     explicit BelowScene(const std::string& preset, int width = 96, int height = 64)
@@ -55,7 +56,8 @@ class BelowScene {
 
     const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
 
-    /// The same sea when no wind blows: level, and smooth but for what a mirror's smallest roughness is.
+    /// Returns the sea without wind: level, and smooth except for the minimum roughness of a
+    /// mirror.
     const Frame& level_frame(double depth_m) {
         level_ = ocean_.frame_at(0);
         level_.sea.depth_m = depth_m;
@@ -78,7 +80,7 @@ class BelowScene {
         return level_;
     }
 
-    /// \param water  none: the lens is in the air
+    /// \param water  if empty, the lens is in the air
     std::vector<float> image(const Camera& camera, const Frame& frame, std::optional<gl::CameraWaterPlane> water,
                              bool draws_sky = true) {
         const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
@@ -104,7 +106,7 @@ class BelowScene {
     int width() const { return target_.width(); }
     int height() const { return target_.height(); }
 
-    /// Of green light in the water that is drawn where none is chosen, 1/m.
+    /// Returns the attenuation coefficient of green light in the default water, 1/m.
     static double attenuation() {
         return static_cast<double>(gl::water_optics(gl::default_jerlov_type).attenuation_per_m().y);
     }
@@ -125,8 +127,8 @@ class BelowScene {
     gl::SeaRenderer renderer;
 };
 
-// Total reflection begins at asin(1 / n) = 48.6 degrees, whatever the depth.
-TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
+// Total internal reflection begins at asin(1 / n) = 48.6 degrees at any depth.
+TEST(UnderWater, SnellsWindowHasTheCriticalAngleAndNoSkyIsOutsideIt) {
     constexpr double view_rad = 2.3, inner = (48.6 - 1.5) * pi / 180, outer = (48.6 + 1.5) * pi / 180, depth_m = 5;
     BelowScene scene("calm", 240, 240);
     scene.renderer.set_sky(even_sky(100));
@@ -141,8 +143,8 @@ TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
                 std::atan(std::hypot(x + 0.5 - scene.width() / 2.0, y + 0.5 - scene.height() / 2.0) * scale);
             const double light = scene.green(pixels, x, y);
             if (angle < inner) {
-                // What came through the surface, grown by n^2, and dimmed on the way: at least the part at 47 degrees,
-                // where 0.65 is let in.
+                // Light through the surface is scaled by n^2 and attenuated by the water. The bound
+                // is the fraction at 47 degrees, where 0.65 is transmitted.
                 EXPECT_GT(light, 0.5 * 100 * water_index * water_index * std::exp(-k * depth_m / std::cos(angle)))
                     << x << ", " << y;
                 ++within;
@@ -154,13 +156,14 @@ TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
     EXPECT_GT(within, 500);
     EXPECT_GT(beside, 500);
     const double straight_up = 100 * water_index * water_index * (1 - 0.0204) * std::exp(-k * depth_m);
-    // Half floats of radiance and of the sky: 1e-3.
+    // Half floats of radiance and of the sky have a precision of 1e-3.
     EXPECT_NEAR(scene.middle(pixels), straight_up, 0.005 * straight_up);
 }
 
-// Sunlight goes down through the water and up again: exp(-k d) each way. The difference between a white floor and a black one is
-// the floor's alone. Without waves caustics are even.
-TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
+// Sunlight is attenuated by exp(-k d) on its path down and again on its path up. The difference
+// between a white and a black floor contains only light from the floor. Without waves caustics are
+// uniform.
+TEST(UnderWater, FloorIsAttenuatedOnThePathDownAndUp) {
     BelowScene scene("calm", 32, 32);
     scene.renderer.set_sky(only_sun());
     const double k = BelowScene::attenuation();
@@ -178,12 +181,12 @@ TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
             }
             return light[1] - light[0];
         };
-        // From a metre below the surface. What the surface lets in is Fresnel's 0.98 of the sun's 1.
+        // From a metre below the surface. The surface transmits Fresnel's 0.98 of the sun's 1.
         const double from_water = floor_of({{0, -1, 0}, {0, -9, 0}, 0.3}, gl::CameraWaterPlane{});
         const double below = 0.98 / pi * std::exp(-k * (depth_m + depth_m - 1));
         EXPECT_NEAR(from_water, below, 0.01 * below) << depth_m;
-        // From the air, beside the sun's mirror image, and on the slant: 40 degrees from the vertical the refracted way is 1 /
-        // cos(28.8 degrees) as long.
+        // From the air, beside the sun's mirror image, at a slant: at 40 degrees from the vertical
+        // the refracted path is 1 / cos(28.8 degrees) as long.
         for (const double angle : {10 * pi / 180, 40 * pi / 180}) {
             const double from_air = floor_of({{0, 5, 0}, {5 * std::tan(angle), 0, 0}, 0.3}, std::nullopt);
             const double in_water = std::asin(std::sin(angle) / water_index);
@@ -191,15 +194,17 @@ TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
             let_in.push_back(from_air / through);
         }
     }
-    // What the surface lets through depends on the angle alone: 0.98 / n^2 of 0.98 / pi; the slanted ray loses 2.6 %.
+    // The surface's transmittance depends on the angle alone: 0.98 / n^2 of 0.98 / pi; the slanted
+    // ray loses 2.6 %.
     for (std::size_t i = 0; i < let_in.size(); i += 2) {
         EXPECT_NEAR(let_in[i], 0.98 * 0.98 / (water_index * water_index * pi), 0.01 * let_in[0]) << i;
         EXPECT_NEAR(let_in[i + 1], let_in[i], 0.02 * let_in[0]) << i;
     }
 }
 
-// From below the level surface mirrors at a slant, so that all light there is comes from the water and dims with depth.
-TEST(UnderWater, ItGetsDarkerWithDepthAndIsBrighterUpwards) {
+// From below, a level surface reflects totally at a slant, so all light there comes from the water
+// and decreases with depth.
+TEST(UnderWater, RadianceFallsWithDepthAndRisesUpwards) {
     BelowScene scene("calm", 32, 32);
     scene.renderer.set_sky(only_sun());
     const Frame& frame = scene.level_frame(4000);
@@ -211,16 +216,17 @@ TEST(UnderWater, ItGetsDarkerWithDepthAndIsBrighterUpwards) {
         const glm::dvec3 at(0, -depth_m, 0);
         return scene.middle(scene.image({at, at + ahead, 0.2}, frame, gl::CameraWaterPlane{}));
     };
-    // Straight down and level everything above is the same water, thicker.
+    // Straight down and level, all light comes from the same water, which gets thicker.
     for (const glm::dvec3 ahead : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0)})
         EXPECT_NEAR(seen(20, ahead) / seen(5, ahead), std::exp(-k * 15), 0.02 * std::exp(-k * 15));
     EXPECT_GT(seen(20, {1, 0.5, 0}), 1.5 * seen(20, {1, 0, 0}));
     EXPECT_GT(seen(20, {1, 0, 0}), 1.5 * seen(20, {0, -1, 0}));
 }
 
-// Under a bright sky, with no light in the water, pixels of the lens within it are black and those in the air are not: each is on
-// the side where the query's plane says. Seen level, where the surface from below mirrors.
-TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
+// The sky is bright and the water has no light. Pixels of the lens below the queried water plane
+// are black, and pixels above it are not. The view is level, where the surface seen from below
+// reflects totally.
+TEST(UnderWater, WaterlineOnTheLensMatchesTheQueryWithoutHoles) {
     BelowScene scene("calm", 120, 80);
     scene.renderer.set_sky(even_sky(100));
     for (int i = 0; i < 4; ++i) {
@@ -243,7 +249,8 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
                 const double light = scene.green(pixels, x, y);
                 const float* rgba = &pixels[4 * static_cast<std::size_t>(y * scene.width() + x)];
                 if (i % 2 == 0 || above < 0) holes += rgba[0] >= 999;
-                // The meniscus is a darker rim of 3 mm; holes where the application draws the sky are neither.
+                // The meniscus is a darker rim of 3 mm; holes where the application draws the sky
+                // count as neither.
                 if (std::abs(above) < 0.003 || rgba[0] >= 999) continue;
                 (above < 0 ? wet : dry) += 1;
                 wrong += (above < 0) != (light < 0.3);
@@ -251,13 +258,14 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
         EXPECT_EQ(holes, 0) << i;
         EXPECT_GT(wet, 500) << i;
         EXPECT_GE(dry, i % 2 == 0 ? 500 : 0) << i;
-        // A wave that stands near shows its steep side to both.
+        // A near wave shows its steep side to both.
         EXPECT_LE(wrong, (wet + dry) / 50) << i << ": of " << wet << " wet and " << dry << " dry";
     }
 }
 
-// Looking up within Snell's window the sky is everywhere: a seam between patches would be black water.
-TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
+// Within Snell's window the view up shows only the sky; a seam between patches would show black
+// water.
+TEST(UnderWater, SurfaceHasNoHolesFromBelow) {
     BelowScene scene("moderate", 160, 120);
     scene.renderer.set_sky(even_sky(1000));
     for (int i = 0; i < (is_sanitized ? 2 : 5); ++i) {
@@ -271,7 +279,7 @@ TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
     }
 }
 
-TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
+TEST(UnderWater, EveryPixelIsFiniteAndNotNegative) {
     BelowScene scene("rough", 64, 48);
     gl::SkyBaker skies(make_default_executor(), 16);
     gl::CausticsBaker baker(make_default_executor());
@@ -302,9 +310,9 @@ TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
     }
 }
 
-// An island away from the middle, longer one way than the other: where its heights are above rest the image is its sand, and
-// where it is half a sample beside it is not.
-TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
+// An island away from the origin, longer on one axis. Where its heights are above the rest level,
+// pixels show its sand. A shift by half a sample would fail.
+TEST(SeaFloor, LiesAtThePositionsOfItsHeights) {
     constexpr double half_m = 60;
     BelowScene scene("calm", 160, 160);
     gl::Sky sky = even_sky(0);
@@ -325,19 +333,21 @@ TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
     const double height_m = 300;
     const auto pixels = scene.image({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
                                     scene.level_frame(30), std::nullopt);
-    // Air dims and adds the same everywhere: half way between the brightest, which is land, and the darkest.
+    // The air attenuates and adds equally everywhere. The threshold is the middle between the
+    // brightest pixel, which is land, and the darkest.
     double max = 0, min = 1e9;
     for (int y = 0; y < scene.height(); ++y)
         for (int x = 0; x < scene.width(); ++x) {
             max = std::max(max, scene.green(pixels, x, y));
             min = std::min(min, scene.green(pixels, x, y));
         }
-    // The highest water is 0.53 as bright as dry land; the soft shore, 0.3 m deep, is half-way there in half of that.
+    // The highest water is 0.53 as bright as dry land. The soft shore is 0.3 m deep and reaches the
+    // middle brightness at half of that depth.
     const auto wrong_pixels = [&](double shift_m) {
         int wrong = 0;
         for (int y = 0; y < scene.height(); ++y)
             for (int x = 0; x < scene.width(); ++x) {
-                // Straight down the image's top is +x.
+                // Straight down, the image's top is +x.
                 const double across = ((x + 0.5) / scene.width() * 2 - 1) * half_m,
                              up = (1 - (y + 0.5) / scene.height() * 2) * half_m;
                 const bool is_land = floor.height_at(up + shift_m, across + shift_m) > -0.15;

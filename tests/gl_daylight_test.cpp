@@ -1,4 +1,4 @@
-// A sea by day reads as day, and a moonlit one as night, wherever one looks.
+// A sea by day has the brightness of day, and a moonlit sea that of night, in every view direction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class GlDaylight : public testing::Test {
         luminance_of_unit_ = sky.luminance_of_unit();
         scene_.renderer->set_sky(sky);
     }
-    /// As `pelagic render` shows it: luminances, [0, 1], sorted.
+    /// Returns the luminances that `pelagic render` shows, in [0, 1], sorted.
     std::vector<float> shown(const Camera& camera, double time_s) {
         scene_.draw(camera, time_s);
         const gl::TexturePart radiance = scene_.target->resolved();
@@ -58,7 +58,7 @@ class GlDaylight : public testing::Test {
 
 double uniform(std::minstd_rand& random) { return static_cast<double>(random()) / 2147483647.0; }
 
-/// From just above the crests to 1500 m, in all directions but straight down or up.
+/// Views from just above the crests to 1500 m, in all directions except straight down and up.
 Camera somewhere(std::minstd_rand& random) {
     const double metres = 4 + 1500 * std::pow(uniform(random), 5);
     const glm::dvec3 at(3000 * uniform(random), metres, 3000 * uniform(random));
@@ -69,7 +69,7 @@ Camera somewhere(std::minstd_rand& random) {
             .vertical_view_rad = 0.5 + uniform(random)};
 }
 
-// 20 views in the gate, 200 at night, four to a sky.
+// 20 views in the quick run, 200 at night; four views share a sky.
 TEST_F(GlDaylight, NothingIsBlack) {
     std::minstd_rand random(7);
     for (int i = 0; i < of_sweep(20, 200); ++i) {
@@ -80,13 +80,13 @@ TEST_F(GlDaylight, NothingIsBlack) {
                      .visibility_m = static_cast<float>(5e3 + 60e3 * uniform(random))});
         const std::vector<float> luminances = shown(somewhere(random), i);
         EXPECT_GE(luminances[luminances.size() / 2], 0.05f) << "view " << i;
-        // And not burnt out: a tenth of the image may be white at most.
+        // The image is not overexposed either: at most a tenth of it may be white.
         EXPECT_LE(luminances[luminances.size() * 9 / 10], 0.98f) << "view " << i;
     }
 }
 
-// Dark, but not black, and the moon's path is bright.
-TEST_F(GlDaylight, MoonlightIsDarkWithABrightPath) {
+// The image is dark but not black, and the moon's glint path is bright.
+TEST_F(GlDaylight, MoonlitSeaIsDarkWithABrightPath) {
     set_sky(gl::light_preset_named("moonlight")->sky);
     const std::vector<float> luminances = shown({.position_m = {0, 8, 0}, .target_m = {60, 0, 60}}, 0);
     EXPECT_GE(luminances[luminances.size() / 2], 0.005f);
@@ -94,7 +94,7 @@ TEST_F(GlDaylight, MoonlightIsDarkWithABrightPath) {
     EXPECT_GE(luminances[luminances.size() * 98 / 100], 0.2f);
 }
 
-TEST_F(GlDaylight, StarsAloneShowTheSea) {
+TEST_F(GlDaylight, SeaIsVisibleUnderStarsAlone) {
     set_sky({.sun_elevation_rad = -1, .cloud_cover = 0, .places_moon = true, .moon_elevation_rad = -1});
     const std::vector<float> luminances = shown({.position_m = {0, 8, 0}, .target_m = {60, 0, 60}}, 0);
     EXPECT_GE(luminances[luminances.size() / 20], 0.001f);  // three steps of 8 bits

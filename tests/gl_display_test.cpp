@@ -1,4 +1,4 @@
-// The display pass and the light meter on images whose every pixel is known.
+// The display pass and the light meter on images whose pixels are all known.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,12 +13,12 @@
 namespace pelagic {
 namespace {
 
-/// So bright that nobody's night vision takes part.
+/// An exposure so bright that night vision does not contribute.
 constexpr float daylight = gl::sun_illuminance_lx;
 
 class DisplayTest : public testing::Test {
    protected:
-    /// A texture of grey radiance, by column and row from below.
+    /// Creates a texture of grey radiance, by column and row from below.
     gl::TexturePart image(int width, int height, const std::function<float(int, int)>& radiance) {
         std::vector<float> rgba;
         for (int y = 0; y < height; ++y)
@@ -33,7 +33,7 @@ class DisplayTest : public testing::Test {
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         return {textures_.back().name(), width, height, width, height};
     }
-    /// Red of each pixel, the upper row first.
+    /// Returns the red channel of each pixel, the upper row first.
     std::vector<std::uint8_t> shown(const gl::TexturePart& radiance, const gl::Look& look, int width, int height) {
         gl::RenderTarget screen(gl_, width, height, 0);
         display_.show(radiance, look, {0, 0, width, height});
@@ -42,7 +42,7 @@ class DisplayTest : public testing::Test {
         for (std::size_t i = 0; i < rgba.size(); i += 4) red.push_back(rgba[i]);
         return red;
     }
-    /// Light that a screen of half floats shows, back through the tone curve, in sum.
+    /// Returns the sum of the light on a half-float screen, with the tone curve inverted.
     double light_shown(const gl::TexturePart& radiance, float bloom) {
         gl::RenderTarget screen(gl_, radiance.width, radiance.height, 0, gl::PixelKind::radiance);
         display_.show(radiance, {.bloom = bloom, .framebuffer_is_srgb = true},
@@ -69,7 +69,8 @@ TEST_F(DisplayTest, ShowsTheFilmCurveInSrgb) {
     const auto at = [](int x) { return static_cast<float>(std::exp2(x - 10)); };
     const auto pixels = shown(image(18, 1, [&](int x, int) { return at(x); }), {.exposure = 0.5f}, 18, 1);
     for (int x = 0; x < 18; ++x) {
-        // Half a step of rounding and half a step of dithering; the curve's matrices are rounded to 5 digits.
+        // The tolerance is half a step of rounding and half a step of dithering. The curve's
+        // matrices are rounded to 5 digits.
         EXPECT_NEAR(pixels[static_cast<std::size_t>(x)],
                     encoded(static_cast<double>(gl::shown_by_film(0.5f * at(x)))), 1.1)
             << x;
@@ -79,7 +80,8 @@ TEST_F(DisplayTest, ShowsTheFilmCurveInSrgb) {
     }
 }
 
-// A slope of three steps of 8 bits over 240 pixels: without dithering four bands, with it each column's mean follows the slope.
+// A gradient of three 8-bit steps over 240 pixels. Without dithering it shows four bands; with
+// dithering each column's mean follows the gradient.
 TEST_F(DisplayTest, DitheringLeavesNoBands) {
     constexpr int width = 240, height = 256;
     const auto slope = [](int x) {
@@ -91,30 +93,31 @@ TEST_F(DisplayTest, DitheringLeavesNoBands) {
         double mean = 0;
         for (int y = 0; y < height; ++y) mean += pixels[static_cast<std::size_t>(y * width + x)];
         mean /= height;
-        // Half floats are rounded to a 2048th.
+        // Half floats are rounded to 1/2048.
         const double meant = encoded(static_cast<double>(gl::shown_by_film(slope(x))));
         worst = std::max(worst, std::abs(mean - meant));
         worst_undithered = std::max(worst_undithered, std::abs(std::round(meant) - meant));
     }
     EXPECT_GT(worst_undithered, 0.45);
-    // Rounding of half floats is 0.04 of a step there, 256 samples of even noise 0.02, and rounding inside the curve.
+    // Rounding of half floats is 0.04 of a step there, 256 samples of uniform noise 0.02; the rest
+    // is rounding inside the curve.
     EXPECT_LT(worst, 0.12);
 }
 
-TEST_F(DisplayTest, BloomSpreadsLightAndLosesNone) {
+TEST_F(DisplayTest, BloomConservesLight) {
     const auto grey = image(96, 64, [](int, int) { return 0.2f; });
     EXPECT_NEAR(light_shown(grey, 1) / light_shown(grey, 0), 1, 2e-3);
-    // A square of light in the dark, far enough from the borders that little is spread beyond them.
+    // A bright square in the dark, so far from the borders that little light spreads beyond them.
     const auto lamp =
         image(256, 256, [](int x, int y) { return std::abs(x - 128) < 4 && std::abs(y - 128) < 4 ? 8.f : 0.01f; });
     const double all = light_shown(lamp, 0);
-    // The widest level reaches the border: what it would send out comes back.
+    // The widest level reaches the border; light that would leave the image returns into it.
     EXPECT_NEAR(light_shown(lamp, 1) / all, 1, 0.03);
     const auto sharp = shown(lamp, {}, 256, 256), soft = shown(lamp, {.bloom = 0.5f}, 256, 256);
     EXPECT_GT(soft[128 * 256 + 138], sharp[128 * 256 + 138] + 5);
 }
 
-TEST_F(DisplayTest, NightVisionIsBlueInTheDarkAndAbsentByDay) {
+TEST_F(DisplayTest, NightVisionIsBlueInTheDarkAndOffByDay) {
     gl::RenderTarget screen(gl_, 1, 1, 0);
     const auto grey = image(1, 1, [](int, int) { return 0.3f; });
     const auto rgb = [&](float luminance_of_unit) {
@@ -127,8 +130,8 @@ TEST_F(DisplayTest, NightVisionIsBlueInTheDarkAndAbsentByDay) {
     EXPECT_GT(night[2], night[0] + 5);
 }
 
-// The part that is used may be any, and what lies beside it in the texture must not shine in.
-TEST_F(DisplayTest, ShowsTheUsedPartAlone) {
+// Any region of the texture may be used, and texels outside it must not contribute.
+TEST_F(DisplayTest, ShowsOnlyTheUsedRegion) {
     gl::TexturePart part = image(64, 64, [](int x, int y) { return x < 33 && y < 21 ? 0.2f : 900.f; });
     part.width = 33;
     part.height = 21;
@@ -137,19 +140,20 @@ TEST_F(DisplayTest, ShowsTheUsedPartAlone) {
     for (const gl::MeteredCell& cell : meter_.measure(part)) EXPECT_NEAR(cell.log2_of_mean, std::log2(0.2f), 1e-2);
 }
 
-TEST_F(DisplayTest, MeterSeesEachPartOfTheImage) {
-    // Left dark, right light; in the upper half columns take turns, which a cell of several columns averages.
+TEST_F(DisplayTest, MeterMeasuresEachCellOfTheImage) {
+    // The left half is dark and the right half bright. In the upper half the columns alternate, and
+    // a cell of several columns averages them.
     const auto radiance = [](int x, int y) { return y >= 144 ? (x % 2 ? 1.f : 4.f) : x < 256 ? 0.25f : 2.f; };
     const auto cells = meter_.measure(image(512, 288, radiance));
     ASSERT_EQ(cells.size(), static_cast<std::size_t>(gl::LightMeter::columns * gl::LightMeter::rows));
     const auto cell = [&](int x, int y) { return cells[static_cast<std::size_t>(y * gl::LightMeter::columns + x)]; };
-    // A half float of a logarithm near 1 holds 1e-3.
+    // A half float of a logarithm near 1 has a precision of 1e-3.
     EXPECT_NEAR(cell(3, 3).mean_of_log2, -2, 2e-3);
     EXPECT_NEAR(cell(120, 3).log2_of_mean, 1, 2e-3);
     EXPECT_NEAR(cell(60, 60).log2_of_mean, std::log2(2.5f), 2e-3);
 }
 
-TEST_F(DisplayTest, MeterThatDoesNotWaitSeesTheSame) {
+TEST_F(DisplayTest, NonBlockingMeterGivesTheSameValues) {
     const auto picked = image(200, 100, [](int x, int y) { return 0.01f * static_cast<float>(x + y + 1); });
     const auto waited = meter_.measure(picked);
     EXPECT_FALSE(meter_.finished());

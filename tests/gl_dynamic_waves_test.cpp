@@ -1,4 +1,5 @@
-// Dynamic waves in images: the grid's heights, slopes and foam where queries know them, and nothing where there is none.
+// Dynamic waves in images: the grid's heights, slopes and foam match the queries, and outside the
+// grid nothing is drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@
 namespace pelagic {
 namespace {
 
-/// A grid by hand: waves that fade towards its edges, and foam, kept as an ocean keeps them.
+/// A grid built by hand: waves that fade towards its edges, and foam, stored as an ocean stores
+/// them.
 class Grid {
    public:
     static constexpr int n = 64;
@@ -25,7 +27,7 @@ class Grid {
         double texel_m = 0.25;
     };
 
-    /// Both of texels, counted from the grid's corner.
+    /// Both counted in texels from the grid's corner.
     Grid(const Place& first, auto&& height, auto&& foam) {
         const std::int64_t first_x = first.x, first_z = first.z;
         surface_.resolution = n;
@@ -69,10 +71,11 @@ Grid waves_at(std::int64_t first_x, std::int64_t first_z) {
             [&](auto x, auto z) { return 255 * faded(x) * faded(z); }};
 }
 
-// Places within and around the grid, near the world's origin and where a float would know no metres: from a viewer beside it, on every
-// seam of the torus.
-TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
-    constexpr double apart_m = 0.2;  // of places
+// Positions within and around the grid, near the world's origin and so far away that a float cannot
+// resolve metres. Positions are relative to a viewer beside the grid and lie on every seam of the
+// torus.
+TEST(GlDynamicWaves, ShadersMatchSample) {
+    constexpr double apart_m = 0.2;  // distance between positions
     GlProbe probe(gl::Surface::open, {"dynamic_waves.glsl"},
                   "result = dynamic_waves((gl_FragCoord.xy - 64.0) * 0.2 + vec2(0.013, -0.007), 0.01);");
     for (const auto& [first_x, first_z] :
@@ -121,7 +124,8 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
                     max[0], worst[1], worst[2], max[1], max[2], worst[3]);
         EXPECT_GT(outside, 1000);
         EXPECT_GT(max[0], 0.3);
-        // Drivers mix texels in 256ths, and from one to the next a wave may go by all of its range; halves have 11 bits.
+        // Drivers interpolate texels in steps of 1/256, and a wave may span its whole range between
+        // two texels; half floats have 11 bits.
         EXPECT_LT(worst[0], 2 * 0.8 / 256);
         EXPECT_LT(worst[1], 4 * max[1] / 256);
         EXPECT_LT(worst[2], 4 * max[2] / 256);
@@ -129,7 +133,8 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
     }
 }
 
-// Looked at from so far that the grid is one texel, it is its mean: waves that a pixel averages away don't sparkle.
+// From so far away that the grid is one texel, its value is its mean: waves that a pixel averages
+// out do not sparkle.
 TEST(GlDynamicWaves, IsItsMeanFromFarAway) {
     GlProbe probe(gl::Surface::open, {"dynamic_waves.glsl"},
                   "result = dynamic_waves((gl_FragCoord.xy - 64.0) * 0.1, 1000.0);");
@@ -149,15 +154,16 @@ TEST(GlDynamicWaves, IsItsMeanFromFarAway) {
     for (const float each : grid.surface().height_m) height += static_cast<double>(each) / (Grid::n * Grid::n);
     for (const std::uint8_t each : grid.surface().foam) foam += each / 255.0 / (Grid::n * Grid::n);
     for (const std::size_t at : {std::size_t{0}, rgba.size() / 2, rgba.size() - 4}) {
-        // Six levels of halves, each rounded.
+        // Each of the six half-float levels is rounded.
         EXPECT_NEAR(rgba[at], height, 6 * height / 2048);
-        EXPECT_NEAR(rgba[at + 1], 0, 1e-3);  // around the torus slopes add to nothing
+        EXPECT_NEAR(rgba[at + 1], 0, 1e-3);  // around the torus the slopes sum to zero
         EXPECT_NEAR(rgba[at + 2], 0, 1e-3);
         EXPECT_NEAR(rgba[at + 3], foam, 6 * foam / 2048);
     }
 }
 
-// IEEE 754: to the nearest, of two the even one, also below the normal numbers; beyond the largest, that one.
+// IEEE 754 rounding: to the nearest, ties to even, also for subnormal numbers; values above the
+// largest become the largest.
 TEST(GlDynamicWaves, PacksHalvesToTheNearest) {
     struct Pair {
         float value;
@@ -193,7 +199,7 @@ TEST(GlDynamicWaves, PacksHalvesToTheNearest) {
         }
 }
 
-TEST(GlDynamicWaves, IsRefusedWhereNoTextureTakesIt) {
+TEST(GlDynamicWaves, IsRejectedIfNoTextureCanHoldIt) {
     const Grid grid = waves_at(0, 0);
     EXPECT_EQ(gl::check(grid.surface(), 2048), "");
     EXPECT_EQ(gl::check({}, 2048), "");
@@ -214,8 +220,8 @@ TEST(GlDynamicWaves, IsRefusedWhereNoTextureTakesIt) {
     EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.texel_m is 0, needs (0, inf)");
 }
 
-// Waves of the wind that carry splashes along, a million metres from the origin.
-TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
+// Wind waves that carry dynamic waves along, a million metres from the origin.
+TEST(GlDynamicWaves, LiesAtTheQueriedPositions) {
     GlScene scene({.quality = "ultra",
                    .resolution = 128,
                    .width = slice_pixels,
@@ -249,8 +255,8 @@ TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
     expect_slice_in_place(scene, frame, middle, 0.1, height_in(query));
 }
 
-// The cascade carries all water two metres away; the grid's heights stay where the grid says.
-TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
+// The cascade displaces all water by two metres; the grid's heights stay at the grid's positions.
+TEST(GlDynamicWaves, AddsAtTheDisplacedPosition) {
     GlScene scene({.quality = "ultra",
                    .resolution = 64,
                    .cascades = 1,
@@ -267,7 +273,7 @@ TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
         for (const float value : {2.f, 0.f, -2.f, 0.f}) carried.push_back(glm::packHalf1x16(value));
     cascade.displacement_rgba16f = carried;
     frame.cascades = {&cascade, 1};
-    // Waves of 8 m: the mesh has a vertex every half a metre.
+    // Waves of 8 m: the mesh has a vertex every half metre.
     const double wave = 2 * std::numbers::pi / 8;
     const Grid grid(
         {.x = -32, .z = -32, .texel_m = 1},
@@ -280,14 +286,15 @@ TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
                           [&](double x, double z) { return sample(grid.surface(), x, z).height_m; });
 }
 
-/// Light of a square of flat water from above, with slopes or foam that its only cascade or its grid have.
+/// Renders a square of flat water from above, with slopes or foam in its only cascade or in its
+/// grid.
 class FlatScene : public GlScene {
    public:
     FlatScene()
         : GlScene({.quality = "low",
                    .resolution = 64,
                    .cascades = 1,
-                   .patch_size_m = 1000,  // so near that no copies of it are mixed
+                   .patch_size_m = 1000,  // so large that no copies of the cascade are blended
                    .width = pixels,
                    .height = pixels,
                    .samples = 1,
@@ -298,11 +305,11 @@ class FlatScene : public GlScene {
     static constexpr int pixels = 32;
     static constexpr double side_m = 1.6;  // within the grid of 3.2 m
 
-    /// \param slope  127ths of what the cascade's slopes count in
+    /// \param slope  in 1/127 of the cascade's slope range
     std::vector<float> light(glm::ivec2 slope, std::uint8_t foam, const DynamicWavesView& dynamic_waves) {
         Frame frame = ocean.frame_at(3);
         Cascade cascade = frame.cascades[0];
-        // Of these bytes 128 is none.
+        // Byte 128 encodes zero.
         const std::uint32_t word =
             0x80800000u | static_cast<std::uint32_t>(128 + slope.y) << 8 | static_cast<std::uint32_t>(128 + slope.x);
         const std::vector<std::uint32_t> slopes(cascade.slopes_rgba8.size(), word),
@@ -322,7 +329,7 @@ class FlatScene : public GlScene {
     std::vector<std::uint16_t> zeros_;
 };
 
-/// Largest difference, as a part of the brightest.
+/// Returns the largest difference as a fraction of the brightest value.
 double apart(const std::vector<float>& a, const std::vector<float>& b) {
     double worst = 0, max = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -332,8 +339,9 @@ double apart(const std::vector<float>& a, const std::vector<float>& b) {
     return worst / max;
 }
 
-// The same slope in the cascade's map and in the grid gives the same light; another way round it does not.
-TEST(GlDynamicWaves, TurnsNormalsAsCascadesDo) {
+// The same slope in the cascade's map and in the grid gives the same light; the opposite slope does
+// not.
+TEST(GlDynamicWaves, TiltsNormalsAsCascadesDo) {
     FlatScene scene;
     const double unit = scene.slope_unit();
     const auto plane = [&](int x, int z) {
@@ -357,8 +365,8 @@ TEST(GlDynamicWaves, TurnsNormalsAsCascadesDo) {
     EXPECT_GT(less, 0.012);
 }
 
-// Foam of the grid is as white as that of a cascade, and where both have some the larger counts.
-TEST(GlDynamicWaves, IsAsWhiteAsCascadesAreAndNoWhiterTogether) {
+// Foam of the grid is as white as that of a cascade; where both have foam the larger value is used.
+TEST(GlDynamicWaves, FoamIsTheMaximumOfGridAndCascades) {
     FlatScene scene;
     const auto foam = [](int byte) {
         return Grid({.x = -32, .z = -32, .texel_m = 0.05}, no_foam, [=](auto, auto) { return byte; });
@@ -371,8 +379,9 @@ TEST(GlDynamicWaves, IsAsWhiteAsCascadesAreAndNoWhiterTogether) {
     EXPECT_GT(apart(white, scene.light({}, 90, foam(90).surface())), 0.1);
 }
 
-// A grid changes pixels within it alone; a frame without one, or with one in which nothing stirs, is drawn as if there had never been any.
-TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
+// A grid changes pixels only inside it. A frame without a grid, or with a grid at rest, is drawn as
+// without dynamic waves.
+TEST(GlDynamicWaves, IsDrawnOnlyInsideItsGrid) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 96, .samples = 1, .size_m = 512});
     const Camera camera{.position_m = {0, 30, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
     Frame frame = scene.ocean.frame_at(3);
@@ -394,8 +403,8 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
                 max = std::max(max, std::abs(with[at + channel] - before[at + channel]));
                 moved = std::max(moved, std::abs(resting[at + channel] - before[at + channel]));
             }
-            // From 30 m the image is 33 m high; the camera's right is +z, its up is +x. Waves of the wind bring water nearer by
-            // metres.
+            // From 30 m the image is 33 m high; the camera's right is +z, its up is +x. Wind waves
+            // bring water nearer by metres.
             const double metres = 2 * 30 * std::tan(0.5) / 96;
             const glm::dvec2 place(-(y + 0.5 - 48) * metres, (x + 0.5 - 64) * metres);
             const glm::dvec2 from = glm::abs(place - waves.middle());
@@ -407,10 +416,10 @@ TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
                 moved);
     EXPECT_GT(changed, 500);
     EXPECT_EQ(beyond, 0);
-    EXPECT_LE(moved, 1);  // compilers may round otherwise
+    EXPECT_LE(moved, 1);  // rounding may differ between compilers
 }
 
-TEST(GlDynamicWaves, IsSeenByBothEyes) {
+TEST(GlDynamicWaves, IsVisibleToBothEyes) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 48, .samples = 1, .size_m = 512});
     const Camera camera{.position_m = {0, 12, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
     Frame frame = scene.ocean.frame_at(3);
@@ -426,12 +435,12 @@ TEST(GlDynamicWaves, IsSeenByBothEyes) {
     for (std::size_t pixel = 0; pixel < 128 * 48; ++pixel)
         changed[pixel % 128 / 64] += std::abs(with[4 * pixel] - before[4 * pixel]) > 2;
     std::printf("%d pixels of the left eye changed, %d of the right\n", changed[0], changed[1]);
-    // Most of what they see, and about as much of each.
+    // The grid covers most of each eye's view, and about equally much of both.
     EXPECT_GT(changed[0], 64 * 48 / 4);
     EXPECT_NEAR(changed[1], changed[0], 0.2 * changed[0]);
 }
 
-TEST(GlDynamicWaves, IsRefusedBeforeAnythingIsUploaded) {
+TEST(GlDynamicWaves, IsRejectedBeforeAnyUpload) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 64, .height = 48, .samples = 1});
     const Camera camera{.position_m = {0, 5, 0}, .target_m = {20, 0, 5}};
     const auto before = scene.image(camera, 3);

@@ -1,4 +1,4 @@
-// A camera's exposure as numbers. Needs no GL.
+// Camera exposure as numbers. These tests need no GL.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-/// An image's cells, each of one luminance, cd/m^2.
+/// Cells of an image, each of one luminance, cd/m^2.
 std::vector<gl::MeteredCell> cells(std::vector<std::pair<int, double>> counts) {
     std::vector<gl::MeteredCell> all;
     for (const auto& [count, luminance] : counts)
@@ -19,12 +19,12 @@ std::vector<gl::MeteredCell> cells(std::vector<std::pair<int, double>> counts) {
     return all;
 }
 
-/// What a metered image shows of a luminance.
+/// Returns the displayed value of a luminance in a metered image.
 double shown(double luminance, float ev) {
     return static_cast<double>(gl::shown_by_film(static_cast<float>(luminance) * gl::exposure_of_ev(ev, 1)));
 }
 
-TEST(Film, CurveRisesAndIsInverted) {
+TEST(Film, CurveIsMonotonicAndInvertible) {
     float last = -1;
     for (float scene = 0.001f; scene < 1000; scene *= 1.01f) {
         const float value = gl::shown_by_film(scene);
@@ -37,7 +37,7 @@ TEST(Film, CurveRisesAndIsInverted) {
 }
 
 // Published exposures, ISO 100 (ANSI PH2.7-1973): sunlit landscapes of about 4000 cd/m^2 are EV 15.
-TEST(Metering, AUniformViewIsShownAsMiddleGreyAtThePublishedEv) {
+TEST(Metering, UniformViewIsMiddleGreyAtThePublishedEv) {
     EXPECT_NEAR(gl::metered_ev(cells({{100, 4096}}), 1), 15, 1e-3);
     EXPECT_NEAR(gl::metered_ev(cells({{100, 32768}}), 1), 18, 1e-3);
     for (const double luminance : {4000.0, 9000.0, 30000.0})
@@ -48,33 +48,37 @@ TEST(Metering, HalfDarkHalfLightCountsAsTheirGeometricMean) {
     EXPECT_NEAR(gl::metered_ev(cells({{50, 1500}, {50, 13500}}), 1), gl::metered_ev(cells({{1, 4500}}), 1), 1e-3);
 }
 
-TEST(Metering, IsTheSameInAnyUnit) {
+TEST(Metering, DoesNotDependOnTheUnit) {
     std::vector<gl::MeteredCell> relative = cells({{50, 100.0 / 133100}, {50, 900.0 / 133100}});
     EXPECT_NEAR(gl::metered_ev(relative, 133100), gl::metered_ev(cells({{50, 100}, {50, 900}}), 1), 1e-3);
 }
 
 TEST(Metering, ProtectsHighlights) {
     const float plain = gl::metered_ev(cells({{100, 5000}}), 1);
-    // One part in a hundred may burn out: the average alone counts.
+    // One cell in a hundred may be overexposed: only the average counts.
     EXPECT_NEAR(gl::metered_ev(cells({{990, 5000}, {10, 5e5}}), 1), plain + std::log2(std::pow(100, 0.01)), 2e-3);
-    // Five are shown as bright, not white.
+    // Five such cells are shown as bright, not white.
     const double bright = 5000 * 20;
     EXPECT_NEAR(shown(bright, gl::metered_ev(cells({{95, 5000}, {5, bright}}), 1)), 0.9, 2e-3);
-    // But the rest stays in sight: half of it at 0.065 or more, and all of it 1.5 stops under its average at most.
+    // The other cells stay visible: half of them at 0.065 or more, and all of them at most 1.5
+    // stops below their average.
     EXPECT_NEAR(shown(5000, gl::metered_ev(cells({{95, 5000}, {5, 5e7}}), 1)), 0.065, 1e-3);
     const double average = 0.6 * std::log2(20'000) + 0.35 * std::log2(1000) + 0.05 * std::log2(5e7);
     EXPECT_NEAR(gl::metered_ev(cells({{60, 20'000}, {35, 1000}, {5, 5e7}}), 1), average + 3 + 1.5, 2e-3);
 }
 
-// A third of a bright sky over dark water: the average alone would show the water as 0.02.
-TEST(Metering, KeepsHalfOfTheViewOutOfTheDark) {
+// A third of the view is bright sky over dark water; the average alone would show the water as
+// 0.02.
+TEST(Metering, KeepsHalfOfTheViewVisible) {
     const auto view = cells({{60, 200}, {40, 40'000}});
-    EXPECT_GE(shown(200, gl::metered_ev(view, 1)), 0.0649 * 0.9);  // it is a little dim: 1600 cd/m^2 in the mean
+    // slightly dim: 1600 cd/m^2 in the mean
+    EXPECT_GE(shown(200, gl::metered_ev(view, 1)), 0.0649 * 0.9);
 }
 
-// Krawczyk et al. 2005 show the dark as 0.03; by day a camera shows grey. In between nothing goes back: a brighter view is never
-// shown darker, nor with a longer exposure. A storm at noon is not dusk.
-TEST(Metering, ANightIsShownAsANight) {
+// Krawczyk et al. 2005 show the dark as 0.03; by day a camera shows middle grey. The transition is
+// monotonic: a brighter view is never shown darker, nor with a longer exposure. A storm at noon is
+// not exposed as dusk.
+TEST(Metering, NightIsShownDark) {
     EXPECT_NEAR(shown(2e-3, gl::metered_ev(cells({{10, 2e-3}}), 1)), 0.0305, 1e-3);
     EXPECT_GT(shown(500, gl::metered_ev(cells({{10, 500}}), 1)), 0.16);
     EXPECT_LT(shown(3, gl::metered_ev(cells({{10, 3}}), 1)), 0.12);
@@ -89,7 +93,7 @@ TEST(Metering, ANightIsShownAsANight) {
     }
 }
 
-TEST(Metering, NeverFailsOnWhatAShaderMayWrite) {
+TEST(Metering, IsFiniteForAnyShaderOutput) {
     const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
     const float dark = gl::metered_ev(std::vector<gl::MeteredCell>{}, 1);
     EXPECT_TRUE(std::isfinite(dark));
@@ -99,7 +103,7 @@ TEST(Metering, NeverFailsOnWhatAShaderMayWrite) {
     EXPECT_EQ(gl::metered_ev(cells({{1, 1e12}}), 1), gl::max_ev);
 }
 
-TEST(Following, GoesTheSameWayAtAnyFrameRate) {
+TEST(Following, DoesNotDependOnTheFrameRate) {
     const double part = 1 - std::exp(-1.0);  // 63 %
     for (const int frames : {1, 7, 24, 1000}) {
         gl::FollowedExposure up, down;
@@ -109,7 +113,7 @@ TEST(Following, GoesTheSameWayAtAnyFrameRate) {
             up.follow(14, gl::FollowedExposure::to_brighter_s / frames);
             down.follow(6, gl::FollowedExposure::to_darker_s / frames);
         }
-        // A thousand roundings of a float near 10: 1e-3.
+        // The error of a thousand roundings of a float near 10 is 1e-3.
         EXPECT_NEAR(up.ev(), 10 + 4 * part, 1e-3) << frames;
         EXPECT_NEAR(down.ev(), 10 - 4 * part, 1e-3) << frames;
     }

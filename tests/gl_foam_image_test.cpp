@@ -1,5 +1,5 @@
-// Foam's texture as numbers: it repeats without a seam, covers what a threshold says at every level, and has three scales.
-// Needs no GL.
+// The foam texture as numbers: it repeats without a seam, covers the fraction that a threshold sets
+// at every level, and has three scales. These tests need no GL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ double rank(FoamImage::Layer layer, int x, int y, int level = 0) {
     return image().texel(level, layer, x, y)[0] / 255.0;
 }
 
-/// Mean square step from one column, or row, to the next.
+/// Returns the mean square step from one column, or row, to the next.
 double step(FoamImage::Layer layer, int channel, int from, bool columns) {
     double square = 0;
     for (int i = 0; i < side; ++i) {
@@ -38,7 +38,8 @@ double step(FoamImage::Layer layer, int channel, int from, bool columns) {
     return square / side;
 }
 
-// A seam would be a column whose step to the next is that of unrelated texels, many times the usual one.
+// At a seam the step to the next column would be that of unrelated texels, many times the usual
+// step.
 TEST(FoamImage, RepeatsWithoutASeam) {
     for (const FoamImage::Layer layer : layers)
         for (int channel = 0; channel < 4; ++channel)
@@ -50,7 +51,7 @@ TEST(FoamImage, RepeatsWithoutASeam) {
             }
 }
 
-TEST(FoamImage, CoversWhatAThresholdSaysAtEachLevel) {
+TEST(FoamImage, CoversTheFractionOfTheThresholdAtEachLevel) {
     for (const FoamImage::Layer layer : layers)
         for (int level = 0; level <= 4; ++level)
             for (const double amount : {0.02, 0.1, 0.3, 0.5, 0.8, 0.97}) {
@@ -63,7 +64,8 @@ TEST(FoamImage, CoversWhatAThresholdSaysAtEachLevel) {
             }
 }
 
-/// A layer's variance by waves across the cascade, kx + side ky; both from 0 to side / 2, of all four signs.
+/// Returns a layer's variance by waves across the cascade, kx + side ky; both from 0 to side / 2,
+/// of all four signs.
 std::vector<double> power_of(FoamImage::Layer layer) {
     std::vector<std::complex<double>> turns, lines(side * side);
     for (int i = 0; i < side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / side));
@@ -84,7 +86,8 @@ std::vector<double> power_of(FoamImage::Layer layer) {
     return power;
 }
 
-/// Wavelengths, metres, above which a tenth, a half and nine tenths of the variance lie. `waves_a_m(kx, ky)` is 1 over a wavelength.
+/// Returns the wavelengths, in metres, above which 10 %, 50 % and 90 % of the variance lie.
+/// `waves_a_m(kx, ky)` is 1 / wavelength.
 template <class WavesPerMetre>
 std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, const WavesPerMetre& waves_a_m) {
     const std::vector<double> power = power_of(layer);
@@ -109,7 +112,8 @@ std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, cons
     return found;
 }
 
-// The sizes that foam_image.hpp states: a wavelength is a bubble, a hole in the lace, or the way from one streak to the next.
+// The sizes that foam_image.hpp states: a wavelength is a bubble, a hole in the lace, or the
+// distance between two streaks.
 TEST(FoamImage, HasThreeScales) {
     using gl::FoamSizes;
     const auto round = [](double tile_m) { return [=](int kx, int ky) { return std::hypot(kx, ky) / tile_m; }; };
@@ -126,10 +130,10 @@ TEST(FoamImage, HasThreeScales) {
                                    [](int kx, int) { return (kx + 0.01) / FoamSizes::streaks_along_m[0]; });
     EXPECT_LT(across[1], 20);
     EXPECT_GT(across[2], 1);
-    EXPECT_GT(along[1], 5 * across[1]);  // many times as long as they are apart
+    EXPECT_GT(along[1], 5 * across[1]);  // streaks are many times as long as their spacing
 }
 
-TEST(FoamImage, IsTheSameForAnyNumberOfThreads) {
+TEST(FoamImage, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(gl::make_foam_image(*make_thread_executor(5)).texels, image().texels);
 }
 

@@ -1,4 +1,4 @@
-// Foam in images: as bright as foam is, and as much of it from near and far.
+// Foam in images: its brightness, and its coverage from near and far.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-/// The same radiance from everywhere, and no sun: what shines back is what reflects.
+/// A uniform sky without a sun: the radiance of a surface is its reflectance.
 gl::Sky white_sky() {
     gl::Sky sky;
     sky.face_size = 16;
@@ -20,11 +20,11 @@ gl::Sky white_sky() {
     for (int level = 0; level < sky.levels; ++level) texels += std::size_t{6} * (16u >> level) * (16u >> level);
     sky.texels.assign(4 * texels, glm::packHalf1x16(1));
     sky.sky_irradiance = glm::vec3(3.14159265f);
-    sky.sun_direction = {0.6f, 0.8f, 0};  // of no light, but there
+    sky.sun_direction = {0.6f, 0.8f, 0};  // no light, but a direction is required
     return sky;
 }
 
-/// A square of sea under the white sky, and its foam as the maps have it.
+/// A square of sea under the white sky, with the foam of the maps.
 class FoamScene : public GlScene {
    public:
     explicit FoamScene(std::string_view preset)
@@ -40,7 +40,8 @@ class FoamScene : public GlScene {
 
     const Frame& frame() { return ocean.frame_at(3); }
 
-    /// The same with this byte in every texel of the coarsest cascade's map and none in the others'; without a byte, with no maps.
+    /// Renders with this byte in every texel of the coarsest cascade's foam map and zero in the
+    /// others; without a byte, with no foam maps.
     Frame frame_with(std::optional<std::uint8_t> foam) {
         Frame changed = frame();
         cascades_.assign(changed.cascades.begin(), changed.cascades.end());
@@ -58,7 +59,7 @@ class FoamScene : public GlScene {
     std::vector<std::uint8_t> bytes_, none_;
 };
 
-/// One cascade's foam at a reference point, bilinear, a part of 1.
+/// Returns one cascade's foam at a reference point, bilinear, in [0, 1].
 double foam_at(const Cascade& cascade, double x_m, double z_m) {
     const int n = cascade.resolution();
     const CascadeGrid::Place at = cascade.grid.in_cascade(x_m, z_m);
@@ -75,7 +76,8 @@ double foam_at(const Cascade& cascade, double x_m, double z_m) {
     return std::lerp(upper, lower, v - j) / 255;
 }
 
-/// Mean of the largest of the cascades' foam over a square of reference points around the origin.
+/// Returns the mean, over a square of reference points around the origin, of the cascades' largest
+/// foam.
 double cover_by_maps(const Frame& frame, double side_m) {
     constexpr int points = 700;
     double sum = 0;
@@ -96,14 +98,15 @@ double mean(const std::vector<float>& light) {
     return sum / static_cast<double>(light.size());
 }
 
-/// What this part of all pixels is brighter than.
+/// Returns the value that this fraction of all pixels exceeds.
 float brighter_than(std::vector<float> light, double part) {
     std::sort(light.begin(), light.end());
     return light[static_cast<std::size_t>((1 - part) * static_cast<double>(light.size() - 1))];
 }
 
-// Fresh thick foam reflects at most 0.7 of white light (Whitlock et al. 1982), a film of old bubbles 0.2 and what the bubbles
-// below it send up. Under a sky of radiance 1 these are radiances.
+// Fresh thick foam reflects at most 0.7 of white light (Whitlock et al. 1982). A film of old
+// bubbles reflects 0.2 plus the light from the bubbles below it. Under a sky of radiance 1 these
+// reflectances are radiances.
 TEST(GlFoam, IsAsBrightAsFoamUnderAWhiteSky) {
     constexpr int pixels = 256;
     FoamScene rough("rough");
@@ -112,7 +115,7 @@ TEST(GlFoam, IsAsBrightAsFoamUnderAWhiteSky) {
     EXPECT_GT(brighter_than(thick, 0.5), 0.5);
     EXPECT_LE(brighter_than(thick, 0), 0.72);
 
-    // A quarter of each place, left of what broke 2.1 s ago.
+    // A coverage of 0.25 everywhere, the rest of foam from breaking 2.1 s ago.
     const std::vector<float> thin = rough.light_from_above(rough.frame_with(64), pixels, 60);
     std::printf("thin foam: %.3f, water %.3f\n", brighter_than(thin, 0.05), brighter_than(thin, 0.95));
     EXPECT_GT(brighter_than(thin, 0.05), 0.2);
@@ -120,14 +123,15 @@ TEST(GlFoam, IsAsBrightAsFoamUnderAWhiteSky) {
     EXPECT_LT(brighter_than(thin, 0.95), 0.15);
 }
 
-TEST(GlFoam, IsNotThereWithoutMapsOfIt) {
+TEST(GlFoam, IsAbsentWithoutFoamMaps) {
     FoamScene rough("rough");
     EXPECT_EQ(rough.light_from_above(rough.frame_with({}), 64, 100),
               rough.light_from_above(rough.frame_with(0), 64, 100));
 }
 
-// Where maps cover a part of a place, foam's structure covers that part of it: pixels of a decimetre, as bright as half of foam or more.
-TEST(GlFoam, CoversThePartThatTheMapsSay) {
+// Where the maps cover a fraction of the surface, the foam structure covers that fraction: pixels
+// of a decimetre at least half as bright as foam.
+TEST(GlFoam, CoversTheFractionOfTheMaps) {
     constexpr int pixels = 512;
     FoamScene rough("rough");
     for (const std::uint8_t byte : {std::uint8_t{77}, std::uint8_t{128}, std::uint8_t{179}}) {
@@ -142,9 +146,10 @@ TEST(GlFoam, CoversThePartThatTheMapsSay) {
     }
 }
 
-// What whitecaps add to the sea's light, for each part of it that the maps' largest covers: far away, where a pixel holds many of them
-// and the cascades' means are put together, as much as near, where each is seen.
-TEST(GlFoam, IsAsMuchFromNearAndFar) {
+// The light that whitecaps add, per unit of coverage in the maps. From far away, a pixel holds many
+// whitecaps and uses the cascades' means. The light there equals that from near, where each
+// whitecap is resolved.
+TEST(GlFoam, CoverageIsEqualFromNearAndFar) {
     for (const char* preset : {"rough", "storm"}) {
         FoamScene scene(preset);
         const auto light_of_cover = [&](int pixels, double side_m) {
@@ -159,7 +164,8 @@ TEST(GlFoam, IsAsMuchFromNearAndFar) {
         const double near = light_of_cover(768, 250), middle = light_of_cover(512, 1000),
                      far = light_of_cover(128, 2000);
         std::printf("  for each part: %.3f in pixels of 0.3 m, %.3f of 2 m, %.3f of 16 m\n", near, middle, far);
-        // Measured 1.19, 1.21 and 1.00, 0.95. Where crests that are white draw the water together, near foam is narrower than at rest.
+        // Measured 1.19, 1.21 and 1.00, 0.95. At white crests the displacement compresses the
+        // water, so near foam is narrower than undisplaced.
         EXPECT_NEAR(middle / near, 1, 0.3) << preset;
         EXPECT_NEAR(far / near, 1, 0.3) << preset;
     }

@@ -1,4 +1,5 @@
-// Many frames: the driver has nothing to say, calls and bytes stay within their limits, a lost context is survived.
+// Many frames: the driver reports no error, calls and bytes stay within their limits, and a lost
+// context is handled.
 #include <gtest/gtest.h>
 
 #include "pelagic/tests/gl_scene.hpp"
@@ -17,10 +18,11 @@ std::string all_of(const std::vector<std::string>& messages) {
     return text;
 }
 
-TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
+TEST(GlFrames, DriverReportsNothingOver200FramesWithResizesAndALostContext) {
     std::vector<std::uint8_t> before;
     for (int life = 0; life < 2; ++life) {
-        // The second scene is what an application builds after its context was lost: everything anew.
+        // The second scene is what an application creates after a context loss: all objects are
+        // new.
         GlScene scene({.quality = "low", .resolution = 64, .width = 96, .height = 64, .samples = 1, .size_m = 1024});
         ASSERT_TRUE(scene.context.has_debug());
         for (int frame = 0; frame < 100; ++frame) {

@@ -1,4 +1,4 @@
-// Images: no holes, no line at the horizon, no sparkle far away.
+// Images have no holes, no line at the horizon and no sparkle in the distance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// 200 places to look from: near the crests, high, far from the origin, tilted, moving.
+/// 200 views: near the crests, high, far from the origin, tilted, moving.
 Camera swept_camera(int i, double highest_crest_m) {
     std::minstd_rand random(static_cast<unsigned>(i + 1));
     const auto uniform = [&] { return static_cast<double>(random()) / 2147483647.0; };
@@ -29,15 +29,16 @@ Camera swept_camera(int i, double highest_crest_m) {
 
 class GlHoles : public testing::TestWithParam<const char*> {};
 
-// The sky is not drawn, so whatever the sea leaves open stays magenta, which it is itself nowhere.
-TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
+// The sky is not drawn, so holes in the sea stay magenta, a colour that the sea does not have.
+TEST_P(GlHoles, SeaCoversEveryPixelBelowTheHorizon) {
     constexpr int width = 120, height = 80;
-    // A software driver takes minutes for 200 times the millions of vertices of the finest patches: a smaller grid has
-    // the same meshes and seams.
+    // A software driver takes minutes for 200 views of millions of vertices. A smaller grid has the
+    // same meshes and seams.
     const double size_m = std::string_view(GetParam()) == "ultra" ? 512 : 4096;
     GlScene scene(
         {.quality = GetParam(), .resolution = 128, .width = width, .height = height, .samples = 1, .size_m = size_m});
-    // The gate looks from every seventh place, 29 in all, of which three are far away and four have two eyes.
+    // The quick run takes every seventh view, 29 in all: three are far away, and four have two
+    // eyes.
     for (int i = 0; i < 200; i += of_sweep(7, 1)) {
         const double time_s = 0.1 * i;
         const bool stereo = i % 8 == 7;
@@ -68,9 +69,10 @@ TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
 INSTANTIATE_TEST_SUITE_P(EveryQuality, GlHoles, testing::Values("low", "medium", "high", "ultra"),
                          [](const auto& quality) { return std::string(quality.param); });
 
-constexpr int piece = 64;  // pixels along the horizon: a line that only a tenth of it shows is a line
+// pixels along the horizon; a line over a tenth of the horizon is an error
+constexpr int piece = 64;
 
-/// Mean brightness of a piece of a row, in steps of 8 bits.
+/// Returns the mean brightness of a piece of a row, in 8-bit steps.
 double piece_mean(const std::vector<std::uint8_t>& pixels, int width, int first, int y) {
     double sum = 0;
     for (int x = first; x < first + piece; ++x) {
@@ -80,8 +82,8 @@ double piece_mean(const std::vector<std::uint8_t>& pixels, int width, int first,
     return sum / piece;
 }
 
-// The largest step between neighbouring rows from 4 above to 12 below the horizon. Rows further down belong to waves,
-// which have steps of their own.
+// Computes the largest step between neighbouring rows from 4 above to 12 below the horizon. Rows
+// further down show waves, which have steps too.
 TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
     constexpr int width = 640, height = 360;
     for (const char* preset : {"calm", "moderate", "storm"}) {
@@ -89,7 +91,7 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
         constexpr ImageRows rows{height / 2 - 5, 17};
         scene.resize(width, height, rows);
         for (const double above_m : {3.0, 30.0, 300.0}) {
-            // Without foam, whose whitecaps are lines of their own: a fifth of a storm is white.
+            // Foam is off because whitecaps are lines too: a fifth of a storm is white.
             const Frame& frame = scene.ocean.frame_at(0);
             const double at_m = frame.bounds.height_max_m + above_m;
             const auto pixels = scene.image({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, frame);
@@ -101,14 +103,14 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
             RecordProperty(std::string(preset) + "_" + std::to_string(static_cast<int>(above_m)),
                            std::to_string(largest));
             std::printf("horizon %s, %g m above the crests: %.2f steps of 8 bits\n", preset, above_m, largest);
-            // Measured: 2 to 15. From a little above the crests the next ones stand out against the sky, 21 to 29: water that is seen
-            // at grazing angles mirrors less than half of it.
+            // Measured: 2 to 15. From just above the crests the next crests contrast with the sky,
+            // 21 to 29: water at grazing angles reflects less than half of the sky's light.
             EXPECT_LE(largest, above_m < 10 ? 35 : 20) << preset << " from " << above_m << " m above the crests";
         }
     }
 }
 
-/// The mean of a box around each pixel.
+/// Returns the mean of a box around each pixel.
 std::vector<double> box_means(const std::vector<double>& light, int side, int half_box) {
     std::vector<double> sums(static_cast<std::size_t>(side + 1) * (side + 1)), means;
     const auto sum = [&](int x, int y) -> double& { return sums[static_cast<std::size_t>(y * (side + 1) + x)]; };
@@ -125,8 +127,8 @@ std::vector<double> box_means(const std::vector<double>& light, int side, int ha
     return means;
 }
 
-/// The light of an image less what the sun's and sky's place give, in deviations of what is around: an eye sees patterns in dull water
-/// as it does in glitter.
+/// Returns an image without the trend of sun and sky, in units of the local standard deviation,
+/// because an eye detects patterns in dull water as well as in glitter.
 std::vector<double> contrast_of(std::vector<double> light, int side, int half_box) {
     const std::vector<double> means = box_means(light, side, half_box);
     std::vector<double> squares;
@@ -139,7 +141,7 @@ std::vector<double> contrast_of(std::vector<double> light, int side, int half_bo
     return light;
 }
 
-/// The correlation of an image with itself moved by so many pixels.
+/// Returns the correlation of an image with itself shifted by the given number of pixels.
 double correlation(const std::vector<double>& light, int side, int dx, int dy) {
     double product = 0, here = 0, there = 0;
     for (int y = 0; y < side - dy; ++y)
@@ -153,14 +155,14 @@ double correlation(const std::vector<double>& light, int side, int dx, int dy) {
     return product / std::sqrt(here * there);
 }
 
-// What is seen are the waves' slopes, a pixel being an eighth of the peak's, and gusts. The image knows where the coarsest cascade
-// does repeat.
-TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
+// Visible are the waves' slopes, a pixel being an eighth of the peak wavelength, and gusts. As a
+// check, the correlation peaks at the period of the coarsest cascade.
+TEST(GlTiling, DefaultCascadesShowNoVisibleRepetition) {
     constexpr int pixels = 256;
     GlScene scene({.quality = "low", .samples = 4, .writes = gl::PixelKind::radiance});
     const double coarsest_m = scene.ocean.frame_at(3).cascades[0].grid.side_m;
     const double pixel_m = 2 * coarsest_m / pixels;
-    // Without foam: a few white pixels would weigh more than all waves.
+    // Without foam: a few white pixels would outweigh all waves.
     const std::vector<float> seen = scene.light_from_above(scene.ocean.frame_at(3), pixels, 2 * coarsest_m);
     const std::vector<double> light = contrast_of({seen.begin(), seen.end()}, pixels, 12);
     double largest = 0;
@@ -178,9 +180,10 @@ TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
     EXPECT_GT(at_side, 2 * largest);
 }
 
-// Straight down there is no azimuth, so what the air adds must not have one: around the nadir all sectors are equally bright, but
-// for waves and for the sky that they mirror. Sectors of rings of 3 to 20 pixels, to 10 degrees from the nadir.
-TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
+// Straight down the azimuth is undefined, so the haze must not depend on it. Around the nadir all
+// sectors are equally bright except for waves and the reflected sky. Sectors are those of rings of
+// 3 to 20 pixels, to 10 degrees from the nadir.
+TEST(GlNadir, HazeDoesNotDependOnTheAzimuthAtTheNadir) {
     constexpr int side = 96, sectors = 8;
     GlScene scene({.preset = "moderate", .quality = "low", .width = side, .height = side});
     const auto pixels = scene.image({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
@@ -196,12 +199,12 @@ TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
     for (int i = 0; i < sectors; ++i) sums[static_cast<std::size_t>(i)] /= counts[static_cast<std::size_t>(i)];
     const auto [min, max] = std::minmax_element(sums.begin(), sums.end());
     std::printf("around the nadir: the brightest sector is %.2f of the darkest\n", *max / *min);
-    // Measured 1.02: 20 degrees apart the sky and the haze's angle to the sun differ. With the horizon's colour of each azimuth
-    // on the haze it was 8.4.
+    // Measured 1.02: across 20 degrees the sky and the haze's angle to the sun differ. With the
+    // horizon colour of each azimuth in the haze the ratio was 8.4.
     EXPECT_LE(*max / *min, 1.3);
 }
 
-// Far water: what lies between 1.2 and 4 degrees below the horizon from 12 m, 170 to 570 m away.
+// Far water: from 1.2 to 4 degrees below the horizon seen from 12 m, 170 to 570 m away.
 constexpr ImageRows far_rows(int height) { return {height / 2 + height / 36, height / 15}; }
 
 std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, int block) {
@@ -218,16 +221,18 @@ std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, 
     return light;
 }
 
-/// How a strip of far water differs from an image of four times as many samples along each side, over so many frames.
+/// Compares a strip of far water with an image of four times as many samples along each side, over
+/// several frames.
 struct Sparkle {
     double error = 0, mean = 0;  ///< of light, as shown
-    double deviation_ratio = 0;  ///< of a pixel in time, over the finer image's
+    double deviation_ratio = 0;  ///< of a pixel in time, over that of the finer image
 };
 
 Sparkle sparkle_towards(glm::dvec3 target_m) {
     constexpr int width = 80, height = 180, finer = 4, frames = 16;
     const Camera camera{.position_m = {0, 12, 0}, .target_m = target_m};
-    // The bounds below are of a wind of 8 m/s. More foam, as in the preset's 9 m/s, sparkles more: 0.18 of the mean and 1.19.
+    // The bounds below hold for a wind of 8 m/s. More foam, as in the preset's 9 m/s, sparkles
+    // more: 0.18 of the mean and 1.19.
     GlScene scene({.preset = "moderate", .width = width, .height = height, .wind_speed_mps = 8, .foam = true});
     scene.resize(width, height, far_rows(height));
     std::vector<std::vector<float>> plain, reference;
@@ -259,19 +264,20 @@ Sparkle sparkle_towards(glm::dvec3 target_m) {
     return {error, mean, ratio};
 }
 
-// Measured: 0.076 of the mean and 0.9 to 1.04. A sparkling sea, one look a pixel and no roughness from mips, would have several
-// times the reference's deviation.
+// Measured: 0.076 of the mean and 0.9 to 1.04. A sparkling sea (one sample a pixel, no roughness
+// from mips) would have several times the reference's deviation.
 TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledImage) {
     const Sparkle far = sparkle_towards({-70, 12, 100});
     std::printf("far water: error %.4f of a mean of %.3f, deviation in time %.2f of the reference's\n", far.error,
                 far.mean, far.deviation_ratio);
-    // Of a mean that is a twentieth of the glints': measured 0.155, 0.126 where the sea has no foam. A pixel takes foam's mean over a
-    // square, a quarter as wide as the pixel's piece of sea is long.
+    // Relative to a mean that is a twentieth of the glints' mean: measured 0.155, and 0.126 if the
+    // sea has no foam. A pixel takes the foam's mean over a square a quarter as wide as the pixel's
+    // footprint is long.
     EXPECT_LE(far.error, 0.17 * far.mean);
     EXPECT_LE(far.deviation_ratio, 1.1);
 }
 
-// The test's sun stands at 0.7 rad, ahead.
+// The test's sun is ahead, at 0.7 rad.
 TEST(GlSparkle, GlintsAreAsCalmAsASupersampledImage) {
     const Sparkle glints = sparkle_towards({100, 12, 70});
     std::printf("glints: error %.4f of a mean of %.3f, deviation in time %.2f of the reference's\n", glints.error,

@@ -1,4 +1,4 @@
-// An application's mesh where it is placed, in the light that it turns to.
+// An application's mesh appears at its position, lit according to its orientation.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,15 +16,16 @@ namespace {
 constexpr int side = 16;
 constexpr float pi = 3.14159265f;
 
-/// A square of 2 m that faces +x, a metre above the waterline, where no paint is wet.
+/// A square of side 2 m that faces +x, a metre above the waterline, where no paint is wet.
 constexpr std::array<gl::MeshVertex, 4> square = {{{{0, 1, -1}, {1, 0, 0}, {0.5f, 0.25f, 0.125f}},
                                                    {{0, 3, -1}, {1, 0, 0}, {0.5f, 0.25f, 0.125f}},
                                                    {{0, 3, 1}, {1, 0, 0}, {0.5f, 0.25f, 0.125f}},
                                                    {{0, 1, 1}, {1, 0, 0}, {0.5f, 0.25f, 0.125f}}}};
 constexpr std::array<std::uint16_t, 6> triangles = {0, 1, 2, 0, 2, 3};
 
-// Lambert: albedo / pi times what falls on it, of the sky from a level horizon up and of the sea from there down, which sends 6 % of it back.
-TEST(GlLitMesh, IsLitByWhereItTurns) {
+// Lambert: albedo / pi times the irradiance, from the sky above a level horizon and from the sea
+// below it, which reflects 6 % of the light.
+TEST(GlLitMesh, IsLitAccordingToItsOrientation) {
     gl::HeadlessContext context({.debug = true});
     const gl::Functions& functions = context.functions();
     gl::LitMesh mesh(functions, square, triangles, "boat.frag.glsl");
@@ -34,7 +35,8 @@ TEST(GlLitMesh, IsLitByWhereItTurns) {
     sky.sky_irradiance = glm::vec3(0.1f, 0.15f, 0.2f);
     mesh.set_light(sky);
     const glm::dvec3 foot(300, 1, -200);
-    // From straight above, through parallel rays, a square of 8 m around its foot: x to the right, z down.
+    // From straight above, through parallel rays: a square of side 8 m around its foot; x to the
+    // right, z down.
     glm::dmat4 clip(0);
     clip[0][0] = 0.25;
     clip[2][1] = -0.25;
@@ -44,7 +46,7 @@ TEST(GlLitMesh, IsLitByWhereItTurns) {
     gl::RenderTarget target(functions, side, side, 0, gl::PixelKind::radiance);
 
     for (const double heading : {0.4, 2.0, -2.5}) {
-        // Turned by its heading, and then so that it looks up by a radian.
+        // The mesh is rotated by its heading, then pitched up by one radian.
         glm::dmat4 pose = glm::rotate(glm::translate(glm::dmat4(1), foot), -heading, glm::dvec3(0, 1, 0));
         pose = glm::rotate(pose, 1.0, glm::dvec3(0, 0, 1));
         const glm::dvec3 facing(std::cos(1.0) * std::cos(heading), std::sin(1.0), std::cos(1.0) * std::sin(heading));
@@ -60,7 +62,7 @@ TEST(GlLitMesh, IsLitByWhereItTurns) {
         const float sunlit = std::max(glm::dot(glm::vec3(facing), sky.sun_direction), 0.f);
         const float* const seen = &pixels[4 * (row * side + column)];
         for (int i = 0; i < 3; ++i) {
-            // Its sky is that of a boat on an even keel: of the mesh's own axes.
+            // The mesh uses the sky of a boat on an even keel, in the mesh's axes.
             const float light = sky.sun_irradiance[i] * sunlit + sky.sky_irradiance[i] * 0.53f;
             EXPECT_NEAR(seen[i], square[0].paint[i] / pi * light, 2e-4) << heading << ", channel " << i;
         }

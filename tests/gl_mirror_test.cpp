@@ -1,4 +1,5 @@
-// The mirror of the sea's shader, run as it is on places of a table: what it gives back and what it lets through is all the light.
+// The reflection of the sea's shader, unmodified, on a table of inputs: reflected and transmitted
+// light sum to all the light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,13 +18,14 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr int columns = 64, rows = 32;
 
-/// Angles of eyes below the zenith, and roughnesses, of a pixel's column and row: to half a degree above the surface, alpha to 0.6.
+/// Angles of the eye from the zenith and roughnesses, by a pixel's column and row: to half a degree
+/// above the surface, alpha to 0.6.
 double eye_from_zenith(int column) { return 89.5 * pi / 180 * (column + 0.5) / columns; }
 double roughness(int row) { return 0.02 + 0.58 * (row + 0.5) / rows; }
 
 class GlMirror : public testing::Test {
    protected:
-    /// RGBA of each pixel, for which `body` has set `result` from `theta`, `alpha` and `pixel`.
+    /// Returns the RGBA of each pixel; `body` sets `result` from `theta`, `alpha` and `pixel`.
     std::vector<float> computed(const std::string& body) {
         const gl::Functions& gl = context_.functions();
         const std::string vertex =
@@ -71,9 +73,10 @@ class GlMirror : public testing::Test {
     gl::HeadlessContext context_{{.debug = true}};
 };
 
-// What the glint gives of suns in all directions, summed up over the facets' slopes, with what Fresnel's mean leaves for the water. Light
-// that goes from facet to facet is not followed: it is missing at grazing angles, the more the rougher.
-TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
+// The sum of the glint over suns in all directions and facet slopes, plus the fraction that
+// Fresnel's mean transmits. Light between facets is not traced, so energy is missing at grazing
+// angles, increasingly with roughness.
+TEST_F(GlMirror, WhiteFurnaceGainsNoLightAndLosesLittle) {
     const std::vector<float> values = computed(R"(
     float sum = 0.0;
     for (int i = 0; i < 96; ++i)
@@ -82,7 +85,8 @@ TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
             vec3 facet = normalize(vec3(slopes.x, 1.0, slopes.y));
             float cosine = dot(facet, eye_at);
             if (cosine <= 0.0) continue;
-            // Slopes to directions of facets, and of those to directions of light; both sides of the plane through the eye.
+            // Maps slopes to directions of facets, and these to directions of light, on both sides
+            // of the plane through the eye.
             float angle = 2.0 * alpha * alpha / 144.0 * facet.y * facet.y * facet.y * 4.0 * cosine;
             sum += angle * mirrored_part(up, eye_at, reflect(-eye_at, facet), alpha * alpha, alpha);
         }
@@ -103,11 +107,11 @@ TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
     EXPECT_GE(min_rough, 0.85);
 }
 
-TEST_F(GlMirror, LightTakesTheSameWayBack) {
+TEST_F(GlMirror, IsReciprocal) {
     const std::vector<float> values = computed(R"(
     float along = 1.5 * fract(pixel.y * 0.618), around = 6.28 * fract(pixel.x * 0.618 + 0.3 * pixel.y);
     vec3 sun_at = vec3(sin(along) * cos(around), cos(along), sin(along) * sin(around));
-    // Of a mirror that sends light to the eye at all.
+    // Only for a mirror that reflects light to the eye at all.
     float there = mirrored_part(up, eye_at, sun_at, 0.3, sqrt(0.3)) / sun_at.y;
     float back = mirrored_part(up, sun_at, eye_at, 0.3, sqrt(0.3)) / eye_at.y;
     result = vec4(there / back, there, back, 1.0);
@@ -121,7 +125,7 @@ TEST_F(GlMirror, LightTakesTheSameWayBack) {
     EXPECT_GT(seen, columns * rows / 2);
 }
 
-/// Fresnel's formulae for amplitudes, of both polarisations.
+/// Computes Fresnel's reflectance from the amplitudes of both polarisations.
 double fresnel(double cosine) {
     const double refracted = std::sqrt(1 - (1 - cosine * cosine) / (1.333 * 1.333));
     const double s = (cosine - 1.333 * refracted) / (cosine + 1.333 * refracted);
@@ -129,7 +133,7 @@ double fresnel(double cosine) {
     return 0.5 * (s * s + p * p);
 }
 
-/// Over the slopes of facets, each with its area as the eye sees it.
+/// Integrates over the slopes of facets, each weighted with its area as the eye sees it.
 double mean_fresnel(double theta, double s) {
     constexpr int steps = 60;
     double sum = 0, weights = 0;
@@ -145,12 +149,12 @@ double mean_fresnel(double theta, double s) {
     return sum / weights;
 }
 
-TEST_F(GlMirror, TakesFresnelsMeanOverTheFacetsThatAreSeen) {
+TEST_F(GlMirror, UsesFresnelsMeanOverTheVisibleFacets) {
     const std::vector<float> values = computed("    result = vec4(mean_fresnel(cos(theta), alpha * sqrt(0.5)));\n");
     for (int row = 0; roughness(row) * std::sqrt(0.5) <= 0.2; row += 3)
         for (int column = 0; column < columns; column += 3) {
             const double expected = mean_fresnel(eye_from_zenith(column), roughness(row) * std::sqrt(0.5));
-            // The shader's formula leaves out the mean's third and higher moments.
+            // The shader's formula omits the third and higher moments.
             EXPECT_NEAR(values[4 * static_cast<std::size_t>(row * columns + column)], expected, 0.04 * expected)
                 << "alpha " << roughness(row) << ", " << eye_from_zenith(column) * 180 / pi << " degrees";
         }

@@ -1,4 +1,4 @@
-// What a shader computes at the places of a square: functions of gl/shaders/ alone, without the sea around them.
+// Evaluates functions of gl/shaders/ at the positions of a square, without the rest of the sea.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace pelagic {
 
 class GlProbe {
    public:
-    static constexpr int side = 128;  ///< pixels: places that are asked
+    static constexpr int side = 128;  ///< pixels a side, one position each
 
-    /// \param files  of gl/shaders/, after scene.glsl
-    /// \param body  sets the vec4 `result`
+    /// \param files  names in gl/shaders/, included after scene.glsl
+    /// \param body  code that sets the vec4 `result`
     GlProbe(gl::Surface surface, std::initializer_list<const char*> files, const std::string& body)
         : gl_(context_.functions()) {
         const std::string defines =
@@ -42,7 +42,7 @@ class GlProbe {
     ~GlProbe() { gl_.DeleteProgram(program_); }
 
     const gl::Functions& gl() const { return gl_; }
-    /// RGBA of all places, in rows, the upper one first.
+    /// Returns the RGBA of all positions in rows, the upper row first.
     std::vector<float> ask(const gl::SceneBlock& block) {
         const gl::Buffer scene(gl_);
         gl_.BindBuffer(GL_UNIFORM_BUFFER, scene.name());

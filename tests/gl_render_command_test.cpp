@@ -1,4 +1,5 @@
-// `pelagic render` as a user's shell runs it: images, figures, and one clear line where something is missing.
+// `pelagic render` as run from a shell: images, statistics, and one line of error where something
+// is missing.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@
 namespace pelagic {
 namespace {
 
-/// Root of the mean square difference, in steps of 8 bits, of blocks of 4 x 4 pixels: waves that a driver rounds to the next
-/// pixel do not count, a colour or a shape that has changed does.
+/// Returns the root mean square difference, in 8-bit steps, of blocks of 4 x 4 pixels. A wave that
+/// a driver rounds to the next pixel does not count; a changed colour or shape does.
 double difference(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
     const auto blocks_of = [](const OIIO::ImageBuf& image) {
         return OIIO::ImageBufAlgo::resize(image, "box", 0, {0, image.spec().width / 4, 0, image.spec().height / 4});
@@ -34,8 +35,9 @@ OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
     return image;
 }
 
-// The references were made by the same command, looked at, and kept; PELAGIC_UPDATE_IMAGES=1 makes new ones.
-TEST(RenderCommand, ImageLookLikeTheReferences) {
+// The reference images were made by the command itself and inspected; PELAGIC_UPDATE_IMAGES=1 makes
+// new ones.
+TEST(RenderCommand, ImagesMatchTheReferences) {
     const std::filesystem::path references = PELAGIC_REFERENCE_IMAGES;
     const TemporaryFolder folder;
     for (const std::string preset : {"calm", "moderate", "storm"}) {
@@ -49,15 +51,16 @@ TEST(RenderCommand, ImageLookLikeTheReferences) {
         const OIIO::ImageBuf made = read_pixels(file), kept = read_pixels(references / (preset + ".png"));
         for (const OIIO::ImageBuf* image : {&made, &kept})
             ASSERT_EQ(image->roi(), OIIO::ROI(0, 320, 0, 180, 0, 1, 0, 3)) << preset;
-        // Steps of 8 bits. Another machine's rounding and libm give 0.0 to 0.5; a change that one sees gives more than 3.
+        // In 8-bit steps. Rounding and libm of other machines give 0.0 to 0.5; a visible change
+        // gives more than 3.
         EXPECT_LE(difference(made, kept), 3) << preset;
         if (preset == "calm") continue;
-        // Another sea is such a change: 30 and 51.
+        // A different sea is a visible change: 30 and 51.
         EXPECT_GT(difference(made, read_pixels(references / "calm.png")), 3) << preset;
     }
 }
 
-TEST(RenderCommand, StopsWithALineAndLeavesWholeImages) {
+TEST(RenderCommand, StopsWithOneLineAndLeavesCompleteImages) {
     const TemporaryFolder folder, logs;
     constexpr std::ptrdiff_t frames = 500;
     const pid_t process = start_pelagic({"render", "--preset", "calm", "--size", "64x36", "--quality", "low",
@@ -80,7 +83,7 @@ TEST(RenderCommand, StopsWithALineAndLeavesWholeImages) {
     EXPECT_LT(images, frames);
 }
 
-TEST(RenderCommand, NotesADriverInSoftware) {
+TEST(RenderCommand, ReportsASoftwareDriver) {
     const TemporaryFolder folder;
     for (const std::string quality : {"low", "medium"}) {
         const Outcome run = run_pelagic(
@@ -95,15 +98,15 @@ TEST(RenderCommand, NotesADriverInSoftware) {
     }
 }
 
-// Half of the image is land, sand in daylight; the other half is deep.
-TEST(RenderCommand, TakesAFloorFromAnImage) {
+// One half of the image is land, sand in daylight; the other half is deep water.
+TEST(RenderCommand, ReadsTheSeaFloorFromAnImage) {
     const TemporaryFolder folder;
     OIIO::ImageBuf heights(OIIO::ImageSpec(4, 4, 1, OIIO::TypeDesc::UINT16));
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i) heights.setpixel(i, j, {i < 2 ? 0.f : 1.f});
     ASSERT_TRUE(heights.write((folder / "floor.png").string())) << heights.geterror();
     const std::filesystem::path file = folder / "sea.png";
-    // Straight down +x is at the top.
+    // Straight down, +x is at the top.
     const Outcome run = run_pelagic({"render",
                                      "--preset",
                                      "calm",
@@ -140,7 +143,7 @@ TEST(RenderCommand, TakesAFloorFromAnImage) {
     EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
 }
 
-TEST(RenderCommand, PrintsItsFiguresAndNumbersItsImages) {
+TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
                                      "--frames", "2", "--stereo", "--json", "--out", (folder / "sea.png").string()});
@@ -155,7 +158,7 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsImages) {
     EXPECT_EQ(read_pixels(folder / "sea_0001.png").spec().height, 48);
 }
 
-/// A view, and the same with more of the sky's bright and dark parts on either side.
+/// Renders a view, and a wider view with more bright and dark sky on both sides.
 std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder, const std::string& exposure) {
     std::vector<OIIO::ImageBuf> images;
     for (const std::string size : {"64x96", "256x96"}) {
@@ -166,22 +169,23 @@ std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder,
         EXPECT_EQ(run.exit_code, 0) << run.err;
         images.push_back(read_pixels(file));
     }
-    // The middle of the wide one is the narrow one: its rows are as high.
+    // The middle of the wide image is the narrow image: its rows are equally high.
     images[1] = OIIO::ImageBufAlgo::cut(images[1], {96, 160, 0, 96});
     return images;
 }
 
-TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
+TEST(RenderCommand, FixedExposureDoesNotDependOnTheView) {
     const TemporaryFolder folder;
-    // Fewer patches are drawn in the narrow view, from other places of the same buffers: roundings, a step at most.
+    // The narrow view draws fewer patches, from other positions in the same buffers: rounding
+    // differs by at most one step.
     const auto fixed = narrow_and_wide(folder.path(), "14");
     EXPECT_LT(difference(fixed[0], fixed[1]), 0.5);
     const auto metered = narrow_and_wide(folder.path(), "auto");
     EXPECT_GT(difference(metered[0], metered[1]), 3);
 }
 
-// A rock of dark stone in the middle of the image, and its image in the water before it.
-TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
+// A dark rock in the middle of the image, and its reflection in the water in front of it.
+TEST(RenderCommand, RockInTheSeaIsReflected) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "sea.exr";
     const Outcome run =
@@ -191,7 +195,8 @@ TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const OIIO::ImageBuf image = read_pixels(file);
     const auto green = [&](int x, int y) { return image.getchannel(x, y, 0, 1); };
-    // Above its foot, which is in row 25, stands the rock; below it the water mirrors it, and the sky on both sides.
+    // Above its foot, in row 25, is the rock; below it the water reflects the rock, and the sky on
+    // both sides.
     EXPECT_LT(green(24, 18), 0.5f * green(4, 18));
     float before_rock = 0, beside = 0;
     for (int x = 0; x < 4; ++x) {
@@ -201,8 +206,8 @@ TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
     EXPECT_LT(before_rock, 0.6f * beside);
 }
 
-// Images of one film are made by several runs, each from its own frame on.
-TEST(RenderCommand, AImageOfAFilmIsTheSameWhereverTheRunBegan) {
+// Several runs make the images of one film, each from a different first frame.
+TEST(RenderCommand, ImageOfAFilmDoesNotDependOnTheFirstFrame) {
     const TemporaryFolder folder;
     const std::vector<std::string> scene = {"render", "--resolution", "32", "--quality", "low", "--size",
                                             "64x48",  "--clouds",     "0",  "--fps",     "2"};
@@ -216,8 +221,9 @@ TEST(RenderCommand, AImageOfAFilmIsTheSameWhereverTheRunBegan) {
     EXPECT_EQ(read_file(folder / "film_0001.png"), read_file(folder / "second.png"));
 }
 
-// The sun stands over +z, a quarter of the image of the sky right of its middle; above the sun's side of the sea all is brighter.
-TEST(RenderCommand, WritesLinearLightAndTheSkyAround) {
+// The sun is over +z, a quarter of the sky image right of its middle; above the sun's side of the
+// sea the light is brighter.
+TEST(RenderCommand, WritesLinearLightAndTheSkyMap) {
     const TemporaryFolder folder;
     const Outcome run =
         run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low", "--clouds", "0", "--sun",
@@ -228,7 +234,8 @@ TEST(RenderCommand, WritesLinearLightAndTheSkyAround) {
     EXPECT_EQ(sea.roi(), OIIO::ROI(0, 64, 0, 48, 0, 1, 0, 3));
     EXPECT_EQ(sky.roi(), OIIO::ROI(0, 2048, 0, 1024, 0, 1, 0, 3));
     EXPECT_EQ(sea.spec().format, OIIO::TypeDesc::FLOAT);
-    // 20 degrees up are 398 rows from the top: the brightest light near the sun, where the disc would be 6e4 times as bright.
+    // 20 degrees of elevation are 398 rows from the top. The brightest light is near the sun; the
+    // disc itself would be 6e4 times as bright.
     const float at_sun = sky.getchannel(1536, 398, 0, 1), away = sky.getchannel(512, 398, 0, 1);
     EXPECT_GT(at_sun, 5 * away);
     EXPECT_LT(at_sun, 10);
@@ -296,8 +303,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
     }
 }
 
-// Opening a FIFO waited for a reader, and SIGTERM did not end that.
-TEST(RenderCommand, ReplacesNothingThatIsNoRegularFile) {
+// Regression: opening a FIFO waited for a reader, and SIGTERM did not end the wait.
+TEST(RenderCommand, ReplacesOnlyRegularFiles) {
     const TemporaryFolder folder;
     write_file(folder / "victim", "mine");
     for (const std::string name : {"sea.png", ".sea.png.part"}) {
@@ -317,8 +324,9 @@ TEST(RenderCommand, ReplacesNothingThatIsNoRegularFile) {
     EXPECT_EQ(read_file(folder / "victim"), "mine");
 }
 
-// libglvnd takes its list of drivers from the variable; with none of them EGL is there, but draws nothing.
-TEST(RenderCommand, SaysWhichPackageIsMissingWithoutADriver) {
+// libglvnd takes its list of drivers from the variable; with an empty list EGL loads but cannot
+// draw.
+TEST(RenderCommand, NamesTheMissingPackageWithoutADriver) {
     const TemporaryFolder folder;
     const auto without_driver = [] { ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json", 1); };
     const Outcome render = run_pelagic({"render", "--out", (folder / "sea.png").string()}, without_driver);

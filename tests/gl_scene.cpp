@@ -70,7 +70,8 @@ const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame
     gl().ClearColor(clear.x, clear.y, clear.z, 1);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     renderer->upload(frame);
-    // Mesa's software driver with threads may sample mips before they are written; images are to be the same each time.
+    // Mesa's multithreaded software driver may sample mips before they are written; images must be
+    // reproducible.
     gl().Finish();
     std::optional<gl::CameraWaterPlane> water;
     if (lens_may_dip_) water = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m);

@@ -14,13 +14,13 @@
 
 namespace pelagic {
 
-/// The named preset, with another resolution if one is given.
+/// Returns the named preset, with the given resolution if there is one.
 SeaState sea_named(std::string_view preset, int resolution = 0);
 
-/// Baked once for all tests of a process: the sky is the same in each.
+/// Returns the sky that all tests of a process share; it is baked once.
 const gl::Sky& test_sky();
 
-/// Rows of an image, from above.
+/// Returns the rows of an image, from the top.
 struct ImageRows {
     int first = 0, count = 0;
 };
@@ -30,21 +30,21 @@ class GlScene {
     struct Options {
         std::string_view preset = "moderate";
         std::string_view quality = "high";
-        int resolution = 0;       ///< 0: the preset's
-        int cascades = 0;         ///< 0: as many as are chosen by default
-        double patch_size_m = 0;  ///< of an only cascade; 0: sides chosen from the sea
+        int resolution = 0;       ///< 0: the preset's resolution
+        int cascades = 0;         ///< 0: the default number
+        double patch_size_m = 0;  ///< side of the only cascade; 0: sides chosen from the sea
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
         gl::PixelKind writes = gl::PixelKind::screen;
         gl::Shading shading = gl::Shading::high;
-        double depth_m = 0;         ///< 0: the preset's
-        double wind_speed_mps = 0;  ///< 0: the preset's
-        bool foam = false;          ///< the sea remembers foam, and images show it
-        bool lens_may_dip = false;  ///< the renderer is told of the surface at the lens
+        double depth_m = 0;         ///< 0: the preset's depth
+        double wind_speed_mps = 0;  ///< 0: the preset's wind speed
+        bool foam = false;          ///< foam accumulates, and images show it
+        bool lens_may_dip = false;  ///< the renderer gets the water plane at the lens
     };
     explicit GlScene(const Options& options);
 
-    /// Draws into the scene's target; clears with `clear` first.
+    /// Draws into the scene's target, which is first cleared with `clear`.
     const gl::DrawStatistics& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
                                    glm::vec3 clear = {0, 0, 0}) {
         return draw(camera, ocean.frame_at(time_s), draws_sky, stereo, clear);
@@ -58,10 +58,10 @@ class GlScene {
         draw(camera, frame);
         return target->read();
     }
-    /// Green radiance, in rows, of a square of sea seen from 2 km straight above through parallel rays, of which the sky and the sun
-    /// are the same everywhere. For a scene that writes radiance.
+    /// Draws a square of sea from 2 km straight above through parallel rays, under a uniform sky
+    /// and sun. Returns the green radiance, in rows. For a scene that writes radiance.
     std::vector<float> light_from_above(const Frame& frame, int pixels, double side_m);
-    /// \param only  if it has any, the target holds these rows of the image: the others take no time
+    /// \param only  if not empty, only these rows of the image are drawn, which saves time
     void resize(int width, int height, ImageRows only = {});
     const gl::Functions& gl() const { return context.functions(); }
 
@@ -71,16 +71,16 @@ class GlScene {
     Selection selection;
     std::optional<gl::RenderTarget> target;
     std::optional<gl::SeaRenderer> renderer;
-    std::optional<gl::ApplicationScene> application_scene;  ///< of the image, in all draws
+    std::optional<gl::ApplicationScene> application_scene;  ///< used in all draws
 
    private:
     int samples_;
     gl::PixelKind writes_;
     bool lens_may_dip_;
-    gl::Viewport whole_;  ///< of the image, in the target
+    gl::Viewport whole_;  ///< the image's region of the target
 };
 
-/// Light of an sRGB byte, [0, 1].
+/// Converts an sRGB byte to light in [0, 1].
 float linear_of(std::uint8_t srgb);
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// What the shaders are told of a frame's cascades. Needs no driver.
+// The parameters that the shaders get for a frame's cascades. These tests need no driver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,11 +13,12 @@
 namespace pelagic {
 namespace {
 
-// A cascade is left out where pixels or vertices are as far apart as its longest waves are long; no wave may be longer.
-TEST(SceneBlock, KnowsTheLongestWavesOfEachCascade) {
+// Shaders omit a cascade where the spacing of pixels or vertices is as large as its longest
+// wavelength. No wave may be longer.
+TEST(SceneBlock, StoresTheLongestWavelengthOfEachCascade) {
     for (const SeaPreset& preset : sea_presets()) {
         SeaState sea = preset.sea;
-        if (sea.waves == WaveModel::pond) continue;  // of one cascade
+        if (sea.waves == WaveModel::pond) continue;  // it has one cascade
         sea.resolution = 64;
         sea.cascades = is_cascade_for_good(sea) ? 1 : 4;
         Ocean ocean(sea, {.executor = make_serial_executor()});
@@ -33,9 +34,10 @@ TEST(SceneBlock, KnowsTheLongestWavesOfEachCascade) {
     }
 }
 
-// Texel (0, 0) of a cascade of N texels stands at the world's origin, half a texel into the texture, whatever the cascade's turn; and a
-// million kilometres of cascades away a viewer stands where he would within a cascade.
-TEST(SceneBlock, PlacesAViewerInEachTurnedCascade) {
+// Texel (0, 0) of a cascade of N texels is at the world's origin, half a texel into the texture,
+// whatever the cascade's rotation. A viewer a million kilometres away has the same position in the
+// texture as one in the first period.
+TEST(SceneBlock, PlacesAViewerInEachRotatedCascade) {
     Ocean ocean({.cascades = 4, .resolution = 64}, {.executor = make_serial_executor()});
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;
@@ -46,15 +48,16 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedCascade) {
                 grid.in_world((cascades + 0.25) * grid.side_m, (3 * cascades + 0.5) * grid.side_m);
             const gl::SceneBlock block =
                 gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {}, {});
-            // In double a metre is known to 1e-6 there, in cascades of 3 m.
+            // There a double resolves 1e-6 m; the cascades are 3 m wide.
             EXPECT_NEAR(block.cascade_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "cascade " << i;
             EXPECT_NEAR(block.cascade_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "cascade " << i;
         }
     }
 }
 
-// Foam's structure goes where its maps do, as fast as whole squares of it in a loop allow, and is back where it was after one.
-TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
+// The foam structure drifts with the foam maps. It moves by whole squares in a loop, as fast as
+// this allows, and is back at its start after one loop.
+TEST(SceneBlock, MovesTheFoamStructureWithTheFoam) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 14, .wind_direction_rad = 0.6},
                 {.executor = make_serial_executor(), .foam = true});
     DrawList list;
@@ -78,7 +81,8 @@ TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
     }
 }
 
-// Finer cascades than those that make whitecaps come after them, and a frame without foam has none.
+// Cascades finer than those that make whitecaps follow them in the list, and a frame without foam
+// has none.
 TEST(SceneBlock, CountsTheCascadesThatMakeFoam) {
     Ocean ocean({.cascades = 4, .resolution = 128, .wind_speed_mps = 14},
                 {.executor = make_serial_executor(), .foam = true});
@@ -101,8 +105,9 @@ TEST(SceneBlock, CountsTheCascadesThatMakeFoam) {
     }
 }
 
-// One pass: the sky's exposure, or the application's. Weights are for the display pass alone; stars are for the night.
-TEST(SceneBlock, TakesTheApplicationsExposureOrTheSkys) {
+// With one pass, the exposure is the sky's or the application's. Weights are for the display pass
+// alone; stars are for the night.
+TEST(SceneBlock, UsesTheApplicationsExposureOrTheSkys) {
     Ocean ocean({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;
@@ -120,7 +125,7 @@ TEST(SceneBlock, TakesTheApplicationsExposureOrTheSkys) {
     sky.true_sun_direction = {0, -1, 0};
     sky.unit = 1e-5f;
     EXPECT_GT(block({}, false).stars.x, 0);
-    // A sky's unit is in what eyes see by: night vision counts candelas.
+    // A sky's unit is in photometric units: night vision uses cd/m^2.
     EXPECT_FLOAT_EQ(block({}, false).output_kind.w, 1e-5f * gl::sun_illuminance_lx);
 }
 

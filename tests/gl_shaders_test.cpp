@@ -1,4 +1,5 @@
-// Every shader that the code can compose, by GLSL's reference compiler: also those of headsets, which no driver here takes.
+// GLSL's reference compiler on every shader that the code can compose, including those of headsets,
+// which no driver here supports.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -27,13 +28,13 @@ class Folder {
     std::string path_ = (std::filesystem::temp_directory_path() / "pelagic_shaders_XXXXXX").string();
 };
 
-/// What the compiler says of a program; empty if it links.
+/// Returns the compiler's messages for a program; empty if it links.
 std::string invalid_value_of(const gl::ProgramFiles& files) {
     const Folder folder;
     const auto vertex = folder / "shader.vert", fragment = folder / "shader.frag";
     std::ofstream(vertex) << gl::shader_source(files.vertex, files.defines);
     std::ofstream(fragment) << gl::shader_source(files.fragment, files.defines);
-    // -l: links the two, so that what one hands out is what the other takes.
+    // -l links the two stages, so that the outputs of one must match the inputs of the other.
     FILE* const pipe =
         popen(("glslangValidator -l " + vertex.string() + " " + fragment.string() + " 2>&1").c_str(), "r");
     std::string said;
@@ -43,7 +44,7 @@ std::string invalid_value_of(const gl::ProgramFiles& files) {
     return status == 0 ? "" : said;
 }
 
-TEST(Shaders, AreGlslInEveryVariant) {
+TEST(Shaders, CompileInEveryVariant) {
     using gl::Shading, gl::Surface;
     std::vector<gl::SeaVariant> variants;
     for (const std::size_t cascades : {1, 4})
@@ -84,7 +85,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
         EXPECT_EQ(invalid_value_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
-TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
+TEST(Shaders, OfHeadsetsDrawBothEyesInOnePass) {
     for (const gl::ProgramFiles& files :
          gl::sea_program_files({.cascades = 4, .shading = gl::Shading::headset, .multiview = true})) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
@@ -92,7 +93,8 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
     }
 }
 
-/// What a pixel costs at most: all functions in main, all loops unrolled, by glslang and SPIR-V's optimiser.
+/// Returns the maximum cost of a pixel: all functions inlined into main, all loops unrolled, by
+/// glslang and SPIR-V's optimiser.
 struct PixelCost {
     int looks = 0, operations = 0, loops = 0;
 };
@@ -101,7 +103,8 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     const Folder folder;
     std::string text = gl::shader_source(files.fragment, files.defines);
     const std::string version = "300 es";
-    text.replace(text.find(version), version.size(), "310 es");  // the least that SPIR-V knows
+    // the lowest version that SPIR-V supports
+    text.replace(text.find(version), version.size(), "310 es");
     const auto shader = folder / "shader.frag", raw = folder / "raw.spv", marked = folder / "marked.spv";
     std::ofstream(shader) << text;
     const std::string command =
@@ -130,14 +133,15 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     return cost;
 }
 
-// An open sea's pixel: the table of docs/architecture.md says the same. A headset takes one look at each of three cascades, at ripples, foam, mirrored
-// sky and haze, and has no loop left that a driver might not unroll.
-TEST(Shaders, CostAPixelWhatTheirTierMay) {
+// A pixel of the open sea; docs/architecture.md has the same table. On a headset it takes one
+// texture sample for each of three cascades, the ripples, the foam, the reflected sky and the haze.
+// No loop remains that a driver might not unroll.
+TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
     using gl::Shading;
     struct Row {
         Shading shading;
         int looks_at_one_cascade, looks_at_four;
-        int operations;  // of four cascades, about
+        int operations;  // with four cascades, approximately
     };
     for (const Row& row :
          {Row{Shading::headset, 5, 7, 800}, Row{Shading::medium, 11, 18, 1055}, Row{Shading::high, 28, 42, 1536}}) {
@@ -154,12 +158,12 @@ TEST(Shaders, CostAPixelWhatTheirTierMay) {
                         with_window.operations);
             EXPECT_EQ(with_window.loops, 0);
             EXPECT_EQ(with_window.looks, cost.looks + 1);
-            // Its place, four products of it, and foam's union with the cascades'.
+            // Its position, four products, and the union of its foam with the cascades'.
             EXPECT_LE(with_window.operations, cost.operations + 45);
             if (row.shading == Shading::headset) {
                 EXPECT_LE(cost.looks, 8);
             }
-            // Versions of the optimiser differ by some of them.
+            // The count differs by some operations between versions of the optimiser.
             if (cascades == 4) {
                 EXPECT_NEAR(cost.operations, row.operations, 0.1 * row.operations);
             }
@@ -167,9 +171,10 @@ TEST(Shaders, CostAPixelWhatTheirTierMay) {
     }
 }
 
-// At a shore it takes one look at the cascades' parts, one at the waves there, but on headsets another for their foam, and about 80 operations:
-// with four cascades a headset takes 9 looks, there and nowhere else.
-TEST(Shaders, TakeThreeMoreLooksAtAShore) {
+// At a shore a pixel takes one texture sample of the cascades' weights and one of the waves, except
+// that headsets take another for the waves' foam. This is about 80 operations: with four cascades a
+// headset takes 9 texture samples there and nowhere else.
+TEST(Shaders, TakeThreeMoreTextureSamplesAtAShore) {
     using gl::Shading;
     for (const Shading shading : {Shading::headset, Shading::medium, Shading::high}) {
         const PixelCost open = cost_of(gl::sea_program_files({.cascades = 4, .shading = shading})[0]);
@@ -178,13 +183,13 @@ TEST(Shaders, TakeThreeMoreLooksAtAShore) {
                     shore.looks - open.looks, shore.operations - open.operations);
         EXPECT_EQ(shore.loops, 0);
         EXPECT_EQ(shore.looks, open.looks + (shading == Shading::headset ? 2 : 3));
-        // Versions of the optimiser differ by some of them.
+        // The count differs by some operations between versions of the optimiser.
         EXPECT_LE(shore.operations, open.operations + 110);
     }
 }
 
-// The check itself: a compiler that takes everything would prove nothing.
-TEST(Shaders, WithAMistakeAreRefused) {
+// Checks the check itself: a compiler that accepts everything would prove nothing.
+TEST(Shaders, WithAnErrorAreRejected) {
     EXPECT_NE(
         invalid_value_of(
             {"sea.vert.glsl", "sea.frag.glsl",

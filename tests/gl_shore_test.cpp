@@ -1,5 +1,6 @@
-// A shore in images: water lies where sim/shore_surface.hpp says, the cascades are held back there and nowhere else, foam comes with its
-// waves, and sand is dark as high as they reach. The shores are made by hand, so that each says what a real one seldom does.
+// A shore in images: the water has the heights that sim/shore_surface.hpp defines. The cascades are
+// attenuated only there, foam comes with the shore's waves, and sand is dark up to the reach of the
+// waves. The shores are built by hand, to contain values that are rare in a real one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Texels of a shore, to be changed before view() is taken.
+/// Texels of a shore; change them before the call of view().
 struct HandmadeShore {
     HandmadeShore(glm::dvec2 corner_m, int wide, int high, double texel)
         : corner(corner_m), columns(wide), rows(high), texel_m(texel) {
@@ -33,7 +34,8 @@ struct HandmadeShore {
         foam.assign(texels, 0);
     }
 
-    /// Calls what(texel, x, z, part), part 0 on the edges and 1 from `fade_m` inside them, smoothly.
+    /// Calls what(texel, x, z, part) for each texel; part rises smoothly from 0 on the edges to 1
+    /// at `fade_m` inside.
     template <class What>
     void each(double fade_m, const What& what) {
         for (int j = 0; j < rows; ++j)
@@ -71,7 +73,7 @@ struct HandmadeShore {
     std::vector<std::uint8_t> foam;
 };
 
-/// Bilinear, as the definition has it; `beyond` outside.
+/// Interpolates bilinearly, as the definition does; returns `beyond` outside.
 template <class Texel>
 double between(const ShoreSurface& shore, double x, double z, double beyond, const Texel& texel) {
     const double u = (x - shore.x_m) / shore.texel_m, v = (z - shore.z_m) / shore.texel_m;
@@ -84,7 +86,7 @@ double between(const ShoreSurface& shore, double x, double z, double beyond, con
                      v - j);
 }
 
-/// The definition, solved: how high the water is that is drawn at a place of the world.
+/// Solves the definition: returns the height of the water that is drawn at a position of the world.
 double height_drawn_at(const Frame& frame, double x, double z) {
     const ShoreSurface& shore = frame.shore;
     double parts[4];
@@ -109,7 +111,8 @@ double height_drawn_at(const Frame& frame, double x, double z) {
     return height;
 }
 
-/// A square seen from above through parallel rays, x to the right and z down; what is higher than top_m lies before the near plane.
+/// A square seen from above through parallel rays, x to the right and z down; points higher than
+/// top_m are before the near plane.
 struct SquareFromAbove {
     glm::dvec2 middle{};
     double half_m = 20;
@@ -148,7 +151,8 @@ class GlShore : public testing::Test {
         draw(scene, square);
         return scene.target->read();
     }
-    /// How far heights of pixels, found with near planes that cut off what is higher, are from those that are handed in.
+    /// Returns the difference between the given heights and those of the pixels, found with near
+    /// planes that clip what is higher.
     struct Heights {
         double mean_m = 0, worst_m = 0, step_m = 0;
     };
@@ -189,8 +193,8 @@ class GlShore : public testing::Test {
     }
 };
 
-/// The frame with its coarsest cascade four times, of other sides and turned otherwise: each is large enough to be seen in the sum, and
-/// smooth from vertex to vertex.
+/// Returns a frame with four copies of its coarsest cascade, of different sides and rotations. Each
+/// is large enough to be visible in the sum, and smooth from vertex to vertex.
 class FourLargeCascades {
    public:
     explicit FourLargeCascades(const Frame& of) : frame(of), cascades_(4, of.cascades[0]) {
@@ -206,9 +210,9 @@ class FourLargeCascades {
     std::vector<Cascade> cascades_;
 };
 
-// Heights of pixels beside the definition's: far from the origin, over an edge of the
-// rectangle, with parts that change in it.
-TEST_F(GlShore, WaterLiesWhereTheDefinitionSays) {
+// Compares the heights of pixels with the definition's: far from the origin, over an edge of the
+// rectangle, with weights that vary inside it.
+TEST_F(GlShore, WaterHasTheHeightsOfTheDefinition) {
     constexpr int pixels = 40, cuts = 100;
     GlScene scene(options(pixels));
     const glm::dvec2 corner(1e6 + 3.7, -2e6 - 11.2);
@@ -233,13 +237,14 @@ TEST_F(GlShore, WaterLiesWhereTheDefinitionSays) {
                     exact.push_back(height_drawn_at(large.frame, square.x(column), square.z(row)));
             return exact;
         }());
-        // Cuts alone make a quarter of a step; triangles between bilinear texels make the rest.
+        // Clipping alone gives a quarter of a step; triangles between bilinear texels give the
+        // rest.
         EXPECT_LT(off.mean_m, 0.75 * off.step_m);
     }
 }
 
-// a dynamic-wave grid adds to a shore as it adds to the open sea.
-TEST_F(GlShore, DynamicWavesAddsToIt) {
+// A dynamic-wave grid adds to a shore as it adds to the open sea.
+TEST_F(GlShore, DynamicWavesAddToIt) {
     constexpr int pixels = 40, cuts = 60, side = 64;
     GlScene scene(options(pixels));
     HandmadeShore shore({300, -400}, 36, 30, 8);
@@ -274,8 +279,9 @@ TEST_F(GlShore, DynamicWavesAddsToIt) {
     EXPECT_LT(off.mean_m, 0.75 * off.step_m);
 }
 
-// The same of a shore that an ocean made, beside what queries tell, where waves come up a beach and where the sea is open.
-TEST_F(GlShore, WaterLiesWhereQueriesSay) {
+// Compares a shore that an ocean computed with the queries, on a beach with runup and in the open
+// sea.
+TEST_F(GlShore, WaterHasTheQueriedHeights) {
     constexpr int pixels = 40, cuts = 60;
     GlScene::Options moderate = options(pixels);
     moderate.preset = "moderate";
@@ -304,12 +310,12 @@ TEST_F(GlShore, WaterLiesWhereQueriesSay) {
         query.sample({x, z}, {.height_m = heights});
         off[from_corner < 0] = heights_beside(scene, square, cuts, {heights.begin(), heights.end()});
     }
-    // Waves of a texel or two fall between vertices, at a shore as elsewhere.
+    // Waves of a texel or two are shorter than the spacing of vertices, at a shore as elsewhere.
     EXPECT_LT(off[1].mean_m, 0.03);
     EXPECT_LT(off[0].mean_m, 1.3 * off[1].mean_m);
 }
 
-/// The frame without the waves and the foam of one cascade.
+/// Returns the frame without the waves and the foam of one cascade.
 class WithoutCascade {
    public:
     WithoutCascade(const Frame& of, std::size_t missing)
@@ -342,9 +348,10 @@ int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std
     return largest;
 }
 
-// A cascade of which no part counts is as if it had no waves and no foam, in every tier: its displacement, slopes, roughness and whitecaps
-// go together. Parts that change where they are in memory are seen, and others don't go up again.
-TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
+// A cascade of weight zero is drawn as if it had no waves and no foam, in every tier: its
+// displacement, slopes, roughness and whitecaps vanish together. Weights that are changed in memory
+// are uploaded; unchanged ones are not.
+TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
     constexpr int pixels = 40;
     for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high}) {
         GlScene::Options with_foam = options(pixels);
@@ -370,7 +377,8 @@ TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
             upload(scene, shown);
             const std::size_t first_bytes = scene.renderer->statistics().upload_bytes;
             const std::vector<std::uint8_t> held_back = image(scene, square);
-            // Another program may round otherwise, and a mirror of the sun is steep.
+            // Another program may round differently, and the slope of the sun's reflection is
+            // steep.
             EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", cascade " << missing;
             EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
 
@@ -380,8 +388,9 @@ TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
     }
 }
 
-// Outside of the rectangle the sea is as without it, also where parts, waves and foam go up to its edge.
-TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
+// Outside the rectangle the sea is unchanged, even if weights, waves and foam extend to the
+// rectangle's edge.
+TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
     constexpr int pixels = 64;
     GlScene scene(options(pixels));
     const Frame& frame = scene.ocean.frame_at(5);
@@ -398,7 +407,7 @@ TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
     shown.shore = shore.view();
     upload(scene, shown);
     const std::vector<std::uint8_t> with_shore = image(scene, square);
-    // A storm's water is drawn up to 5 m from where it rests, and vertices stand 4 m apart.
+    // A storm's water is displaced by up to 5 m, and vertices are 4 m apart.
     int beside = 0, within = 0, different = 0;
     for (int row = 0; row < pixels; ++row)
         for (int column = 0; column < pixels; ++column) {
@@ -416,7 +425,7 @@ TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
     EXPECT_GT(within, pixels * pixels / 3);
     EXPECT_GT(different, within * 9 / 10);
 
-    // Two eyes that see the same draw the same.
+    // Two eyes with equal views give equal images.
     scene.resize(2 * pixels, pixels);
     gl::Eye left = square.eye(20), right = left;
     right.viewport.x = pixels;
@@ -439,7 +448,7 @@ TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
     EXPECT_LE(apart, 2);
 }
 
-/// The same radiance from everywhere, and no sun: what shines back is what reflects.
+/// A uniform sky without a sun: the radiance of a surface is its reflectance.
 gl::Sky white_sky() {
     gl::Sky sky;
     sky.face_size = 16;
@@ -448,11 +457,11 @@ gl::Sky white_sky() {
     for (int level = 0; level < sky.levels; ++level) texels += std::size_t{6} * (16u >> level) * (16u >> level);
     sky.texels.assign(4 * texels, glm::packHalf1x16(1));
     sky.sky_irradiance = glm::vec3(static_cast<float>(pi));
-    sky.sun_direction = {0.6f, 0.8f, 0};  // of no light, but there
+    sky.sun_direction = {0.6f, 0.8f, 0};  // no light, but a direction is required
     return sky;
 }
 
-/// Of the pixels' green radiance for which which(column, row).
+/// Returns the green radiance of the pixels for which which(column, row) is true.
 template <class Which>
 double mean_green(const std::vector<float>& rgba, int pixels, const Which& which) {
     double sum = 0;
@@ -466,9 +475,9 @@ double mean_green(const std::vector<float>& rgba, int pixels, const Which& which
     return count > 0 ? sum / count : -1;
 }
 
-// Thick foam reflects at most 0.7 of white light (Whitlock et al. 1982), and water that is looked at from above 0.02 and what its depth
-// sends up.
-TEST_F(GlShore, FoamOfTheShoreIsWhiteWhereItIs) {
+// Thick foam reflects at most 0.7 of white light (Whitlock et al. 1982). Water seen from above
+// reflects 0.02, plus the light from below the surface.
+TEST_F(GlShore, FoamOfTheShoreIsWhite) {
     constexpr int pixels = 64;
     GlScene::Options radiance = options(pixels);
     radiance.preset = "calm";
@@ -496,7 +505,8 @@ TEST_F(GlShore, FoamOfTheShoreIsWhiteWhereItIs) {
     }
 }
 
-/// Black but for a quarter of the sky right above, which is bright where x, or else z, is positive.
+/// A sky that is black except for a quarter at the zenith, which is bright where x, or else z, is
+/// positive.
 gl::Sky half_bright_sky(bool along_x) {
     gl::Sky sky = white_sky();
     sky.sky_irradiance = glm::vec3(0);
@@ -505,7 +515,7 @@ gl::Sky half_bright_sky(bool along_x) {
         for (int face = 0; face < 6; ++face)
             for (int row = 0; row < 16 >> level; ++row)
                 for (int column = 0; column < 16 >> level; ++column, texel += 4) {
-                    // OpenGL's third face looks up, x along its rows and z along its columns.
+                    // OpenGL's third face is +y: x along its rows and z along its columns.
                     const bool is_bright = face == 2 && (along_x ? column : row) >= 8 >> level;
                     for (std::size_t channel = 0; channel < 3; ++channel)
                         sky.texels[texel + channel] = glm::packHalf1x16(is_bright ? 100 : 0);
@@ -513,8 +523,8 @@ gl::Sky half_bright_sky(bool along_x) {
     return sky;
 }
 
-// From above a slope of 0.3 mirrors what stands 33 degrees down the slope from overhead.
-TEST_F(GlShore, WavesMirrorWhatTheirSlopesFace) {
+// From above, a slope of 0.3 reflects the direction 33 degrees from the zenith, down the slope.
+TEST_F(GlShore, WavesReflectAccordingToTheirSlopes) {
     constexpr int pixels = 24;
     GlScene::Options radiance = options(pixels);
     radiance.preset = "calm";
@@ -539,15 +549,16 @@ TEST_F(GlShore, WavesMirrorWhatTheirSlopesFace) {
                 draw(scene, square);
                 green[slope > 0] = mean_green(scene.target->read_radiance(), pixels, [](int, int) { return true; });
             }
-            // Fresnel's 0.02 of 100; a fifth of it is left to rough water and to the air.
+            // Fresnel's 0.02 of 100; a fifth of it is allowed for rough water and the air.
             EXPECT_NEAR(green[0], 2, 0.5) << name_of(shading) << (along_x ? ", x" : ", z");
             EXPECT_LT(green[1], 0.2) << name_of(shading) << (along_x ? ", x" : ", z");
         }
     }
 }
 
-// Sand rises from the water along x. It is dark up to where the waves reach, which is higher in one half of the image than in the other.
-TEST_F(GlShore, SandIsDarkAsHighAsWavesReach) {
+// Sand rises from the water along x. It is dark up to the reach of the waves, which is higher in
+// one half of the image than in the other.
+TEST_F(GlShore, SandIsDarkUpToTheReachOfWaves) {
     constexpr int pixels = 96;
     GlScene::Options radiance = options(pixels);
     radiance.preset = "calm";
@@ -579,7 +590,7 @@ TEST_F(GlShore, SandIsDarkAsHighAsWavesReach) {
     upload(scene, frame);
     draw(scene, square);
     const std::vector<float> rgba = scene.target->read_radiance();
-    // Reach is bilinear between the halves, and the edge is 8 cm of height wide.
+    // Reach is interpolated bilinearly between the halves, and the edge is 8 cm of height wide.
     const auto above_reach = [&](int column, int row) {
         return std::abs(square.z(row) - square.middle.y) < 6 ? 0.0 : ground(square.x(column)) - reach(square.z(row));
     };
@@ -597,7 +608,7 @@ TEST_F(GlShore, SandIsDarkAsHighAsWavesReach) {
             if (is_dry(column, row)) ++all, wrong += green < bound;
         }
     std::printf("sand: wet %.3f, dry %.3f, %d of %d pixels on the wrong side\n", wet, dry, wrong, all);
-    // Lobell and Asner 2002: wet sand is about half as bright as dry.
+    // Lobell and Asner 2002: wet sand is about half as bright as dry sand.
     EXPECT_LT(wet, 0.75 * dry);
     EXPECT_GT(all, pixels * pixels / 2);
     EXPECT_LT(wrong, all / 50);

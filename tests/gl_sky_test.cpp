@@ -1,4 +1,5 @@
-// The sky as numbers: what daylight is known to look like, and baking beside what is shown. Needs no GL.
+// The sky as numbers: known properties of daylight, and baking beside the displayed sky. These
+// tests need no GL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ gl::SkyOptions clear_sky(float elevation_deg) {
 
 constexpr int side = 32;
 
-/// One baker for all, for most of the work is the clouds' noise, which it keeps.
+/// All tests share one baker: most of its time is the noise of the clouds, which it keeps.
 class SkyBake : public testing::Test {
    protected:
     static void SetUpTestSuite() { baker_ = std::make_unique<gl::SkyBaker>(make_thread_executor(2), side); }
@@ -48,18 +49,19 @@ class SkyBake : public testing::Test {
     static inline std::unique_ptr<gl::SkyBaker> baker_;
 };
 
-// Rayleigh scattering goes with the fourth power of frequency.
-TEST_F(SkyBake, AClearZenithIsBlueAndTheHorizonPaler) {
+// Rayleigh scattering is proportional to the fourth power of frequency.
+TEST_F(SkyBake, ClearZenithIsBlueAndTheHorizonPaler) {
     const gl::Sky& sky = bake(clear_sky(50));
     const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);       // +y
-    const glm::vec3 horizon = texel(sky, 1, side / 2, side / 2 - 1);  // -x, away from the sun, just above
+    // -x, away from the sun, just above the horizon
+    const glm::vec3 horizon = texel(sky, 1, side / 2, side / 2 - 1);
     EXPECT_GT(zenith.b, 1.5f * zenith.r);
     EXPECT_GT(zenith.b, zenith.g);
     EXPECT_LT(horizon.b / horizon.r, zenith.b / zenith.r);
-    EXPECT_GT(horizon.g, zenith.g);  // more air on the way
+    EXPECT_GT(horizon.g, zenith.g);  // a longer path through the air
 }
 
-TEST_F(SkyBake, TheLowSunIsRedAndWeak) {
+TEST_F(SkyBake, LowSunIsRedAndWeak) {
     const glm::vec3 high = bake(clear_sky(60)).sun_irradiance;
     const glm::vec3 low = bake(clear_sky(2)).sun_irradiance;
     EXPECT_GT(low.r / low.b, 2 * high.r / high.b);
@@ -67,14 +69,14 @@ TEST_F(SkyBake, TheLowSunIsRedAndWeak) {
     const gl::Sky& night = bake(clear_sky(-10));
     const glm::vec3 none = night.sun_irradiance * night.unit;
     EXPECT_LT(std::max({none.r, none.g, none.b}), 1e-5f);
-    // Nobody adds light: what comes down is less than what came to the air.
+    // Energy is conserved: the transmitted light is less than the light above the atmosphere.
     EXPECT_LT(high.g, 1.f);
     EXPECT_GT(high.g, 0.5f);
 }
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-/// Sun or moon and sky on a level plane, clear air, lux.
+/// Returns the illuminance of sun or moon and sky on a level plane in clear air, lux.
 double illuminance_lx(const gl::SkyOptions& options) {
     const gl::ClearSky sky(options);
     const gl::KeyLight key = sky.key_light();
@@ -89,8 +91,9 @@ gl::SkyOptions without_moon(float elevation_deg) {
     return options;
 }
 
-// The model of the air, which knows nothing of lux, against Janiczek and DeYoung's table. They have haze of their own: 30 %.
-TEST(ClearSky, ByDayIsAsBrightAsPublished) {
+// Compares the atmosphere model, which is not fitted to illuminances, with Janiczek and DeYoung's
+// table. Their air contains haze: 30 % tolerance.
+TEST(ClearSky, ByDayHasThePublishedIlluminance) {
     for (const float elevation : {5.f, 10.f, 20.f, 40.f, 60.f})
         EXPECT_NEAR(
             illuminance_lx(without_moon(elevation)) / gl::published_illuminance_lx(static_cast<double>(elevation)), 1,
@@ -98,9 +101,9 @@ TEST(ClearSky, ByDayIsAsBrightAsPublished) {
             << elevation;
 }
 
-// The same table at twilight, as it is printed in almanacs: 3.4 lux at the end of civil twilight, 0.008 of nautical; on top of it
-// the night sky's 0.0006.
-TEST(ClearSky, DuskFallsAsPublishedAndNeverRises) {
+// The same table at twilight, as almanacs print it: 3.4 lux at the end of civil twilight, 0.008 at
+// that of nautical twilight, plus the night sky's 0.0006.
+TEST(ClearSky, IlluminanceAtDuskFallsMonotonicallyAsPublished) {
     EXPECT_NEAR(illuminance_lx(without_moon(-6)), 3.4, 0.1);
     EXPECT_NEAR(illuminance_lx(without_moon(-12)), 0.008, 0.001);
     EXPECT_NEAR(illuminance_lx(without_moon(-40)), 2e-4 * 3.14159, 3e-5);
@@ -112,8 +115,9 @@ TEST(ClearSky, DuskFallsAsPublishedAndNeverRises) {
     }
 }
 
-// A full moon high up gives 0.25 lux (Janiczek and DeYoung: 0.22 to 0.27), a half one a ninth of it, and the sea's glint is the moon's.
-TEST(ClearSky, TheMoonIsTheKeyLightOfNights) {
+// A high full moon gives 0.25 lux (Janiczek and DeYoung: 0.22 to 0.27), and a half moon a ninth of
+// it. The sea's glint is the moon's.
+TEST(ClearSky, MoonIsTheKeyLightAtNight) {
     const gl::SkyOptions full = clear_sky(-60);
     EXPECT_NEAR(illuminance_lx(full), 0.24, 0.05);
     const gl::KeyLight key = gl::ClearSky(full).key_light();
@@ -125,7 +129,7 @@ TEST(ClearSky, TheMoonIsTheKeyLightOfNights) {
     EXPECT_EQ(gl::ClearSky(clear_sky(20)).unit(), 1);
 }
 
-TEST(LightPresets, AreSkiesByName) {
+TEST(LightPresets, AreNamedSkies) {
     EXPECT_EQ(gl::light_presets().size(), 5u);
     for (const gl::LightPreset& preset : gl::light_presets()) {
         EXPECT_EQ(check(preset.sky), "") << preset.name;
@@ -135,7 +139,7 @@ TEST(LightPresets, AreSkiesByName) {
     EXPECT_TRUE(gl::ClearSky(gl::light_preset_named("moonlight")->sky).key_light().is_moon);
 }
 
-// Half floats hold 6e-5 and more exactly: a night must not be lost in them.
+// Half floats hold 6e-5 and more exactly: the light of a night must not underflow in them.
 TEST_F(SkyBake, NightFitsIntoHalfFloats) {
     for (const auto& options : {clear_sky(-30), without_moon(-30), without_moon(-9)}) {
         const gl::Sky& sky = bake(options);
@@ -146,17 +150,17 @@ TEST_F(SkyBake, NightFitsIntoHalfFloats) {
     }
 }
 
-TEST_F(SkyBake, BakesInTheBackgroundBesideTheSkyThatIsShown) {
+TEST_F(SkyBake, BakesInTheBackgroundWhileASkyIsShown) {
     const gl::Sky& shown = bake(clear_sky(40));
     const std::vector<std::uint16_t> before = shown.texels;
     baker_->schedule(clear_sky(10));
     for (int i = 0; i < 6000 && !baker_->is_done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_TRUE(baker_->is_done());
-    EXPECT_EQ(shown.texels, before);  // still there to be drawn
+    EXPECT_EQ(shown.texels, before);  // still available for drawing
     EXPECT_NE(baker_->complete().texels, before);
 }
 
-TEST_F(SkyBake, IsTheSameForAnyNumberOfThreads) {
+TEST_F(SkyBake, DoesNotDependOnTheNumberOfThreads) {
     const gl::SkyOptions options{.cloud_cover = 0.4f};
     const std::vector<std::uint16_t> expected = bake(options).texels;
     for (const auto& executor : {make_serial_executor(), make_thread_executor(5)}) {
@@ -166,8 +170,8 @@ TEST_F(SkyBake, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-// By night, too, when a second table of air is filled, by the moon's light.
-TEST_F(SkyBake, IsTheSameInSlicesOfOneJob) {
+// By night too, when the moon's light needs a second table of the atmosphere.
+TEST_F(SkyBake, DoesNotDependOnSlices) {
     const auto executor = make_sliced_executor();
     gl::SkyBaker other(executor, side);
     for (const float elevation_deg : {30.f, -15.f}) {
@@ -177,16 +181,17 @@ TEST_F(SkyBake, IsTheSameInSlicesOfOneJob) {
         int slices = 1;
         while (!executor->advance({})) ++slices;
         EXPECT_TRUE(other.is_done());
-        EXPECT_GT(slices, 100);  // of a bake that takes a page a second or two
+        EXPECT_GT(slices, 100);  // of a bake that takes one or two seconds on a web page
         const gl::Sky& sky = other.complete();
         EXPECT_EQ(sky.texels, expected.texels);
         EXPECT_EQ(sky.exposure, expected.exposure);
     }
 }
 
-TEST_F(SkyBake, RefusesWhatIsOutOfRange) {
+TEST_F(SkyBake, RejectsValuesOutOfRange) {
     EXPECT_THROW(baker_->schedule({.cloud_cover = 2}), std::invalid_argument);
-    // In the digits of a float: as doubles they would read 1.600000023841858.
+    // The message has the digits of a float: as a double the value would print as
+    // 1.600000023841858.
     const float infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(check(gl::SkyOptions{.sun_azimuth_rad = infinity}), "sun_azimuth_rad is inf, needs a finite number");
     EXPECT_EQ(check(gl::SkyOptions{.sun_elevation_rad = 1.6f}), "sun_elevation_rad is 1.6, needs [-pi/2, pi/2]");

@@ -1,5 +1,5 @@
-// The sea that is drawn lies where queries say: seen from straight above through a near plane that cuts the crests off, holes are where
-// the height is above that plane.
+// Checks that the drawn sea has the heights of the queries. The sea is seen from straight above,
+// and a near plane clips the crests; holes in the image are where the height is above that plane.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,10 +10,11 @@
 
 namespace pelagic {
 
-constexpr int slice_pixels = 160;    // a side; the scene's target is as large
-constexpr double slice_half_m = 20;  // of the square that is seen
+constexpr int slice_pixels = 160;    // per side; the scene's target has this size
+constexpr double slice_half_m = 20;  // half the side of the visible square
 
-/// From above, x to the right and z down; what is higher than `top_m` lies before the near plane.
+/// View from above, x to the right and z down; points higher than `top_m` are before the near
+/// plane.
 inline glm::dmat4 slice(glm::dvec2 middle, double top_m) {
     glm::dmat4 m(0);
     m[0][0] = 1 / slice_half_m;
@@ -41,8 +42,8 @@ inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& fra
     return scene.target->read();
 }
 
-/// Checks a slice at a height that `height` has in the middle of its range: the sea is drawn where it lies, and not half a
-/// metre, which is the vertices' spacing and half a texel, beside.
+/// Checks a slice at the middle of the range of `height`: the sea is drawn at its position. A shift
+/// of half a metre, which is the spacing of vertices and half a texel, would fail.
 template <class Height>
 void expect_slice_in_place(GlScene& scene, const Frame& frame, glm::dvec2 middle, double top_m,
                            const Height& height) {

@@ -1,4 +1,4 @@
-// Small water's heights and slopes as its shaders compute them.
+// Heights and slopes of small water as its shaders compute them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int side = GlProbe::side;
 
-/// With gl/shaders/small_water.glsl at places within 100 m.
+/// Evaluates gl/shaders/small_water.glsl at positions within 100 m.
 class Probe : public GlProbe {
    public:
     Probe(gl::Surface surface, const std::string& body)
@@ -31,7 +31,7 @@ gl::SceneBlock block_of(gl::Surface surface, double time_s = 3, glm::dvec2 viewe
     return block;
 }
 
-/// Mean square of a channel.
+/// Returns the mean square of a channel.
 double mean_square(const std::vector<float>& rgba, std::size_t channel) {
     double sum = 0;
     for (std::size_t i = channel; i < rgba.size(); i += 4) sum += double{rgba[i]} * double{rgba[i]};
@@ -45,8 +45,8 @@ const char* sum_of(gl::Surface surface) {
 
 class SmallWater : public testing::TestWithParam<gl::Surface> {};
 
-// Central differences over 0.2 mm, computed beside the slopes because the target holds half floats. Warped ridges and waves that drag
-// others included.
+// Central differences over 0.2 mm, computed beside the slopes because the target holds half floats.
+// Covers warped ridges and waves that drag others.
 TEST_P(SmallWater, HasTheSlopesOfItsHeights) {
     Probe probe(GetParam(), std::string(sum_of(GetParam())) + R"(
     const float e = 1e-4;
@@ -61,12 +61,14 @@ TEST_P(SmallWater, HasTheSlopesOfItsHeights) {
     const double slope = std::sqrt(mean_square(rgba, 2) + mean_square(rgba, 3));
     std::printf("slopes of %.4f, off by %.5f\n", slope, error);
     EXPECT_GT(slope, 0.05);
-    // Heights of half a metre in floats, over 0.2 mm, are good for 0.0003; ridges bend within millimetres. A term that is missing, as that
-    // of the warp, makes a tenth of the slope and more.
+    // Float heights of half a metre give differences over 0.2 mm a precision of 0.0003; ridges bend
+    // within millimetres. A missing term, for example that of the warp, gives an error of a tenth
+    // of the slope or more.
     EXPECT_LT(error, 0.03 * slope);
 }
 
-// What pixels are too large to show is roughness: the mean square slope is the same however far one is away.
+// Waves smaller than a pixel count as roughness: the total mean square slope does not depend on the
+// distance.
 TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
     double near = 0;
     for (const double apart_m : {0.0, 0.02, 0.1, 0.4, 1.5, 50.0}) {
@@ -79,7 +81,8 @@ TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
             near = shown;
             EXPECT_LT(left, 0.001 * near);
         }
-        // Warp and drag make slopes a little larger where waves gather; independent waves would have the same to 3 % here.
+        // Warp and drag make slopes slightly larger where waves gather; independent waves would
+        // have equal slopes within 3 % here.
         EXPECT_NEAR((shown + left) / near, 1, 0.1);
         if (apart_m == 50) {
             EXPECT_LT(shown, 0.001 * near);
@@ -92,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SmallWater, testing::Values(gl::Surface::lake, g
                              return std::string(gl::surface_names()[static_cast<std::size_t>(kind.param)]);
                          });
 
-// Near and far from the world's origin, and a loop later, it is the same water.
-TEST(SmallWater, StandsWhereItStandsWhateverItIsRelativeTo) {
+// The water is the same near the world's origin, far from it, and one loop later.
+TEST(SmallWater, DoesNotDependOnTheReferencePosition) {
     for (const gl::Surface surface : {gl::Surface::lake, gl::Surface::pond}) {
         const std::string body =
             std::string(sum_of(surface)) + "    result = vec4(SUM(at * 0.1 - origin, 0.0).gradient, 0.0, 1.0);\n";
@@ -114,11 +117,12 @@ TEST(SmallWater, StandsWhereItStandsWhateverItIsRelativeTo) {
     }
 }
 
-/// What flows of a river at that part of its first cycle.
+/// Returns the river's flow at this fraction of its first cycle.
 gl::SceneBlock river_at(double cycles) { return block_of(gl::Surface::river, cycles * 2.5); }
 
-// A copy of the bumps begins again somewhere else when its cycle ends; its weight is 0 then. In between the waves are as steep as ever.
-TEST(SmallRiver, FlowsWithoutAJumpAndWithoutAPulse) {
+// A copy of the bumps restarts at another position when its cycle ends, at weight 0. Between
+// restarts the steepness is constant.
+TEST(SmallRiver, FlowsWithoutJumpsOrPulses) {
     Probe probe(gl::Surface::river, "    result = vec4(flowing_bumps(at * 0.1, 0.0).gradient, 0.0, 1.0);\n");
     const auto step = [&](double from, double to) {
         const auto a = probe.ask(river_at(from)), b = probe.ask(river_at(to));
@@ -126,7 +130,7 @@ TEST(SmallRiver, FlowsWithoutAJumpAndWithoutAPulse) {
         for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] - b[i], 2);
         return std::sqrt(square / (side * side));
     };
-    // The first copy begins again at 1, the second at 0.5.
+    // The first copy restarts at 1, the second at 0.5.
     for (const double wrap : {0.5, 1.0}) {
         const double across = step(wrap - 1e-5, wrap + 1e-5), beside = step(wrap + 0.2, wrap + 0.20002);
         std::printf("across %.1f: %.5f, beside it %.5f\n", wrap, across, beside);
@@ -136,11 +140,12 @@ TEST(SmallRiver, FlowsWithoutAJumpAndWithoutAPulse) {
         const auto a = probe.ask(river_at(cycles));
         return mean_square(a, 0) + mean_square(a, 1);
     };
-    // Without the root of the sum of squares it would fall to half, when both copies count as much.
+    // Without the root of the sum of squares the value would fall to half where both copies have
+    // equal weight.
     EXPECT_NEAR(steepness(0.75) / steepness(1.0), 1, 0.15);
 }
 
-TEST(SmallRiver, RefusesAFlowThatIsNotWhole) {
+TEST(SmallRiver, RejectsAnIncompleteFlow) {
     gl::FlowMap map = gl::winding_channel();
     EXPECT_EQ(check(map), "");
     map.velocities.pop_back();

@@ -1,4 +1,5 @@
-// An application may leave GL in any state: it gets it back after every call, and the image is that of a fresh context.
+// An application may leave GL in any state. The library restores it after every call, and the image
+// equals that of a fresh context.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +85,7 @@ constexpr std::array integers = {GL_CURRENT_PROGRAM,
                                  GL_BLEND_SRC_RGB,
                                  GL_BLEND_DST_RGB};
 
-/// Everything that an application could have set and that drawing could touch, by name.
+/// All state that an application could have set and that drawing could change, by name.
 std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     std::map<std::string, std::vector<GLfloat>> state;
     for (const GLenum name : switches) state["switch " + std::to_string(name)] = {GLfloat(gl.IsEnabled(name))};
@@ -123,7 +124,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     return state;
 }
 
-/// State of which each piece alone would spoil the image, or crash.
+/// State of which each item alone would corrupt the image, or crash.
 class NastyApplication {
    public:
     explicit NastyApplication(const gl::Functions& gl)
@@ -179,7 +180,8 @@ class NastyApplication {
         gl.Viewport(5, 6, 7, 8);
         set_switches(true);
     }
-    /// As an application would before it clears or reads; `on` brings the nasty state back.
+    /// Sets default state as an application would before it clears or reads; `on` restores the
+    /// adverse state.
     void set_switches(bool on) const {
         for (const GLenum name : switches) on ? gl_.Enable(name) : gl_.Disable(name);
     }
@@ -193,15 +195,15 @@ class NastyApplication {
     gl::Program program_;
 };
 
-/// What is drawn, from 10 m above rest.
+/// The scene that is drawn, from 10 m above the rest level.
 struct Look {
     const char* name;
     gl::DrawMode mode;
     std::optional<gl::CameraWaterPlane> camera_water_plane = {};
-    bool has_rock = false;  ///< which an application draws, and hands in to be mirrored
+    bool has_rock = false;  ///< the application draws it and passes it in for reflections
 };
 
-/// Into the first bytes, whatever the application's packing is.
+/// Writes into the first bytes, whatever the application's packing is.
 void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) gl.PixelStorei(name, 0);
@@ -209,7 +211,8 @@ void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// A renderer's whole life in one context. \param after_each_call  named
+/// Runs a renderer's whole lifetime in one context. \param after_each_call  called with the name of
+/// each call
 template <class Check>
 std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, const Look& look,
                                 Check after_each_call) {
@@ -260,7 +263,7 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
 
 class GlState : public testing::TestWithParam<Look> {};
 
-TEST_P(GlState, OfAnApplicationIsKeptAndSpoilsNoImage) {
+TEST_P(GlState, OfAnApplicationIsRestoredAndHasNoEffect) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(2);
 
@@ -270,7 +273,7 @@ TEST_P(GlState, OfAnApplicationIsKeptAndSpoilsNoImage) {
         const Target target(clean_context.functions());
         clean = image(clean_context.functions(), frame, GetParam(), [](const char*) {});
     }
-    // Not an image of one colour.
+    // The image has more than one colour.
     EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
 
     gl::HeadlessContext context;
@@ -286,7 +289,7 @@ TEST_P(GlState, OfAnApplicationIsKeptAndSpoilsNoImage) {
     application.set_switches(false);
 }
 
-TEST(GlStateOfDisplay, OfAnApplicationIsKeptAndSpoilsNoImage) {
+TEST(GlStateOfDisplay, OfAnApplicationIsRestoredAndHasNoEffect) {
     const auto preview_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
         gl::Display display(gl);
         check("display's constructor");

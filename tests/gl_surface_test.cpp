@@ -1,4 +1,4 @@
-// The sea that is drawn lies where the cascades of its frame say (gl_slice.hpp).
+// The drawn sea has the positions that its frame's cascades give (gl_slice.hpp).
 #include <gtest/gtest.h>
 
 #include "pelagic/sim/surface/cascade_sum.hpp"
@@ -10,14 +10,14 @@ namespace {
 constexpr int side = slice_pixels;
 constexpr glm::dvec2 middle(1034.7, -263.9);
 
-/// One sheet, straight up and down.
+/// One cascade, without horizontal displacement.
 SeaState sea_without_choppiness() {
     SeaState sea = sea_named("moderate", 128);
     sea.choppiness = 0;
     return sea;
 }
 
-TEST(GlSurface, LiesWhereTheFramesCascadesSumToAndNotBeside) {
+TEST(GlSurface, HasThePositionsOfTheCascadesSum) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
@@ -26,13 +26,15 @@ TEST(GlSurface, LiesWhereTheFramesCascadesSumToAndNotBeside) {
                           [&](double x, double z) { return displacement_of(frame, x, z).height; });
 }
 
-// Small waves hardly move the sum, so each cascade is drawn without the others too, with texels of a metre: its layer, place and turn.
-TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
+// Small waves hardly change the sum, so each cascade is also drawn alone, with texels of a metre:
+// its layer, position and rotation.
+TEST(GlSurface, HasEachCascadeAtItsPositionAndRotation) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& all =
-        ocean.frame_at(6);  // at 3 s the middle of cascade 0 is a trough, and the slice cuts almost all
+        // at 3 s the middle of cascade 0 is a trough, and the slice clips almost everything
+        ocean.frame_at(6);
     const std::vector<std::uint16_t> calm(all.cascades[0].displacement_rgba16f.size());
     for (std::size_t alone = 0; alone < all.cascades.size(); ++alone) {
         SCOPED_TRACE("cascade " + std::to_string(alone));
@@ -49,9 +51,9 @@ TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
     }
 }
 
-// The viewer is what positions are relative to, and nothing else: an image is that of the eye. The second copy of the
-// waves, whose turn C++ and the shader both know, would be another sea from elsewhere.
-TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
+// The viewer's position is only the origin of coordinates; the image depends on the eye alone. A
+// rotation that differed between C++ and the shader would show here.
+TEST(GlSurface, DoesNotDependOnTheOriginOfPositions) {
     GlScene scene({.preset = "moderate",
                    .quality = "low",
                    .resolution = 64,
@@ -67,7 +69,7 @@ TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
         scene.renderer->upload(frame);
         scene.gl().Finish();
         scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        // So fine a mesh takes mip 0 everywhere; else the mip would follow the viewer.
+        // So fine a mesh samples mip 0 everywhere; otherwise the mip would depend on the viewer.
         scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = 1e9});
         return scene.target->read();
     };
@@ -75,7 +77,7 @@ TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
     double difference = 0;
     for (std::size_t i = 0; i < here.size(); ++i) difference += std::abs(here[i] - there[i]);
     difference /= static_cast<double>(here.size());
-    // Rounding of floats 2.5 km away makes 0.015; a turn that differs by 0.015 rad makes 0.28.
+    // Rounding of floats at 2.5 km gives 0.015; a rotation error of 0.015 rad gives 0.28.
     EXPECT_LT(difference, 0.05);
 }
 

@@ -1,4 +1,5 @@
-// What arrives in the GPU's textures is what the sea computed, and each frame is drawn as the sea that it is.
+// The GPU's textures hold the values that the sea computed, and each frame is drawn with its own
+// sea.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@
 namespace pelagic {
 namespace {
 
-/// What only this test calls.
+/// Functions that only this test calls.
 template <class Function>
 Function gl_function(const char* name) {
     const auto get =
@@ -22,7 +23,7 @@ Function gl_function(const char* name) {
     return reinterpret_cast<Function>(get(name));
 }
 
-/// A level of a layer of a texture, read through a framebuffer.
+/// Reads a level of a layer of a texture through a framebuffer.
 template <class Value>
 std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int layer, int level, int side, GLenum type) {
     const auto attach_layer = gl_function<PFNGLFRAMEBUFFERTEXTURELAYERPROC>("glFramebufferTextureLayer");
@@ -37,17 +38,18 @@ std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int layer
 
 class GlUploads : public testing::TestWithParam<int> {};
 
-// Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
+// Seven uploads pass more than once around the ring of pixel buffers and the pair of textures.
 TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
     GlScene scene({.resolution = 64, .cascades = GetParam(), .width = 64, .height = 64, .foam = true});
     Ocean mapped(scene.ocean.sea(), {.executor = make_serial_executor(), .slopes = true, .foam = true});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
-        if (i % 3 == 2) {  // its texels were written where the driver takes them from
+        if (i % 3 == 2) {  // its texels were written directly into the mapped memory of the driver
             mapped.schedule(frame.time_s, scene.renderer->map_textures());
             scene.renderer->upload(mapped.complete());
         } else {
-            if (i % 3 == 1) scene.renderer->map_textures();  // and nobody wrote there
+            // and the application wrote nothing there
+            if (i % 3 == 1) scene.renderer->map_textures();
             scene.renderer->upload(frame);
         }
         const gl::FrameTextures& textures = scene.renderer->textures();
@@ -75,7 +77,7 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
                     << "frame " << i << ", cascade " << layer << ", level " << level;
                 ASSERT_TRUE(is_foam(level)) << "frame " << i << ", cascade " << layer << ", level " << level;
             }
-            // Every half is a float too, so the way through floats loses nothing.
+            // Every half is exactly a float, so the conversion through floats is lossless.
             const auto floats = read_level<float>(scene.gl(), textures.displacement(), layer, 0, 64, GL_FLOAT);
             for (std::size_t v = 0; v < floats.size(); ++v)
                 ASSERT_EQ(glm::packHalf1x16(floats[v]), cascade.displacement_rgba16f[v])
@@ -86,7 +88,7 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
 INSTANTIATE_TEST_SUITE_P(Cascades, GlUploads, testing::Values(1, 4),
                          [](const auto& cascades) { return std::to_string(cascades.param); });
 
-/// What the renderer says of a frame that it can't draw.
+/// Returns the renderer's message for a frame that it cannot draw.
 std::string invalid_value_of(gl::SeaRenderer& renderer, const Frame& frame) {
     try {
         renderer.upload(frame);
@@ -96,7 +98,7 @@ std::string invalid_value_of(gl::SeaRenderer& renderer, const Frame& frame) {
     return "";
 }
 
-TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
+TEST(GlUpload, RejectsAnUnsuitableFrameAndNamesWhatIsMissing) {
     gl::HeadlessContext context;
     gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .cascades = 1});
     const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
@@ -117,15 +119,16 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     AlignedBuffer<std::uint16_t> halves(4 * 32 * 32);
     const TextureTargets elsewhere{.displacement_rgba16f = halves.data()};
     for (const bool is_mapped : {false, true}) {
-        if (is_mapped) renderer.map_textures();  // of which the frame knows nothing
+        if (is_mapped) renderer.map_textures();  // memory that the frame does not use
         ocean.schedule(0, {&elsewhere, 1});
         EXPECT_EQ(invalid_value_of(renderer, ocean.complete()),
                   "the frame's textures are in memory that FrameTextures::map() did not return");
     }
 }
 
-TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
-    // As an application changes the sea: the new one is there while the old one's last frame is still to be drawn.
+TEST(GlUpload, ChangeOfSeaDrawsEachFrameWithItsOwnSea) {
+    // The sequence of an application that changes the sea: the new sea exists while the old one's
+    // last frame is still to be drawn.
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
     const SeaState storm = sea_named("storm", 128);
     GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});

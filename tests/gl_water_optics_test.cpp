@@ -1,4 +1,4 @@
-// The water's optics beside what is published of them. Needs no driver.
+// The water's optics compared with published values. These tests need no driver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,14 +10,15 @@
 namespace pelagic {
 namespace {
 
-/// Irradiance that comes back up just under the surface over what goes down from a high sun (Kirk 1984: (0.975 - 0.629) bb / a).
+/// Returns the irradiance reflectance just below the surface under a high sun (Kirk 1984: (0.975 -
+/// 0.629) bb / a).
 glm::vec3 irradiance_reflectance(const gl::WaterOptics& water) {
     return 0.346f * water.backscattering_per_m / water.absorption_per_m;
 }
 
-// Jerlov's K at 475 and 550 nm brackets what the channels blue (465 nm) and green (549 nm) have, and K follows from a and bb as Morel
-// and Maritorena 2001 have it. Their equation was solved the other way round.
-TEST(WaterOptics, OfJerlovsTypesAttenuateAsHisTableSays) {
+// Jerlov's K at 475 and 550 nm brackets the channels blue (465 nm) and green (549 nm). K follows
+// from a and bb as in Morel and Maritorena 2001, whose equation is inverted here.
+TEST(WaterOptics, OfJerlovsTypesHaveHisAttenuation) {
     struct Row {
         const char* type;
         float at_450, at_475, at_550;
@@ -35,8 +36,8 @@ TEST(WaterOptics, OfJerlovsTypesAttenuateAsHisTableSays) {
     }
 }
 
-// The clearest water is blue, the coast's green, and nothing in it makes light.
-TEST(WaterOptics, TurnFromBlueToGreenAsWaterGetsTurbid) {
+// The clearest water is blue, coastal water is green, and no water emits light.
+TEST(WaterOptics, TurnFromBlueToGreenWithTurbidity) {
     const auto reflectance = [](std::string_view type) { return irradiance_reflectance(gl::water_optics(type)); };
     const glm::vec3 clearest = reflectance("I"), coast = reflectance("5C");
     EXPECT_GT(clearest.b, 4 * clearest.g);
@@ -46,19 +47,21 @@ TEST(WaterOptics, TurnFromBlueToGreenAsWaterGetsTurbid) {
         const gl::WaterOptics water = gl::water_optics(type);
         for (int c = 0; c < 3; ++c) {
             EXPECT_GT(water.absorption_per_m[c], 0) << type;
-            // No more than half is scattered backwards even by molecules.
+            // Even molecules scatter at most half of the light backwards.
             EXPECT_LE(water.backscattering_per_m[c], 0.5f * water.scattering_per_m[c]) << type;
             EXPECT_GT(water.backscattering_per_m[c], 0) << type;
-            EXPECT_LT(reflectance(type)[c], 0.1f) << type;  // measured seas stay below (Morel and Prieur 1977)
+            // measured seas are below it (Morel and Prieur 1977)
+            EXPECT_LT(reflectance(type)[c], 0.1f) << type;
         }
     }
-    // Red goes first in all water of the ocean: within metres.
+    // All ocean water absorbs red first, within metres.
     EXPECT_GT(gl::water_optics("I").absorption_per_m.r, 0.2f);
 }
 
-// As published of oceans (Morel and Maritorena 2001): in the blue the irradiance reflectance is 4 to 6 % at 0.03 mg/m^3 and 2 to 2.5 % at 1 mg/m^3; at 550 nm it
-// is about 1 % and hardly depends on chlorophyll below 0.3.
-TEST(WaterOptics, OfChlorophyllReflectWhatWasMeasured) {
+// Published for oceans (Morel and Maritorena 2001): in the blue the irradiance reflectance is 4 to
+// 6 % at 0.03 mg/m^3 and 2 to 2.5 % at 1 mg/m^3. At 550 nm it is about 1 % and hardly depends on
+// chlorophyll below 0.3.
+TEST(WaterOptics, OfChlorophyllHaveTheMeasuredReflectance) {
     const auto at = [](float chlorophyll) {
         return irradiance_reflectance(gl::water_optics_of_chlorophyll(chlorophyll));
     };
@@ -70,7 +73,7 @@ TEST(WaterOptics, OfChlorophyllReflectWhatWasMeasured) {
     EXPECT_NEAR(at(0.3f).g, 0.01f, 0.003f);
 }
 
-TEST(WaterOptics, RefuseWhatNobodyDescribed) {
+TEST(WaterOptics, RejectUnknownWaterTypes) {
     EXPECT_THROW(gl::water_optics("IV"), std::invalid_argument);
     EXPECT_THROW(gl::water_optics(""), std::invalid_argument);
     for (const float chlorophyll : {0.f, -1.f, 31.f, std::nanf("")})

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set: its halves, of floats whose bits follow one another.
+// Compiled once for each instruction set: converts ranges of float bit patterns to half floats.
 #include "pelagic/simd/half.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
@@ -8,7 +8,8 @@ namespace pelagic {
 
 std::uint16_t PELAGIC_HALVES(PELAGIC_ISA_NAME)(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
 
-/// The bits that are wrong in a half of any of the floats with the bits from `first` to `last`.
+/// Returns the number of wrong half floats among the floats with the bit patterns from `first` to
+/// `last`.
 std::uint16_t PELAGIC_HALVES(PELAGIC_ISA_NAME)(std::uint32_t first, std::uint32_t last, std::uint16_t expected) {
     using V = xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>;
     constexpr std::uint32_t channel = V::size, count = 4 * V::size;

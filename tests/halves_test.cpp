@@ -1,5 +1,6 @@
-// Floats to halves against IEEE 754's rule, to nearest and ties to even: the floats that become one half lie between the middles
-// to its neighbours, so borders in double say what each float must become.
+// Conversion of floats to halves by IEEE 754's rule, to nearest with ties to even. The floats that
+// become one half lie between the midpoints to its neighbours, so midpoints in double give the
+// expected half.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -43,13 +44,14 @@ std::uint16_t wrong_halves(Isa isa, std::uint32_t first, std::uint32_t last, std
     return 0xFFFF;
 }
 
-/// What a positive half's bits mean; infinity's are where the next power of two would be.
+/// Returns the value of a positive half's bits; those of infinity give the next power of two.
 double value_of(int half) {
     const int exponent = half >> 10, mantissa = half & 0x3FF;
     return exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024 + mantissa, exponent - 25);
 }
 
-/// The bits of the first float that becomes this half. A middle goes to the even one; it has few bits, so it is a float.
+/// Returns the bits of the first float that becomes this half. A midpoint rounds to the even half;
+/// it has few bits, so it is a float.
 std::uint32_t first_float(int half) {
     if (half == 0) return 0;
     const auto middle = static_cast<float>((value_of(half - 1) + value_of(half)) / 2);
@@ -60,7 +62,8 @@ std::uint32_t last_float(int half) { return half == infinite_half ? infinity_bit
 class HalvesOnEachIsa : public testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(Isas, HalvesOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-// SSE4.2 has no instruction for it, so that all magnitudes are looked at: two seconds. Elsewhere those around the borders.
+// SSE4.2 has no instruction for the conversion, so all magnitudes are tested: two seconds. Other
+// sets are tested around the midpoints.
 TEST_P(HalvesOnEachIsa, AreTheNearest) {
     constexpr std::uint32_t around = 64;
     for (int half = 0; half <= infinite_half; ++half) {

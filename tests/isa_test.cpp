@@ -1,4 +1,5 @@
-// Which instruction sets were put to the test: those that this CPU lacks are named, and `./test.sh` repeats them at its end.
+// Reports which instruction sets were tested: those that this CPU lacks are named, and `./test.sh`
+// repeats them at its end.
 #include <gtest/gtest.h>
 
 #include <algorithm>

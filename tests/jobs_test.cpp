@@ -1,4 +1,4 @@
-// Executors: each block once, stages in their order, threads within the limit, nothing lost.
+// Executors run each block once, run stages in order, respect the thread limit and lose no work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@
 namespace pelagic {
 namespace {
 
-/// Far longer than any machine needs: a test that waits in vain fails instead of hanging.
+/// Far longer than any machine needs; a test that waits for an event that never comes fails instead
+/// of hanging.
 constexpr std::chrono::seconds patience(20);
 
 bool wait_until(const std::function<bool()>& condition) {
@@ -78,8 +79,8 @@ TEST_P(EachExecutor, RunsEveryItemOnceInTheDocumentedBlocks) {
     }
 }
 
-// A batch of "everything" must not wrap around to no block at all, which would never end.
-TEST(JobGraph, BatchMayBeAsLargeAsANumberGets) {
+// A batch of maximum size must not overflow to a batch of no blocks, which would never end.
+TEST(JobGraph, BatchMayHaveTheMaximumSize) {
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, all}) {
         Blocks blocks;
@@ -92,8 +93,9 @@ TEST(JobGraph, BatchMayBeAsLargeAsANumberGets) {
     }
 }
 
-// A diamond with an empty stage in it, over and over: no stage may start before all that it waits for are done.
-TEST_P(EachExecutor, StagesWaitForWhatTheyNameAThousandTimes) {
+// A diamond with an empty stage, repeated: a stage must not start before all of its predecessors
+// have ended.
+TEST_P(EachExecutor, StagesWaitForTheirPredecessorsAThousandTimes) {
     constexpr std::size_t counts[] = {13, 40, 0, 25, 1};
     const std::vector<StageId> waits_for[] = {{}, {0}, {0}, {1, 2}, {3}};
     std::atomic<std::size_t> done[5];
@@ -120,8 +122,8 @@ TEST_P(EachExecutor, StagesWaitForWhatTheyNameAThousandTimes) {
     EXPECT_EQ(too_early, 0);
 }
 
-// Empty stages in a row, at the start and at the end: nothing but their order makes them run.
-TEST_P(EachExecutor, ChainsGoOnThroughEmptyStages) {
+// Empty stages in a row, at the start and at the end: only their order makes them run.
+TEST_P(EachExecutor, ChainsContinueThroughEmptyStages) {
     std::vector<std::size_t> order;
     std::mutex mutex;
     JobGraph graph;
@@ -187,7 +189,7 @@ TEST_P(EachExecutor, NeverUsesMoreThreadsThanItsLimit) {
     EXPECT_LE(max, GetParam().threads);
 }
 
-TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {
+TEST_P(EachExecutor, TwoGraphsRunConcurrently) {
     std::atomic<int> first = 0, second = 0;
     JobGraph a, b;
     a.add({.name = "a", .count = 100, .body = [&](std::size_t, std::size_t) { ++first; }});
@@ -196,7 +198,7 @@ TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {
     for (int round = 1; round <= 200; ++round) {
         run_a->schedule();
         run_b->schedule();
-        // From two threads at once, and one after the other.
+        // Two graphs from two threads at once, and from one thread in sequence.
         std::thread elsewhere([&] {
             if (round % 2 == 0) run_a->complete();
         });
@@ -219,7 +221,7 @@ TEST_P(EachExecutor, DestroyingARunWaitsForIt) {
     EXPECT_EQ(done, 8);
 }
 
-TEST_P(EachExecutor, CompletingNothingReturns) {
+TEST_P(EachExecutor, CompletingAnIdleRunReturns) {
     JobGraph graph;
     graph.add({.name = "never", .count = 1, .body = [](std::size_t, std::size_t) { FAIL(); }});
     executor_->prepare(graph)->complete();
@@ -234,7 +236,7 @@ std::vector<ExecutorKind> kinds_with_at_least(int threads) {
 INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(kinds_with_at_least(2)),
                          [](const auto& test) { return test.param.name; });
 
-// The body can only end after schedule() has returned.
+// The body can end only after schedule() has returned.
 TEST_P(ParallelExecutor, SchedulingDoesNotBlock) {
     std::latch scheduled(1);
     JobGraph graph;
@@ -249,7 +251,7 @@ TEST_P(ParallelExecutor, SchedulingDoesNotBlock) {
     EXPECT_TRUE(run->is_done());
 }
 
-TEST_P(ParallelExecutor, WorkIsDoneUnasked) {
+TEST_P(ParallelExecutor, WorkRunsWithoutComplete) {
     std::atomic<int> done = 0;
     JobGraph graph;
     const StageId first = graph.add({.name = "first", .count = 5, .body = [&](std::size_t, std::size_t) { ++done; }});
@@ -265,9 +267,10 @@ class ThreeThreadExecutor : public EachExecutor {};
 INSTANTIATE_TEST_SUITE_P(Kinds, ThreeThreadExecutor, testing::ValuesIn(kinds_with_at_least(3)),
                          [](const auto& test) { return test.param.name; });
 
-// A thread that has done its blocks of `stage` looks for work while another one does the last block. If it took up a
-// `neighbour`, which here waits for `follower`, then `stage` could not end and `follower` never start.
-TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockHoweverLongItsNeighboursTake) {
+// A thread that has run its blocks of `stage` takes other work while another thread runs the last
+// block. If it took `neighbour`, which here waits for `follower`, then `stage` could not end and
+// `follower` would never start.
+TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockRegardlessOfItsNeighbours) {
     const int threads = GetParam().threads;
     std::latch all_busy(3);
     const auto meet = [&] {
@@ -289,7 +292,7 @@ TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockHoweverLongItsNeighboursTak
                                         meet();
                                         gate_ended = true;
                                     }});
-    // As many as can wait without taking the follower's thread too.
+    // As many as can wait without occupying the follower's thread.
     for (int i = 1; i < threads; ++i) {
         graph.add({.name = "neighbour", .count = 1, .waits_for = {gate}, .body = [&](std::size_t, std::size_t) {
                        if (!wait_until([&] { return follower_ran.load(); })) ++waited_in_vain;
@@ -299,8 +302,9 @@ TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockHoweverLongItsNeighboursTak
     EXPECT_EQ(waited_in_vain, 0);
 }
 
-// Bodies that wait for each other: as many as the limit must run at the same time, the completing thread among them.
-TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunAtOnce) {
+// Bodies wait for each other: as many as the limit must run concurrently, the completing thread
+// included.
+TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunConcurrently) {
     const int threads = GetParam().threads;
     std::latch all_here(threads);
     std::atomic<int> timeouts = 0;
@@ -316,25 +320,26 @@ TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunAtOnce) {
                        std::this_thread::yield();
                    }
                }});
-    // The run keeps its threads though nobody holds the executor any more.
+    // The run keeps its threads after the executor has been destroyed.
     const auto run = executor_->prepare(graph);
     executor_.reset();
     run_once(*run);
     EXPECT_EQ(timeouts, 0);
 }
 
-// ---- What goes wrong ------------------------------------------------------------------------------------------
+// ---- Errors ---------------------------------------------------------------------------------
 
-/// Writes on `bytes` of the stack.
+/// Writes to `bytes` bytes of the stack.
 [[gnu::noinline]] int use_stack(std::size_t bytes) {
     auto* const memory = static_cast<volatile char*>(__builtin_alloca(bytes));
     for (std::size_t i = 0; i < bytes; i += 512) memory[i] = 1;
     return memory[0];
 }
 
-// `ulimit -s 64` leaves a program's first thread, and those that it starts, no more than that.
-TEST_P(EachExecutor, JobsFindTheStackThatTheyAskFor) {
-    constexpr std::size_t needed = std::size_t{3} << 20;  // more than our own threads have
+// With `ulimit -s 64` a program's first thread, and the threads that it starts, have no larger
+// stack.
+TEST_P(EachExecutor, JobsHaveTheRequestedStackSize) {
+    constexpr std::size_t needed = std::size_t{3} << 20;  // more than the library's threads have
     std::atomic<int> done = 0;
     JobGraph graph;
     graph.add({.name = "deep",
@@ -350,7 +355,7 @@ TEST_P(EachExecutor, JobsFindTheStackThatTheyAskFor) {
     EXPECT_EQ(done, 16);
 }
 
-TEST_P(EachExecutor, WhatABodyThrowsComesOutOfCompleteWhenAllIsOver) {
+TEST_P(EachExecutor, CompleteThrowsABodysExceptionAfterAllBlocks) {
     std::atomic<int> done = 0;
     std::atomic<bool> throws = true;
     JobGraph graph;
@@ -364,17 +369,18 @@ TEST_P(EachExecutor, WhatABodyThrowsComesOutOfCompleteWhenAllIsOver) {
         run->schedule();
         EXPECT_THROW(run->complete(), std::runtime_error);
         EXPECT_TRUE(run->is_done());
-        run->complete();  // it is told once
+        run->complete();  // the exception is thrown once
     }
-    executor_->prepare(graph)->schedule();  // destroyed in flight: nobody is left to be told
+    executor_->prepare(graph)->schedule();  // destroyed in flight: the exception is dropped
     throws = false;
     done = 0;
     run_once(*run);
     EXPECT_EQ(done, 100);
 }
 
-// Address space for a few stacks, as a limit of processes would be: a sanitizer's own needs are larger.
-TEST(ExecutorDeathTest, ThreadsThatTheSystemRefusesAreALineAndNoEnd) {
+// Limits the address space to a few stacks, like a process limit would; a sanitizer needs more by
+// itself.
+TEST(ExecutorDeathTest, FailureToStartThreadsIsAnErrorAndNotACrash) {
     if (is_sanitized) GTEST_SKIP() << "it maps terabytes";
     if (!has_address_space_limits()) GTEST_SKIP() << "no limits of address space on this system";
     testing::GTEST_FLAG(death_test_style) = "threadsafe";
@@ -395,7 +401,7 @@ TEST(ExecutorDeathTest, ThreadsThatTheSystemRefusesAreALineAndNoEnd) {
 #endif
 }
 
-#if !defined(NDEBUG)  // assertions are compiled in
+# only in builds with assertions
 class MisuseDeathTest : public EachExecutor {};
 INSTANTIATE_TEST_SUITE_P(Kinds, MisuseDeathTest, testing::ValuesIn(executor_kinds()),
                          [](const auto& test) { return test.param.name; });
@@ -411,7 +417,7 @@ TEST_P(MisuseDeathTest, SchedulingARunInFlightIsAsserted) {
 }
 #endif
 
-/// What `action` throws as std::invalid_argument.
+/// Returns the message of the std::invalid_argument that `action` throws.
 std::string reason_of(const std::function<void()>& action) {
     try {
         action();
@@ -431,12 +437,12 @@ TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
 TEST(ExecutorOptions, ZeroThreadsMeansOnePerCore) {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     EXPECT_EQ(make_thread_executor(0)->thread_limit(), cores);
-    // oneTBB leaves out the cores that the process may not use.
+    // oneTBB does not count cores that the process may not use.
     EXPECT_GE(make_default_executor(0)->thread_limit(), 1);
     EXPECT_LE(make_default_executor(0)->thread_limit(), cores);
 }
 
-TEST(ExecutorOptions, AMaskOfCoresNamesSomeThatThereAre) {
+TEST(ExecutorOptions, MaskOfCoresMustContainAnAvailableCore) {
     if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
     EXPECT_EQ(make_thread_executor_on(~std::uint64_t{0}, 3)->thread_limit(), 3);
     EXPECT_GE(make_thread_executor_on(~std::uint64_t{0})->thread_limit(), 1);
@@ -446,7 +452,7 @@ TEST(ExecutorOptions, AMaskOfCoresNamesSomeThatThereAre) {
     }
 }
 
-TEST(ThreadExecutor, ItsThreadsStayOnTheMasksCores) {
+TEST(ThreadExecutor, ThreadsStayOnTheMasksCores) {
     if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
     const int last = 63 - std::countl_zero(cpus_of_this_process());
     if (last < 0) GTEST_SKIP() << "no CPU below 64 may be used";
@@ -491,7 +497,7 @@ TEST(CallbackExecutor, RunsStagesInOrderAThousandTimes) {
     EXPECT_EQ(too_early, 0);
 }
 
-TEST(CallbackExecutor, WorkIsDoneUnasked) {
+TEST(CallbackExecutor, WorkRunsWithoutComplete) {
     TestApplication application;
     std::atomic<int> done = 0;
     JobGraph graph;
@@ -502,7 +508,7 @@ TEST(CallbackExecutor, WorkIsDoneUnasked) {
     EXPECT_EQ(done, 5);
 }
 
-TEST(SlicedExecutor, ASliceWithoutABudgetIsOneJobInTheOrderOfScheduling) {
+TEST(SlicedExecutor, SliceWithoutABudgetIsOneJobInSchedulingOrder) {
     const auto executor = make_sliced_executor();
     std::string done;
     const auto graph_of = [&](char name) {
@@ -530,7 +536,7 @@ TEST(SlicedExecutor, ASliceWithoutABudgetIsOneJobInTheOrderOfScheduling) {
     EXPECT_EQ(done, "b0b2a0a2");
 }
 
-TEST(SlicedExecutor, ALargeBudgetDoesItAll) {
+TEST(SlicedExecutor, LargeBudgetRunsAllJobs) {
     const auto executor = make_sliced_executor();
     int done = 0;
     JobGraph graph;
@@ -541,7 +547,7 @@ TEST(SlicedExecutor, ALargeBudgetDoesItAll) {
     EXPECT_EQ(done, 1000);
 }
 
-TEST(SlicedExecutor, CompletingDoesWhatSlicesHaveLeft) {
+TEST(SlicedExecutor, CompletingRunsTheRemainingJobs) {
     const auto executor = make_sliced_executor();
     std::vector<std::size_t> done;
     JobGraph graph;
@@ -553,12 +559,12 @@ TEST(SlicedExecutor, CompletingDoesWhatSlicesHaveLeft) {
     EXPECT_EQ(done, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
     run->schedule();
     executor->advance({});
-    run.reset();  // waits for what is in flight, too, and leaves nothing to advance
+    run.reset();  // also waits for work in flight, and leaves nothing to advance
     EXPECT_EQ(done.size(), 10u);
     EXPECT_TRUE(executor->advance({}));
 }
 
-TEST(SlicedExecutor, WhatAJobThrowsDoesNotEndASlice) {
+TEST(SlicedExecutor, ExceptionInAJobDoesNotEndASlice) {
     const auto executor = make_sliced_executor();
     JobGraph graph;
     graph.add({.name = "throws", .count = 3, .body = [](std::size_t begin, std::size_t) {
@@ -570,7 +576,7 @@ TEST(SlicedExecutor, WhatAJobThrowsDoesNotEndASlice) {
     EXPECT_THROW(run->complete(), std::runtime_error);
 }
 
-TEST(ExecutorOptions, DefaultIsOneTbbWhereItIsBuilt) {
+TEST(ExecutorOptions, DefaultIsOneTbbIfItIsBuilt) {
 #if defined(PELAGIC_HAS_TBB)
     EXPECT_EQ(make_default_executor(2)->name(), "tbb");
 #else

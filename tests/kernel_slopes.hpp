@@ -1,4 +1,4 @@
-// The slopes of any planes, by the kernels of an instruction set.
+// Computes the slopes of arbitrary planes with the kernels of an instruction set.
 #pragma once
 
 #include "pelagic/sim/cascade.hpp"
@@ -8,7 +8,7 @@
 
 namespace pelagic {
 
-/// Planes as columns_finalize() would leave them.
+/// Planes in the layout of columns_finalize().
 inline AlignedBuffer<float> surface_of(const unfused::CascadePlanes& planes, std::size_t lanes) {
     const int n = planes.resolution;
     const auto side = static_cast<std::size_t>(n);

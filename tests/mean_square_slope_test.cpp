@@ -1,4 +1,4 @@
-// How steep the sea is, beside what was measured.
+// Mean square slopes of the sea, compared with measurements.
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@ namespace {
 
 using std::numbers::pi;
 
-// Cox and Munk 1954: they fitted the sum by itself, 0.003 + 0.00512 U, so the parts' coefficients add up but for rounding.
-TEST(MeanSquareSlope, IsThatOfCoxAndMunk) {
+// Cox and Munk 1954 fitted the sum separately, 0.003 + 0.00512 U, so the coefficients of the
+// components add up except for rounding.
+TEST(MeanSquareSlope, MatchesCoxAndMunk) {
     for (const double wind : {1.0, 5.0, 10.0, 14.0}) {
         EXPECT_NEAR(measured_slopes(wind).total(), 0.003 + 0.00512 * wind, 0.041e-3 * wind) << wind;
         EXPECT_NEAR(measured_slopes(wind).upwind, 0.00316 * wind, 1e-15);
@@ -25,7 +26,7 @@ TEST(MeanSquareSlope, IsThatOfCoxAndMunk) {
     }
 }
 
-// Of one wave a cos(k.x) the slope's mean square is (a k)^2 / 2, all of it along k.
+// For one wave a cos(k.x) the mean square slope is (a k)^2 / 2, all of it along k.
 TEST(MeanSquareSlope, OfOneWaveLiesAlongIt) {
     const double k = 0.7, mean_square = 0.08, direction = 1.1;
     SlopeMoments moments;
@@ -36,8 +37,8 @@ TEST(MeanSquareSlope, OfOneWaveLiesAlongIt) {
     EXPECT_NEAR(moments.around(direction + pi / 4).upwind, mean_square * k * k / 2, 1e-15);
 }
 
-// The sums in the wind's own axes, wave by wave.
-TEST(MeanSquareSlope, OfManyWavesTurnsWithTheWind) {
+// The sums in the wind's axes, wave by wave.
+TEST(MeanSquareSlope, OfManyWavesRotatesWithTheWind) {
     std::mt19937 random(3);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
     for (const double wind : {0.0, 0.4, -2.0, 6.2}) {
@@ -55,19 +56,19 @@ TEST(MeanSquareSlope, OfManyWavesTurnsWithTheWind) {
     }
 }
 
-TEST(MeanSquareSlope, WhatIsLeftIsNeverNegative) {
+TEST(MeanSquareSlope, RemainderIsNeverNegative) {
     const SlopeVariance all = measured_slopes(10);
     EXPECT_EQ(unresolved_slopes({}, 10).total(), all.total());
     EXPECT_NEAR(unresolved_slopes({0.01, 0.02}, 10).upwind, all.upwind - 0.01, 1e-15);
     EXPECT_NEAR(unresolved_slopes({0.01, 0.02}, 10).crosswind, all.crosswind - 0.02, 1e-15);
-    // Too much in one direction comes from the other, and too much in all leaves nothing.
+    // An excess in one direction is subtracted from the other; a total excess leaves zero.
     EXPECT_EQ(unresolved_slopes({all.upwind + 0.002, 0.01}, 10).upwind, 0);
     EXPECT_NEAR(unresolved_slopes({all.upwind + 0.002, 0.01}, 10).crosswind, all.crosswind - 0.012, 1e-15);
     EXPECT_EQ(unresolved_slopes({0.01, 0.5}, 10).total(), 0);
 }
 
 // The same waves in the world's axes, wave by wave.
-TEST(MeanSquareSlope, OfATurnedCascadeIsThatOfItsWavesInTheWorld) {
+TEST(MeanSquareSlope, OfARotatedCascadeIsThatOfItsWavesInTheWorld) {
     std::mt19937 random(4);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
     const CascadeGrid grid{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
@@ -84,8 +85,8 @@ TEST(MeanSquareSlope, OfATurnedCascadeIsThatOfItsWavesInTheWorld) {
     EXPECT_NEAR(turned.xz, in_world.xz, 1e-12);
 }
 
-/// Mean squares of the slopes between texels' neighbours, along the wind and across, summed over the cascades of a frame: waves
-/// of cascades are independent.
+/// Mean square slopes between neighbouring texels, upwind and crosswind, summed over the cascades
+/// of a frame: waves of different cascades are independent.
 SlopeVariance shown_slopes(const Frame& frame) {
     const double c = std::cos(frame.sea.wind_direction_rad), s = std::sin(frame.sea.wind_direction_rad);
     SlopeVariance all;
@@ -109,15 +110,15 @@ SlopeVariance shown_slopes(const Frame& frame) {
     return all;
 }
 
-/// alpha^2 of what the smoothness channel says.
+/// Returns the alpha^2 that the smoothness channel encodes.
 double rough_slopes(const Frame& frame) {
     const double smoothness = (frame.cascades[0].gradient_level(0)[0] >> 24) / 255.0;
     return std::pow(1 - smoothness, 4);
 }
 
-// Whatever the wind, its direction and the grid: what is drawn as waves and what is said as roughness are the slopes that
-// were measured.
-TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
+// For any wind, wind direction and grid, resolved waves and encoded roughness together have the
+// measured slopes.
+TEST(MeanSquareSlope, OfWavesAndRoughnessIsTheSeas) {
     for (const double wind : {3.0, 5.0, 8.0, 12.0, 18.0, 25.0})
         for (const int resolution : {64, 256})
             for (const SpreadingModel spreading : {SpreadingModel::paper, SpreadingModel::donelan_banner}) {
@@ -127,7 +128,8 @@ TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
                 for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
                     Ocean ocean({.spreading = spreading,
                                  .resolution = resolution,
-                                 .patch_size_m = wind < 5 ? 60.0 : 250.0,  // 64 texels hold waves of 8 m, too
+                                 // so that 64 texels resolve waves of 8 m
+                                 .patch_size_m = wind < 5 ? 60.0 : 250.0,
                                  .wind_speed_mps = wind,
                                  .wind_direction_rad = 0.6,
                                  .seed = seed},
@@ -138,7 +140,8 @@ TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
                     shown.crosswind += here.crosswind / seeds;
                     rough = rough_slopes(frame);
                     resolved = frame.statistics.resolved_slopes.total();
-                    // A frame of 250 m at 25 m/s holds few of the waves that matter; four seeds are good to some 5 %.
+                    // A frame of 250 m at 25 m/s holds few of the relevant waves; four seeds have
+                    // an accuracy of about 5 %.
                     EXPECT_NEAR(frame.statistics.unresolved_slopes.total() + frame.statistics.resolved_slopes.total(),
                                 measured_slopes(wind).total(), 1e-12);
                 }
@@ -151,8 +154,9 @@ TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
             }
 }
 
-/// The same of a stack as a GPU shows it, bilinear between the texels of the slope maps. A square between texels is a polynomial
-/// of second degree along each axis, so Gauss's two points are exact.
+/// Returns the slopes of a stack as a GPU interpolates them, bilinearly between the texels of the
+/// slope maps. A square between texels is a polynomial of second degree along each axis, so Gauss's
+/// two points are exact.
 SlopeVariance filtered_slopes(const Frame& frame) {
     const double c = std::cos(frame.sea.wind_direction_rad), s = std::sin(frame.sea.wind_direction_rad);
     const double gauss[] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
@@ -187,7 +191,7 @@ SlopeVariance filtered_slopes(const Frame& frame) {
     return all;
 }
 
-TEST(MeanSquareSlope, OfAStackOfCascadesAndRoughnessTogetherIsTheSeas) {
+TEST(MeanSquareSlope, OfAStackOfCascadesAndRoughnessIsTheSeas) {
     for (const double wind : {3.0, 5.0, 8.0, 12.0, 18.0, 25.0})
         for (const int cascades : {2, 4}) {
             Ocean ocean({.cascades = cascades, .resolution = 128, .wind_speed_mps = wind, .wind_direction_rad = 0.6},

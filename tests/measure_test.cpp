@@ -1,4 +1,5 @@
-// `pelagic info --measure`: exports of known seas measured back, waves put into files by hand, and folders by somebody else.
+// `pelagic info --measure` on exports of known seas, on files with hand-written waves, and on
+// folders of foreign files.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -43,7 +44,7 @@ double figure(const json& found, const char* name, const char* of = "found") {
     return found["waves"][name][of].get<double>();
 }
 
-/// The integral of a spectrum over its places, by the rule that bands fill the room between their neighbours.
+/// Integrates a spectrum over its sample positions; each band extends halfway to its neighbours.
 double integral(const json& spectrum, const char* at, const char* density) {
     double sum = 0;
     for (std::size_t i = 1; i + 1 < spectrum.size(); ++i)
@@ -52,7 +53,7 @@ double integral(const json& spectrum, const char* at, const char* density) {
     return sum;
 }
 
-TEST(Fourier, IsTheDefinitionForAnyLength) {
+TEST(Fourier, MatchesTheDefinitionForAnyLength) {
     for (const std::size_t n : {1u, 2u, 3u, 7u, 16u, 45u, 64u, 100u}) {
         std::vector<std::complex<double>> values(n);
         for (std::size_t p = 0; p < n; ++p)
@@ -68,54 +69,59 @@ TEST(Fourier, IsTheDefinitionForAnyLength) {
     }
 }
 
-// Half of the least frequency of the sea's shortest wave is between frames: 8 a second, where the grid's shortest take 2.5 s.
-TEST(Measure, ALoopHoldsWhatTheSeedDrew) {
+// Frame rates are twice the highest frequency and more: 8 frames a second, where the grid's
+// shortest waves have a period of 2.5 s.
+TEST(Measure, LoopHasTheSeedsSpectrum) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--preset", "moderate", "--patch-size", "200", "--resolution", "64", "--loop-period",
                                "60", "--loop-frames", "120", "--wind-direction", "70"});
     const json found = measured(folder / "out");
     EXPECT_TRUE(found["frames"]["one_loop"].get<bool>());
     const double height = figure(found, "significant_wave_height_m");
-    // Over a whole loop waves and those against them do not disturb one another, so nothing is left to chance.
+    // Over a whole loop opposite waves are orthogonal, so the result does not depend on chance.
     EXPECT_NEAR(height / figure(found, "significant_wave_height_m", "drawn"), 1, 1e-4);
     // One seed of a patch of three peak waves scatters by about a tenth.
     EXPECT_NEAR(height / figure(found, "significant_wave_height_m", "expected"), 1, 0.3);
     EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "drawn"), 1, 0.05);
     EXPECT_NEAR(figure(found, "peak_wavelength_m") / figure(found, "peak_wavelength_m", "expected"), 1, 0.3);
-    // Eight pairs of frames, which see some opposite waves together, within some degrees.
+    // Eight pairs of frames, which mix some opposite waves, give the direction within some degrees.
     EXPECT_NEAR(figure(found, "mean_direction_deg"), figure(found, "mean_direction_deg", "drawn"), 3);
     EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 3);
-    // Parseval: both spectra hold the variance, but for the first and last band and the corners beyond the last ring.
+    // Parseval: both spectra hold the variance, except for the first and last band and the corners
+    // beyond the last ring.
     const double variance = height * height / 16;
     EXPECT_NEAR(integral(found["by_frequency"], "frequency_hz", "found_m2_per_hz") / variance, 1, 0.05);
     EXPECT_NEAR(integral(found["by_wave_number"], "wave_number_rad_per_m", "found_m3") / variance, 1, 0.1);
-    // And so does what was asked for, over the frequencies of the grid.
+    // The model's spectrum over the frequencies of the grid holds it too.
     const double expected = figure(found, "significant_wave_height_m", "expected");
     EXPECT_NEAR(integral(found["by_frequency"], "frequency_hz", "expected_m2_per_hz") / (expected * expected / 16), 1,
                 0.1);
 }
 
-// The mixed sea whose peak was 9.56 s, where nothing peaks; its wind sea peaks at 7.0 s and its swell at 14 s.
-TEST(Measure, PeaksOfWindSeaAndSwellAreApart) {
+// A mixed sea whose former estimate of the peak was 9.56 s, where there is no peak; its wind sea
+// peaks at 7.0 s and its swell at 14 s.
+TEST(Measure, PeaksOfWindSeaAndSwellAreSeparate) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--wind-speed",   "14", "--wind-direction",  "-130", "--spreading",    "hasselmann",
                                "--swell-height", "2",  "--swell-direction", "-60",  "--swell-period", "14",
                                "--seed",         "62", "--patch-size",      "1200", "--resolution",   "64",
                                "--loop-frames",  "400"});
     const json found = measured(folder / "out");
-    // Harmonics of the loop are 7 % apart at the swell's peak, and bands of what was drawn are 5 % wide.
+    // Harmonics of the loop are 7 % apart at the swell's peak, and bands of the drawn spectrum are
+    // 5 % wide.
     for (const char* part : {"wind_sea_peak_period_s", "swell_peak_period_s", "peak_period_s"})
         EXPECT_NEAR(figure(found, part) / figure(found, part, "drawn"), 1, 0.12) << part;
     EXPECT_NEAR(figure(found, "wind_sea_peak_period_s"), 7, 0.7);
     EXPECT_NEAR(figure(found, "swell_peak_period_s"), 14, 1.6) << "few waves of the patch make it";
-    // 256 points of the patch, where the seed's figures are of all.
+    // The measurement uses 256 points of the patch; the seed's statistics use all points.
     EXPECT_NEAR(figure(found, "tm01_s") / figure(found, "tm01_s", "drawn"), 1, 0.02);
     EXPECT_NEAR(figure(found, "tm02_s") / figure(found, "tm02_s", "drawn"), 1, 0.02);
-    // Rice's: crossings of a Gaussian sea are sqrt(m0 / m2) apart. Half a second between frames loses few of them.
+    // Rice: crossings of a Gaussian sea are sqrt(m0 / m2) apart. Half a second between frames
+    // misses few of them.
     EXPECT_NEAR(figure(found, "zero_crossing_period_s") / figure(found, "tm02_s", "drawn"), 1, 0.03);
 }
 
-TEST(Measure, HalvesAndTiffAndFramesOfNoLoopGiveTheSame) {
+TEST(Measure, HalvesAndTiffAndFramesWithoutALoopAgree) {
     const TemporaryFolder folder;
     const std::vector<std::string> sea = {"--preset", "moderate", "--patch-size", "200",   "--resolution",
                                           "32",       "--frames", "150",          "--fps", "2"};
@@ -130,18 +136,19 @@ TEST(Measure, HalvesAndTiffAndFramesOfNoLoopGiveTheSame) {
         heights.push_back(figure(found, "significant_wave_height_m"));
         EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "drawn"), 1, 0.15);
         const double variance = heights[0] * heights[0] / 16;
-        // Welch's windows see 75 s, ten waves or so, and the slowest frequency is none of theirs.
+        // Welch's windows span 75 s, about ten waves, and the lowest frequency is not among theirs.
         EXPECT_NEAR(integral(found["by_frequency"], "frequency_hz", "found_m2_per_hz") / variance, 1, 0.15);
     }
     EXPECT_EQ(heights[0], heights[2]);
     EXPECT_EQ(heights[1], heights[3]);
-    EXPECT_NEAR(heights[1] / heights[0], 1, 1e-3);  // 11 bits
+    EXPECT_NEAR(heights[1] / heights[0], 1, 1e-3);  // halves have 11 bits
     const json record = json::parse(read_file(folder / "out" / "sea.json"));
     EXPECT_NEAR(heights[0] / record["waves"]["significant_wave_height_m"]["measured"].get<double>(), 1, 0.01)
         << "the mean of heights beside the root of the mean of squares";
 }
 
-/// An export whose images are replaced by those of one wave with the numbers (m, n), running along them.
+/// Returns an export whose images are replaced by those of one wave with wave numbers (m, n) that
+/// travels in their direction.
 struct OneWave {
     static constexpr int side = 32, frames = 64, m = -3, n = 4;
     static constexpr double amplitude_m = 0.5, depth_m = 12, loop_period_s = 40;
@@ -179,8 +186,9 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(figure(found, "peak_period_s"), wave.loop_period_s / wave.harmonic, 1e-6);
     EXPECT_NEAR(figure(found, "peak_wavelength_m"), 100 / 5.0, 1e-4);
     EXPECT_NEAR(figure(found, "mean_direction_deg"), std::atan2(4.0, -3.0) * 180 / pi, 1e-4);
-    EXPECT_NEAR(figure(found, "directional_spread_deg"), 0, 0.1);  // a root of a float's rounding
-    // All of it in one band and one ring.
+    // the square root of a float's rounding error
+    EXPECT_NEAR(figure(found, "directional_spread_deg"), 0, 0.1);
+    // All energy is in one band and one ring.
     double max = 0, all = 0;
     for (const json& ring : found["by_wave_number"]) {
         max = std::max(max, ring["found_m3"].get<double>());
@@ -189,22 +197,23 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(max / all, 1, 1e-9);
 }
 
-// Its cascades are rotated against each other, and each holds a band of the waves.
-TEST(Measure, SeveralCascadesTogetherHoldWhatTheSeedDrew) {
+// The cascades are rotated against each other, and each holds a band of the waves.
+TEST(Measure, SeveralCascadesHaveTheSeedsSpectrum) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60", "--loop-frames", "60",
                                "--wind-direction", "200"});
     const json found = measured(folder / "out");
     EXPECT_EQ(found["cascades"].size(), 3u);
     EXPECT_EQ(found["cascades_there"], 3);
-    // A frame a second folds short waves onto each other's frequencies, and a few of them onto twice their own.
+    // At one frame a second short waves alias to each other's frequencies, and a few of them to
+    // twice their own.
     EXPECT_NEAR(figure(found, "significant_wave_height_m") / figure(found, "significant_wave_height_m", "drawn"), 1,
                 0.02);
     const double apart = figure(found, "mean_direction_deg") - figure(found, "mean_direction_deg", "drawn");
     EXPECT_LT(std::fabs(std::remainder(apart, 360)), 5);
     EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 5);
 
-    // Without the images of a cascade the others are measured, and that is said.
+    // If the images of a cascade are missing the others are measured, and a note is printed.
     json record = json::parse(read_file(folder / "out" / "sea.json"));
     for (json& frame : record["frames"]) frame["files"].erase(2);
     write_file(folder / "out" / "sea.json", record.dump());
@@ -213,7 +222,8 @@ TEST(Measure, SeveralCascadesTogetherHoldWhatTheSeedDrew) {
     EXPECT_NE(outcome.out.find("images of 2 of the sea's 3 cascades"), std::string::npos) << outcome.out;
 }
 
-/// A wave (m, n) of a cascade's grid at a time, by its dispersion in deep water rounded to the loop.
+/// Returns a wave (m, n) of a cascade's grid at a time, by the dispersion relation in deep water,
+/// rounded to the loop.
 std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double amplitude_m, double time_s,
                            double loop_period_s) {
     const double k = cascade.spacing() * std::hypot(m, n);
@@ -228,8 +238,9 @@ std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double ampl
     return heights;
 }
 
-// Two cascades, the finer one turned by 40 degrees: energies add, and directions are the world's.
-TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
+// Two cascades, the finer one rotated by 40 degrees: energies add, and directions are in world
+// axes.
+TEST(Measure, WavesOfSeveralCascadesAddInWorldAxes) {
     const double turn = 40 * pi / 180, loop_s = 30;
     const CascadePlan coarse{.grid = {.side_m = 200}, .resolution = 16, .max_k = 0.2};
     const CascadePlan fine{.grid = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
@@ -249,7 +260,8 @@ TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     for (int frame = 0; frame < frames; ++frame) {
         const double time_s = loop_s / frames * frame;
         cascades[0].add_frame(wave_of(coarse, 4, 0, 0.4, time_s, loop_s));  // along +x
-        cascades[1].add_frame(wave_of(fine, 0, 3, 0.3, time_s, loop_s));    // a quarter turn and 40 degrees from it
+        // 90 + 40 degrees from the first wave
+        cascades[1].add_frame(wave_of(fine, 0, 3, 0.3, time_s, loop_s));
     }
     const tools::MeasuredWaves found = measured_waves(cascades);
     EXPECT_NEAR(found.significant_wave_height_m, 4 * std::sqrt((0.16 + 0.09) / 2), 1e-6);
@@ -257,7 +269,7 @@ TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     const double x = 0.16 - 0.09 * std::sin(turn), z = 0.09 * std::cos(turn);
     EXPECT_NEAR(found.directions->mean_rad, std::atan2(z, x), 1e-5);
     EXPECT_NEAR(found.directions->spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / 0.25)), 1e-5);
-    // Each wave in its ring, and the two in their bands of frequency.
+    // Each wave is in its ring, and both are in their frequency bands.
     double rings = 0, bands = 0;
     for (const auto& ring : found.by_wave_number)
         for (const auto& [cascade, number, amplitude] : {std::tuple(coarse, 4, 0.4), std::tuple(fine, 3, 0.3)})
@@ -268,8 +280,9 @@ TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     EXPECT_EQ(bands, 2);
 }
 
-// The same heights in files of every kind: floats to the bit, halves to a part in 2^11, which of a height of 4 m is a millimetre.
-TEST(Measure, LayersPartsAndTexturesGiveTheSameAsFiles) {
+// The same heights in files of every kind: floats are exact, halves have a relative precision of
+// 2^-11, a millimetre at a height of 4 m.
+TEST(Measure, LayersPartsAndTexturesMatchSingleFiles) {
     const TemporaryFolder folder;
     const std::vector<std::string> sea = {"--preset",      "rough", "--cascades",    "3", "--resolution", "64",
                                           "--loop-period", "20",    "--loop-frames", "16"};
@@ -297,7 +310,7 @@ TEST(Measure, LayersPartsAndTexturesGiveTheSameAsFiles) {
              {"significant_wave_height_m", "peak_period_s", "peak_wavelength_m", "mean_direction_deg"})
             EXPECT_NEAR(figure(found, of) / figure(files, of), 1, has_halves ? 1e-3 : 1e-6) << of;
     }
-    // A texture that is damaged is one line.
+    // A damaged texture gives one line.
     const std::filesystem::path texture = folder / "ktx2" / "displacement_c1_0003.ktx2";
     const std::string whole = read_file(texture);
     for (const auto& [bytes, reason] : std::vector<std::pair<std::string, std::string>>{
@@ -316,7 +329,7 @@ TEST(Measure, LayersPartsAndTexturesGiveTheSameAsFiles) {
     }
 }
 
-TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
+TEST(Measure, OneFrameGivesNeitherPeriodNorDirection) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "32"});
     const json found = measured(folder / "out");
@@ -329,7 +342,7 @@ TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
     EXPECT_GT(figure(found, "peak_wavelength_m"), 0);
 }
 
-TEST(Measure, WritesAImageWhereItIsToldAndNothingElse) {
+TEST(Measure, WritesOnlyTheRequestedImage) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "16", "--patch-size", "250", "--loop-frames", "32"});
     const auto before = files_in(folder / "out");
@@ -347,8 +360,8 @@ TEST(Measure, WritesAImageWhereItIsToldAndNothingElse) {
          {"<title>Waves of 32 frames: Hs ", "Spectrum by frequency", "Spectrum by wave number", "asked for",
           ">frequency, Hz<", ">variance density, m²/Hz<", ">wave number, rad/m<", ">variance density, m³<", "</svg>"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
-    // Both ends of each axis are labelled: numbers left of x = 0 at the frame's upper and lower edge (0 and 420), and below it at
-    // its left and right edge (0 and 560).
+    // Both ends of each axis are labelled: numbers left of x = 0 at the frame's upper and lower
+    // edge (0 and 420), and below it at its left and right edge (0 and 560).
     for (const char* end :
          {"x=\"-8\" y=\"5.0\"", "x=\"-8\" y=\"425.0\"", "x=\"0.0\" y=\"446\"", "x=\"560.0\" y=\"446\""}) {
         const std::size_t first = svg.find(end);
@@ -368,7 +381,7 @@ void expect_rejected(const std::vector<std::string>& arguments, int code, const 
     EXPECT_EQ(outcome.out, "");
 }
 
-TEST(Measure, HostileFoldersAreOneLine) {
+TEST(Measure, HostileFoldersGiveOneLine) {
     const TemporaryFolder folder;
     const std::filesystem::path out = folder / "out";
     export_to(out, {"--resolution", "16", "--patch-size", "250", "--frames", "3"});
@@ -440,7 +453,7 @@ TEST(Measure, HostileFoldersAreOneLine) {
     expect_rejected(measure, 1, "it is a symbolic link");
 }
 
-TEST(Measure, WhatIsNoHeightIsRefused) {
+TEST(Measure, NonHeightImagesAreRejected) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "16", "--patch-size", "250"});
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {

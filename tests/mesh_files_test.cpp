@@ -1,5 +1,5 @@
-// Meshes of the sea: where their vertices are, and what their files say, byte by byte. Programs that nobody here wrote read
-// them at night (tests/night/mesh_test.sh).
+// Meshes of the sea: positions of their vertices, and contents of their files, byte by byte.
+// tests/night/mesh_test.sh reads the files with third-party programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Ocean ocean_of(const SeaState& sea) {
     return Ocean(sea, {.executor = make_serial_executor(), .queries = true, .foam = true});
 }
 
-/// Each vertex, where it is drawn, against the query of that place.
+/// Compares each vertex's displaced position with a query of that position.
 void expect_the_sea(const Frame& frame, const Mesh& mesh) {
     const SurfaceQuery water(frame, 1e-4);
     const std::size_t count = mesh.positions.size();
@@ -43,17 +43,18 @@ void expect_the_sea(const Frame& frame, const Mesh& mesh) {
     ASSERT_EQ(mesh.foam.size(), count);
     EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0) << "tells nothing about foam";
     for (std::size_t v = 0; v < count; ++v) {
-        // Queries look for a place to a 64th of the tolerance, and slopes are below 1.
+        // Queries converge to 1/64 of the tolerance, and slopes are below 1.
         EXPECT_NEAR(mesh.positions[v].y, static_cast<double>(height[v]), 1e-5);
         EXPECT_NEAR(static_cast<double>(mesh.foam[v]), static_cast<double>(foam[v]), 1e-3);
-        // Both take differences over two texels of the finest cascade, and cosines near 1 are floats: steps of 0.02 degrees. A query of a
-        // stack takes the other cascades' over two texels of theirs, which smooths them: measured 1.3 degrees at most.
+        // Both use differences over two texels of the finest cascade; float cosines near 1 have
+        // steps of 0.02 degrees. A query of a stack takes the other cascades' differences over two
+        // of their texels, which smooths them: measured 1.3 degrees at most.
         const float cosine = glm::dot(mesh.normals[v], glm::vec3(nx[v], ny[v], nz[v]));
         EXPECT_GT(cosine, std::cos((frame.cascades.size() == 1 ? 0.05f : 2.f) * std::numbers::pi_v<float> / 180));
     }
 }
 
-TEST(SeaMesh, ACascadesOwnGridIsTheSea) {
+TEST(SeaMesh, GridOfACascadeMatchesTheSea) {
     Ocean ocean = ocean_of(one_cascade);
     const Frame& frame = ocean.frame_at(3);
     const Mesh mesh = mesh_of(frame, {100, 32});
@@ -62,13 +63,13 @@ TEST(SeaMesh, ACascadesOwnGridIsTheSea) {
     EXPECT_EQ(mesh.face_count(), 32u * 32);
 }
 
-TEST(SeaMesh, AFineSquareOfAStackIsTheSea) {
+TEST(SeaMesh, FineSquareOfAStackMatchesTheSea) {
     Ocean ocean = ocean_of({.cascades = 2, .resolution = 32, .wind_speed_mps = 14, .choppiness = 0.5});
     const Frame& frame = ocean.frame_at(3);
     expect_the_sea(frame, mesh_of(frame, {32 * frame.cascades[1].texel_m(), 32, 2}));
 }
 
-TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
+TEST(SeaMesh, WavesShorterThanTwoStepsAreOmitted) {
     const std::vector<CascadePlan> plans = plan_cascades({.cascades = 3, .resolution = 32});
     for (std::size_t cascade = 1; cascade < 3; ++cascade) {
         const double longest_step_m =
@@ -79,7 +80,7 @@ TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
     EXPECT_EQ(cascades_shown_by(1e6, plans), 1u);
 }
 
-TEST(SeaMesh, OneCascadeMeetsItself) {
+TEST(SeaMesh, OneCascadeIsPeriodic) {
     Ocean ocean = ocean_of(one_cascade);
     const Mesh mesh = mesh_of(ocean.frame_at(5), {100, 32});
     for (std::size_t k = 0; k <= 32; ++k) {
@@ -93,7 +94,7 @@ TEST(SeaMesh, OneCascadeMeetsItself) {
     }
 }
 
-TEST(SeaMesh, FacesLookUp) {
+TEST(SeaMesh, FacesPointUp) {
     Ocean ocean = ocean_of(one_cascade);
     const Mesh mesh = mesh_of(ocean.frame_at(5), {100, 32});
     double area = 0;
@@ -103,10 +104,10 @@ TEST(SeaMesh, FacesLookUp) {
                              &b = mesh.positions.at(mesh.faces[at + (corner + 1) % 4]);
             area += (a.z * b.x - a.x * b.z) / 2;
         }
-    EXPECT_NEAR(area, 100 * 100, 1e-8);  // edges that repeat enclose what they did at rest
+    EXPECT_NEAR(area, 100 * 100, 1e-8);  // periodic edges enclose the undisplaced area
 }
 
-/// A square with the corners of a face in no order that could hide a mistake.
+/// A square whose corners are in an order that cannot hide an error.
 Mesh small_mesh(bool has_foam) {
     Mesh mesh{.positions = {{0, 0.1, -0.5}, {1, 0, 0}, {0, 2, 1}, {1, 0, 1.25}},
               .normals = {{0, 1, 0}, {0.6f, 0.8f, 0}, {0, 1, 0}, {0, 0.8f, -0.6f}},
@@ -143,7 +144,7 @@ Number number_at(const std::string& bytes, std::size_t at) {
     return number;
 }
 
-TEST(MeshFiles, PlyIsBinaryBehindItsHeader) {
+TEST(MeshFiles, PlyIsBinaryAfterItsHeader) {
     const std::string file = text_of(mesh_as_ply(small_mesh(true)));
     const std::string header =
         "ply\nformat binary_little_endian 1.0\n"
@@ -178,7 +179,7 @@ TEST(MeshFiles, MddIsBigEndian) {
               "\x3f\x80\0\0\xc0\0\0\0\x3f\0\0\0"s);
 }
 
-/// A glTF file taken apart.
+/// The parsed parts of a glTF file.
 struct Glb {
     explicit Glb(const Bytes& bytes) {
         const std::string file = text_of(bytes);
@@ -206,7 +207,7 @@ struct Glb {
     std::string buffer;
 };
 
-TEST(MeshFiles, GlbHoldsTrianglesAndCountsVFromAbove) {
+TEST(MeshFiles, GlbHasTrianglesAndCountsVFromTheTop) {
     const Glb glb(GlbFile(small_mesh(true)).finish(1, false));
     const json& attributes = glb.primitive()["attributes"];
     EXPECT_EQ(glb.numbers<std::uint32_t>(glb.primitive()["indices"]), (std::vector<std::uint32_t>{0, 2, 3, 0, 3, 1}));
@@ -219,8 +220,9 @@ TEST(MeshFiles, GlbHoldsTrianglesAndCountsVFromAbove) {
     EXPECT_FALSE(Glb(GlbFile(small_mesh(false)).finish(1, false)).primitive()["attributes"].contains("COLOR_0"));
 }
 
-/// The frames of a loop as a viewer shows them: weights between the keys around a time, and targets by their weights.
-TEST(MeshFiles, AnAnimatedGlbShowsEachFrameAtItsTimeAndCloses) {
+/// The frames of a loop as a viewer shows them: weights interpolated between the keys around a
+/// time, and targets weighted by them.
+TEST(MeshFiles, AnimatedGlbShowsEachFrameAtItsTimeAndLoops) {
     Ocean ocean = ocean_of(one_cascade);
     constexpr std::size_t frames = 5;
     constexpr double fps = frames / 20.0;

@@ -1,4 +1,5 @@
-// What is said when something can't be: numbers read back as themselves, one line, short, nothing that moves a cursor.
+// Error messages: numbers read back exactly, and a message is one short line without control
+// characters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 namespace pelagic {
 namespace {
 
-/// What stands between "NAME is " and ", needs", read by the C library.
+/// Returns the text between "NAME is " and ", needs", read by the C library.
 double quoted_number(const std::string& message) {
     return std::strtod(message.c_str() + message.find(" is ") + 4, nullptr);
 }
@@ -38,7 +39,7 @@ TEST(NumberText, ReadsBackAsTheSameNumber) {
         EXPECT_EQ(std::strtod(number_text(value).c_str(), nullptr), value) << number_text(value);
 }
 
-TEST(NumberText, IsWhatPeopleWrite) {
+TEST(NumberText, IsTheShortestNotation) {
     EXPECT_EQ(number_text(0.1), "0.1");
     EXPECT_EQ(number_text(0.1f), "0.1");
     EXPECT_EQ(number_text(100'000.0), "100000");
@@ -53,7 +54,7 @@ TEST(NumberText, IsWhatPeopleWrite) {
     EXPECT_EQ(rounded_text(0, 4), "0");
 }
 
-TEST(Refusal, SaysTheNumberThatWasGiven) {
+TEST(Refusal, PrintsTheGivenNumber) {
     for (const double value : {8.000000000000002, -4.9e-324, -1e-300, 12345678.912345679}) {
         EXPECT_EQ(quoted_number(check(SeaState{.choppiness = value})), value);
         EXPECT_EQ(quoted_number(check(QuadtreeOptions{.size_m = value})), value);
@@ -66,10 +67,11 @@ TEST(OneLine, HasNoControlCharactersAndKeepsLetters) {
     EXPECT_EQ(one_line(std::string_view("a\0b", 3)), R"(a\x00b)");
     EXPECT_EQ(one_line("h\xc3\xb6he 5 \xe2\x89\xa4 6 \xf0\x9f\x8c\x8a"),
               "h\xc3\xb6he 5 \xe2\x89\xa4 6 \xf0\x9f\x8c\x8a");
-    // U+009B starts a terminal's escape as "\x1b[" does, U+2028 ends a line.
+    // U+009B starts a terminal escape as "\x1b[" does; U+2028 ends a line.
     EXPECT_EQ(one_line("\xc2\x9b"), R"(\xc2\x9b)");
     EXPECT_EQ(one_line("\xe2\x80\xa8"), R"(\xe2\x80\xa8)");
-    // No UTF-8: a lone byte of Latin 1, an overlong "/", a surrogate, one beyond U+10FFFF, one cut off.
+    // Invalid UTF-8: a lone byte of Latin 1, an overlong "/", a surrogate, a value beyond U+10FFFF,
+    // a truncated sequence.
     EXPECT_EQ(one_line("\xe9t\xe9"), R"(\xe9t\xe9)");
     EXPECT_EQ(one_line("\xc0\xaf"), R"(\xc0\xaf)");
     EXPECT_EQ(one_line("\xed\xa0\x80"), R"(\xed\xa0\x80)");
@@ -94,7 +96,7 @@ TEST(OneLine, IsShortAndKeepsBothEnds) {
     }
 }
 
-TEST(OneLine, IsWhatAGraphSaysOfAApplicationsStage) {
+TEST(OneLine, IsUsedForTheNamesOfStages) {
     JobGraph graph;
     try {
         graph.add({.name = std::string(1000, '\n'), .batch = 0, .body = {}});

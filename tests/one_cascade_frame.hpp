@@ -1,4 +1,4 @@
-// A frame that no ocean made: one cascade, which a test fills in.
+// A frame that is not computed by an ocean: one cascade, whose values a test sets.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"

@@ -1,4 +1,5 @@
-// examples/openxr_application as a user starts it, in a headset for which openxr_runtime/ stands in.
+// examples/openxr_application as a user starts it; the runtime in openxr_runtime/ replaces the
+// headset.
 #include <gtest/gtest.h>
 
 #include <cinttypes>
@@ -25,17 +26,19 @@ namespace {
 using Json = nlohmann::json;
 using Environment = std::map<std::string, std::string>;
 
-/// One run of the application, and what the stand-in wrote down about it.
+/// One run of the application, and the stand-in's record of it.
 struct ApplicationRun {
     TemporaryFolder folder;
     Outcome outcome;
-    Json record;  ///< null if the program never got as far as an instance
+    Json record;  ///< null if the program created no instance
 
     ApplicationRun(const std::vector<std::string>& arguments, Environment environment) {
         environment.insert({"XR_RUNTIME_JSON", PELAGIC_STAND_IN_MANIFEST});
         environment.insert({"PELAGIC_STAND_IN_FOLDER", folder.path()});
-        environment.insert({"XR_LOADER_DEBUG", "none"});  // its own messages on stderr
-        // Mesa's software driver with threads may sample mips before they are written; images are to be the same each time.
+        // suppresses the loader's messages on stderr
+        environment.insert({"XR_LOADER_DEBUG", "none"});
+        // Mesa's multithreaded software driver may sample mips before they are written; images must
+        // be reproducible.
         environment.insert({"LP_NUM_THREADS", "0"});
         outcome = run_pelagic(arguments, [&] {
             for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
@@ -75,8 +78,8 @@ RgbaImage read_ppm(const std::filesystem::path& file) {
     return image;
 }
 
-/// An eye of the last frame, from what the stand-in says, in the world: the application's origin is 3 m and a significant wave height
-/// above the water at rest.
+/// An eye of the last frame from the stand-in's record, in world coordinates. The application's
+/// origin is 3 m and a significant wave height above the rest level.
 struct RecordedEye {
     glm::dvec3 place_m;
     glm::dquat turn;
@@ -91,19 +94,19 @@ struct RecordedEye {
           up(std::tan(eye["fov"]["up"].get<double>())),
           down(std::tan(eye["fov"]["down"].get<double>())) {}
 
-    /// The textbook's matrices, with a far plane beyond all that is told apart.
+    /// Returns the textbook's projection matrix, with a far plane beyond all drawn geometry.
     glm::dmat4 clip_from_world() const {
         constexpr double near_m = 0.1, far_m = 1e9;
         return glm::frustum(near_m * left, near_m * right, near_m * down, near_m * up, near_m, far_m) *
                glm::lookAt(place_m, place_m + turn * glm::dvec3(0, 0, -1), turn * glm::dvec3(0, 1, 0));
     }
-    /// Of a pixel's centre, counted from the upper left corner.
+    /// Returns the ray through a pixel's centre, counted from the upper left corner.
     glm::dvec3 ray(double column, double row, const RgbaImage& image) const {
         const double x = left + (right - left) * (column + 0.5) / image.width;
         const double y = up + (down - up) * (row + 0.5) / image.height;
         return turn * glm::dvec3(x, y, -1);
     }
-    /// The pixel in which a point is seen, as above.
+    /// Returns the pixel in which a point is visible, counted from the upper left corner.
     glm::dvec2 pixel_of(const glm::dvec3& point_m, const RgbaImage& image) const {
         const glm::dvec3 seen = glm::conjugate(turn) * (point_m - place_m);
         const double x = seen.x / -seen.z, y = seen.y / -seen.z;
@@ -111,7 +114,7 @@ struct RecordedEye {
     }
 };
 
-/// The sea that the application shows by default, computed here without its foam and on this thread alone.
+/// Computes the application's default sea here, without foam and on this thread alone.
 Ocean moderate_sea(bool queries = false) {
     SeaState sea = sea_preset_named("moderate")->sea;
     sea.resolution = 128;
@@ -128,8 +131,8 @@ double mean_square_difference(const RgbaImage& a, const RgbaImage& b) {
     return sum / static_cast<double>(a.rgb.size());
 }
 
-/// What the stand-in should have got: the same sea from the same places, drawn through other projections into another kind of
-/// framebuffer.
+/// Renders the image that the stand-in is expected to receive: the same sea from the same
+/// positions, with other projections and another kind of framebuffer.
 std::array<RgbaImage, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const Frame& frame, int side) {
     const gl::HeadlessContext context;
     const gl::Functions& gl = context.functions();
@@ -178,7 +181,7 @@ TEST(OpenXrApplication, ShowsThreeHundredFramesOfTheRightSeaUnderValidation) {
     EXPECT_EQ(run.record["refusals"], Json::array());
     EXPECT_EQ(run.states(), whole_session);
 
-    // The first frame makes the headset show the program, so it is not seen itself.
+    // The first frame makes the headset show the program, so it is not visible itself.
     const Json& frames = run.record["frames"];
     ASSERT_EQ(frames.size(), 301u);
     EXPECT_EQ(frames[0]["layers"], 0);
@@ -198,8 +201,9 @@ TEST(OpenXrApplication, ShowsThreeHundredFramesOfTheRightSeaUnderValidation) {
     }
 }
 
-TEST(OpenXrApplication, ValidationWouldHaveSpoken) {
-    // Without what hides OpenGL ES from the layer (past_validation.hpp) the very same program makes a call that it refuses.
+TEST(OpenXrApplication, ValidationReportsAWrongCall) {
+    // Without the preloaded library that hides OpenGL ES from the layer (past_validation.hpp), the
+    // same program makes a call that the layer rejects.
     const TemporaryFolder folder;
     const ApplicationRun run({"--quality", "low", "--frames", "1"},
                              {{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
@@ -212,8 +216,8 @@ TEST(OpenXrApplication, ValidationWouldHaveSpoken) {
 class OpenXrImages : public testing::Test {
    protected:
     static constexpr int side = 900;
-    /// The first frames are hidden, so that the head has turned when it sees some. Large enough to measure in pixels what the
-    /// way between the eyes does.
+    /// The first frames are hidden, so that the head has turned before the first visible frame. The
+    /// images are large enough to measure the eyes' distance in pixels.
     static void SetUpTestSuite() {
         saved_ = new TemporaryFolder;
         run_ = new ApplicationRun(
@@ -243,15 +247,15 @@ class OpenXrImages : public testing::Test {
     static inline const Frame* frame_ = nullptr;
 };
 
-TEST_F(OpenXrImages, AreThoseThatTheApplicationSaved) {
+TEST_F(OpenXrImages, EqualTheOnesThatTheApplicationSaved) {
     for (const char* name : {"left.ppm", "right.ppm"})
         EXPECT_TRUE(read_file(*saved_ / name) == read_file(run_->folder / name)) << name;
     EXPECT_EQ(files_in(saved_->path()).size(), 2u);
 }
 
-TEST_F(OpenXrImages, AreHandedOverWithoutAWrongCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
+TEST_F(OpenXrImages, AreSubmittedWithoutAnInvalidCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
 
-TEST_F(OpenXrImages, AreShownFromWhereTheEyesWillBe) {
+TEST_F(OpenXrImages, AreRenderedFromThePredictedEyePoses) {
     for (const Json& recorded : run_->record["eyes"]) {
         for (const auto& [name, value] : recorded["pose"].items())
             EXPECT_EQ(value, recorded["submitted_pose"][name]) << name;
@@ -259,20 +263,22 @@ TEST_F(OpenXrImages, AreShownFromWhereTheEyesWillBe) {
     }
 }
 
-TEST_F(OpenXrImages, AreTheSeaThroughTheEyesProjections) {
+TEST_F(OpenXrImages, ShowTheSeaThroughTheEyesProjections) {
     const std::array<RgbaImage, 2> both = {shown("left.ppm"), shown("right.ppm")};
     const std::array<RgbaImage, 2> expected = drawn_here({eye(0), eye(1)}, *frame_, side);
     for (std::size_t i = 0; i < 2; ++i) {
         ASSERT_EQ(both[i].rgb.size(), expected[i].rgb.size());
-        // 54 dB: a byte is rounded by the framebuffer there and in the shader here, and the two projections differ by roundings
-        // of floats, which moves single pixels at edges of waves. An image that is a pixel aside has 40 dB.
+        // 54 dB: bytes are rounded by the framebuffer there and in the shader here, and float
+        // rounding of the two projections moves single pixels at wave edges. An image shifted by a
+        // pixel has 40 dB.
         const double psnr = 10 * std::log10(255 * 255 / mean_square_difference(both[i], expected[i]));
         EXPECT_GT(psnr, 48);
     }
 }
 
-TEST_F(OpenXrImages, AreTheSameInOnePassForBothEyes) {
-    // With the driver's calls made twice each (multiview_stand_in.cpp), where the program believes in OVR_multiview2.
+TEST_F(OpenXrImages, AreIdenticalInOnePassForBothEyes) {
+    // The driver's calls are doubled (multiview_stand_in.cpp), and the program detects
+    // OVR_multiview2.
     const ApplicationRun one_pass({"--quality", "low", "--frames", "2"},
                                   {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
                                    {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
@@ -283,12 +289,12 @@ TEST_F(OpenXrImages, AreTheSameInOnePassForBothEyes) {
         EXPECT_TRUE(shown(name).rgb == read_ppm(one_pass.folder / name).rgb) << name;
 }
 
-/// Green, of which there is most.
+/// Returns the green channel, the strongest one.
 double green(const RgbaImage& image, int column, int row) {
     return image.rgb[3 * static_cast<std::size_t>(row * image.width + column) + 1];
 }
 
-/// How alike two squares of pixels are, 1 at most: their correlation, which does not mind that one is brighter.
+/// Returns the correlation of two squares of pixels, 1 at most; it does not depend on brightness.
 double likeness(const RgbaImage& a, glm::ivec2 at, const RgbaImage& b, glm::ivec2 there) {
     constexpr int reach = 9;
     double n = 0, sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
@@ -300,9 +306,10 @@ double likeness(const RgbaImage& a, glm::ivec2 at, const RgbaImage& b, glm::ivec
     return (ab - sum_a * sum_b / n) / std::sqrt((aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n) + 1e-9);
 }
 
-TEST_F(OpenXrImages, DifferByTheWayBetweenTheEyes) {
-    // Rays of the left eye meet the water where a query says; seen from the right eye that water is further left, the more the
-    // nearer. What the images show there is found by looking for the same pattern along the row.
+TEST_F(OpenXrImages, DifferByTheDistanceBetweenTheEyes) {
+    // Rays of the left eye meet the water where a query gives it. In the right eye's image that
+    // water is further left, the more the nearer it is. The measured shift is that of the best
+    // match along the row.
     const RgbaImage left = shown("left.ppm"), right = shown("right.ppm");
     const RecordedEye left_eye = eye(0), right_eye = eye(1);
     const SurfaceQuery query(*frame_);
@@ -315,7 +322,7 @@ TEST_F(OpenXrImages, DifferByTheWayBetweenTheEyes) {
             ASSERT_TRUE(hit);
             const glm::dvec3 water(hit->position_m[0], hit->position_m[1], hit->position_m[2]);
             const glm::dvec2 expected = right_eye.pixel_of(water, right);
-            // Without a way between them, the eyes would see it here.
+            // With eyes at one position, the water would be here.
             const glm::dvec2 if_far = right_eye.pixel_of(right_eye.place_m + 1e6 * ray, right);
             ASSERT_GT(if_far.x - expected.x, 3) << "near water should be seen apart";
             const glm::ivec2 about(glm::round(expected));
@@ -326,18 +333,19 @@ TEST_F(OpenXrImages, DifferByTheWayBetweenTheEyes) {
                 if (const double like = likeness(left, {column, row}, right, about + glm::ivec2(shift, 0));
                     like > best)
                     best = like, best_shift = shift;
-            if (best < 0.9) continue;  // smooth water, or the sun's glitter, which each eye sees elsewhere
+            // smooth water, or the sun's glitter, whose position differs between the eyes
+            if (best < 0.9) continue;
             errors.push_back(about.x + best_shift - expected.x);
         }
     ASSERT_GT(errors.size(), 30u);
     std::ranges::sort(errors);
-    // Pixels are whole, and the mesh's water is a little off the query's.
+    // Pixels are discrete, and the mesh differs slightly from the query.
     EXPECT_NEAR(errors[errors.size() / 2], 0, 1);
     EXPECT_NEAR(errors[errors.size() / 8], 0, 1.5);
     EXPECT_NEAR(errors[errors.size() * 7 / 8], 0, 1.5);
 }
 
-TEST(OpenXrSession, RestsWhileTheHeadsetIsOffAndEndsWithIt) {
+TEST(OpenXrSession, PausesWhileTheHeadsetIsOffAndEndsWithIt) {
     const ApplicationRun run({"--quality", "low"}, {{"PELAGIC_STAND_IN_EVENTS", "4:hide 6:show 8:stop 12:exit"},
                                                     {"PELAGIC_STAND_IN_EYE", "32"}});
     EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
@@ -351,7 +359,7 @@ TEST(OpenXrSession, RestsWhileTheHeadsetIsOffAndEndsWithIt) {
     EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 1, 1, 0, 0, 1, 1, 0, 1, 1, 1}));
 }
 
-TEST(OpenXrSession, ShowsNothingWhileTheHeadIsNowhere) {
+TEST(OpenXrSession, ShowsNothingWithoutHeadTracking) {
     const ApplicationRun run({"--quality", "low", "--frames", "3"},
                              {{"PELAGIC_STAND_IN_EVENTS", "2:blind 4:see"}, {"PELAGIC_STAND_IN_EYE", "32"}});
     EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
@@ -369,7 +377,7 @@ TEST(OpenXrSession, EndsWhenTheHeadsetIsLost) {
     }
 }
 
-/// The one line that the program ends with.
+/// Returns the one line with which the program ends.
 std::string failure(const std::vector<std::string>& arguments, const Environment& environment) {
     const ApplicationRun run(arguments, environment);
     EXPECT_EQ(run.outcome.exit_code, 1);
@@ -378,7 +386,7 @@ std::string failure(const std::vector<std::string>& arguments, const Environment
     return run.outcome.err;
 }
 
-TEST(OpenXrErrors, AreOneLineThatSaysWhatToDo) {
+TEST(OpenXrErrors, AreOneLineWithARemedy) {
     EXPECT_EQ(failure({}, {{"XR_RUNTIME_JSON", "/nowhere.json"}}),
               "openxr_application: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE (is an OpenXR runtime installed "
               "and running? "
@@ -395,7 +403,7 @@ TEST(OpenXrErrors, AreOneLineThatSaysWhatToDo) {
               "openxr_application: xrWaitFrame: XR_ERROR_SESSION_LOST\n");
 }
 
-TEST(OpenXrErrors, NameAWrongOption) {
+TEST(OpenXrErrors, NameAnInvalidOption) {
     const TemporaryFolder folder;
     const auto said = [](const std::vector<std::string>& arguments) { return failure(arguments, {}); };
     EXPECT_EQ(said({"--frames", "soon"}), "openxr_application: --frames is soon, needs a whole number from 1\n");

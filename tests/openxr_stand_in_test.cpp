@@ -1,5 +1,5 @@
-// The stand-in refuses what the specification forbids, so that an application which passes does so by calling rightly. Each code is
-// the one that the reference page of the call names.
+// The stand-in rejects calls that the specification forbids, so an application that passes calls
+// the API correctly. Each error code is listed in the reference page of the call.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ class OpenXrStandIn : public testing::Test {
    protected:
     OpenXrStandIn() { headset_.start(context_.binding()); }
 
-    /// A running session, whose first frames are over and whose images are seen.
+    /// Starts a session whose first frames have ended and whose images are visible.
     void run() {
         ASSERT_TRUE(headset_.handle_events());
         headset_.wait_frame();
@@ -40,7 +40,7 @@ class OpenXrStandIn : public testing::Test {
     Headset headset_;
 };
 
-TEST_F(OpenXrStandIn, WantsFramesInOrder) {
+TEST_F(OpenXrStandIn, RequiresFramesInOrder) {
     XrFrameState state{.type = XR_TYPE_FRAME_STATE};
     EXPECT_EQ(xrWaitFrame(headset_.session(), nullptr, &state), XR_ERROR_SESSION_NOT_RUNNING);
     EXPECT_EQ(xrEndSession(headset_.session()), XR_ERROR_SESSION_NOT_RUNNING);
@@ -67,7 +67,7 @@ TEST_F(OpenXrStandIn, WantsFramesInOrder) {
     EXPECT_EQ(xrEndFrame(headset_.session(), &end), XR_SUCCESS);
 }
 
-TEST_F(OpenXrStandIn, WantsImagesInOrder) {
+TEST_F(OpenXrStandIn, RequiresImagesInOrder) {
     XrSwapchainCreateInfo info = swapchain_info();
     Owned<XrSwapchain, xrDestroySwapchain> swapchain, refused;
     info.format = GL_RGB565;
@@ -78,16 +78,18 @@ TEST_F(OpenXrStandIn, WantsImagesInOrder) {
     EXPECT_EQ(xrWaitSwapchainImage(swapchain, &patience), XR_ERROR_CALL_ORDER_INVALID);
     EXPECT_EQ(xrReleaseSwapchainImage(swapchain, nullptr), XR_ERROR_CALL_ORDER_INVALID);
     ASSERT_EQ(xrAcquireSwapchainImage(swapchain, nullptr, &image), XR_SUCCESS);
-    EXPECT_EQ(xrReleaseSwapchainImage(swapchain, nullptr), XR_ERROR_CALL_ORDER_INVALID);  // not waited for
+    // not waited for yet
+    EXPECT_EQ(xrReleaseSwapchainImage(swapchain, nullptr), XR_ERROR_CALL_ORDER_INVALID);
     ASSERT_EQ(xrWaitSwapchainImage(swapchain, &patience), XR_SUCCESS);
     EXPECT_EQ(xrWaitSwapchainImage(swapchain, &patience), XR_ERROR_CALL_ORDER_INVALID);
     EXPECT_EQ(xrAcquireSwapchainImage(swapchain, nullptr, &image), XR_SUCCESS);
     EXPECT_EQ(xrAcquireSwapchainImage(swapchain, nullptr, &image), XR_SUCCESS);
-    EXPECT_EQ(xrAcquireSwapchainImage(swapchain, nullptr, &image), XR_ERROR_CALL_ORDER_INVALID);  // there are three
+    // there are three images
+    EXPECT_EQ(xrAcquireSwapchainImage(swapchain, nullptr, &image), XR_ERROR_CALL_ORDER_INVALID);
     EXPECT_EQ(xrReleaseSwapchainImage(swapchain, nullptr), XR_SUCCESS);
 }
 
-TEST_F(OpenXrStandIn, LooksAtWhatItIsToShow) {
+TEST_F(OpenXrStandIn, ChecksTheSubmittedLayers) {
     run();
     Owned<XrSwapchain, xrDestroySwapchain> swapchain;
     const XrSwapchainCreateInfo info = swapchain_info();
@@ -110,7 +112,7 @@ TEST_F(OpenXrStandIn, LooksAtWhatItIsToShow) {
                                  .layers = &header};
         return xrEndFrame(headset_.session(), &all);
     };
-    EXPECT_EQ(end(), XR_ERROR_LAYER_INVALID);  // no image was released yet
+    EXPECT_EQ(end(), XR_ERROR_LAYER_INVALID);  // no image has been released yet
     std::uint32_t image = 0;
     xrAcquireSwapchainImage(swapchain, nullptr, &image);
     xrWaitSwapchainImage(swapchain, &patience);

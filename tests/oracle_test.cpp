@@ -1,4 +1,5 @@
-// The oracle's fast transform against its obvious one, so that N = 256 stands on the same ground as N = 64.
+// The oracle's fast transform compared with its naive one, so that results at N = 256 are as
+// trustworthy as at N = 64.
 #include <gtest/gtest.h>
 
 #include <random>

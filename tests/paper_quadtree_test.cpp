@@ -1,4 +1,5 @@
-// The paper's traversal, which Pelagic's is timed against, does what the paper says, errata included.
+// The paper's traversal, with which Pelagic's speed is compared, matches the paper, errata
+// included.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -10,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-/// A view that sees all.
+/// A view that contains everything.
 const Frustum everything(glm::dmat4(glm::dvec4(1e-6, 0, 0, 0), glm::dvec4(0, 1e-6, 0, 0), glm::dvec4(0, 0, 1e-6, 0),
                                     glm::dvec4(0, 0, 0, 1)));
 
@@ -22,8 +23,9 @@ TEST(PaperQuadtree, VisitsEveryNode) {
     EXPECT_EQ(seven_levels.nodes_visited(), 21845u);
 }
 
-// Where equation 57 alone is balanced, the patches are Pelagic's but for splits that are due to begin soon.
-TEST(PaperQuadtree, DrawsWhatPelagicDrawsWhereItIsBalanced) {
+// Where equation 57 alone gives a balanced tree, the patches equal Pelagic's except for splits that
+// begin soon.
+TEST(PaperQuadtree, DrawsPelagicsPatchesWhereItIsBalanced) {
     Random random(13);
     Selection selection({.size_m = 2048, .vertices = 2, .lod_scale = 2.4});
     peers::PaperQuadtree paper({.size_m = 2048, .lod_scale = 2.4});
@@ -43,9 +45,9 @@ TEST(PaperQuadtree, DrawsWhatPelagicDrawsWhereItIsBalanced) {
     EXPECT_GT(same, all * 0.9);
 }
 
-// The erratum behind the balanced selection: at tau = 1.5 neighbours two levels apart are common, the more levels the
-// more; a stitch closes one.
-TEST(PaperQuadtree, LeavesNeighboursTwoLevelsApart) {
+// The erratum behind the balanced selection: at tau = 1.5 neighbours two levels apart are common,
+// and more so with more levels. A stitch closes only one level.
+TEST(PaperQuadtree, HasNeighboursTwoLevelsApart) {
     for (const auto& [size, share] : {std::pair{2048.0, 0.05}, {8192.0, 0.3}}) {
         Random random(14);
         peers::PaperQuadtree paper({.size_m = size, .lod_scale = 1.5});

@@ -1,4 +1,5 @@
-// The benchmark's peers against Pelagic's own frames: who is compared in speed must yield the same sea.
+// The benchmark's peers compared with Pelagic's frames: implementations whose speed is compared
+// must compute the same sea.
 #include <gtest/gtest.h>
 #include <half.h>
 
@@ -26,7 +27,7 @@ namespace {
 
 enum Component { component_dx, component_height, component_dz };
 
-/// The one place that knows how a Frame stores its planes.
+/// The only place that depends on how a Frame stores its planes.
 float plane_value(const Frame& frame, Component component, int i, int j) {
     const PlaneView* planes[] = {&frame.cascades[0].dx, &frame.cascades[0].height, &frame.cascades[0].dz};
     return planes[component]->at(i, j);
@@ -45,7 +46,7 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-/// Winds across both axes, so that a turned sign or a swapped axis shows.
+/// Winds across both axes, so that a wrong sign or swapped axes cause a failure.
 std::vector<Case> cases() {
     return {
         {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5}, 1.5},
@@ -76,13 +77,13 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
    protected:
     PeerOf() : ocean_(one().sea, {.executor = make_serial_executor()}), ours_(ocean_.frame_at(one().time_s)) {
         SeaState sea = one().sea;
-        sea.roughness = ours_.statistics.roughness;  // peers know no other than the user's
+        sea.roughness = ours_.statistics.roughness;  // peers use only a given roughness
         switch (std::get<Peer>(GetParam())) {
             case Peer::paper: paper_.emplace(sea); break;
             case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;
             case Peer::fftw_separate: fftw_.emplace(sea, choose_isa(), FftwArrangement::separate); break;
         }
-        const FoamSource foam = foam_source(ours_.cascades[0]);  // nor thresholds
+        const FoamSource foam = foam_source(ours_.cascades[0]);  // peers use no thresholds
         paper_ ? paper_->set_foam(foam) : fftw_->set_foam(foam);
         theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
     }
@@ -122,12 +123,13 @@ INSTANTIATE_TEST_SUITE_P(Seas, PeerOf,
                              return name_of_peer(std::get<Peer>(test.param)) + "_" + std::get<Case>(test.param).name;
                          });
 
-// Both sum N^2 waves in floats: the paper's radix 2 rounds in each of its 2 log2 N stages and once more in each
-// twiddle, which is a polynomial of a 24-bit angle. A few units of 6e-8 each make about 5e-7 of the largest value; 1e-5
-// leaves room for other compilers and seas, and is far below what a wrong sign or axis does.
+// Both sum N^2 waves in floats. The paper's radix 2 rounds in each of its 2 log2 N stages and in
+// each twiddle, a polynomial of a 24-bit angle. A few units of 6e-8 each give about 5e-7 of the
+// largest value. 1e-5 has a margin for other compilers and seas, and is far below the effect of a
+// wrong sign or axis.
 constexpr double plane_tolerance = 1e-5;
 
-TEST_P(PeerOf, PlanesArePelagics) {
+TEST_P(PeerOf, PlanesMatchPelagics) {
     for (const Component component : {component_dx, component_height, component_dz}) {
         double error = 0;
         for (int j = 0; j < resolution(); ++j)
@@ -140,9 +142,10 @@ TEST_P(PeerOf, PlanesArePelagics) {
     }
 }
 
-// Values on either side of a rounding edge differ by a step. Smoothness is infinitely steep at a length of one, where
-// the lengths' error of some 1e-7 is up to half a step by itself: hence two in rare cases.
-TEST_P(PeerOf, GradientBytesAreWithinAStepOfPelagics) {
+// Values on either side of a rounding boundary differ by a step. Smoothness is infinitely steep at
+// a length of one, where an error of some 1e-7 in the lengths alone is up to half a step: hence two
+// steps in rare cases.
+TEST_P(PeerOf, GradientBytesAreWithinOneStepOfPelagics) {
     ASSERT_EQ(theirs_.rgba8.size(), ours_.cascades[0].gradient_rgba8.size());
     std::size_t beyond_one = 0;
     for (std::size_t i = 0; i < theirs_.rgba8.size(); ++i) {
@@ -162,16 +165,16 @@ float value_of_half(std::uint16_t bits) {
     return half;
 }
 
-/// From |value|, a half, to the next larger one.
+/// Returns the distance from |value|, rounded to a half, to the next larger half.
 double step_of_half(float value) {
     const auto bits = static_cast<std::uint16_t>(Imath::half(std::fabs(value)).bits());
     return static_cast<double>(value_of_half(static_cast<std::uint16_t>(bits + 1))) - value_of_half(bits);
 }
 
-// One step of a half, as either may round across an edge, and what the planes may differ by, which near zero is many
-// of a half's steps. Foam is a whole byte of J over the ramp, and J moves by at most about four slopes' errors: each is that of
-// two texels, times N/(2 L).
-TEST_P(PeerOf, HalvesAreWithinAStepOfPelagics) {
+// The bound is one step of a half, because both may round across a boundary, plus the planes'
+// difference, which near zero is many steps of a half. Foam is a byte of J over the ramp. J differs
+// by at most about four slope errors, each that of two texels times N/(2 L).
+TEST_P(PeerOf, HalvesAreWithinOneStepOfPelagics) {
     const double slope_tolerance = plane_tolerance * std::max({largest(component_dx), largest(component_dz)}) *
                                    resolution() / one().sea.patch_size_m;
     const double tolerance[] = {plane_tolerance * largest(component_dx), plane_tolerance * largest(component_height),
@@ -186,8 +189,8 @@ TEST_P(PeerOf, HalvesAreWithinAStepOfPelagics) {
     }
 }
 
-// Else foam would be compared where all of it is zero.
-TEST(PeerCases, OneSeaBreaks) {
+// Without breaking, all compared foam would be zero.
+TEST(PeerCases, IncludeABreakingSea) {
     PaperFrame paper(cases().back().sea);
     const PeerFrame& frame = paper.frame_at(cases().back().time_s);
     std::size_t partly = 0, wholly = 0;
@@ -200,7 +203,7 @@ TEST(PeerCases, OneSeaBreaks) {
     EXPECT_GT(wholly, 100u);
 }
 
-TEST(ScalarQuery, HasTheBitsOfTheLibrarysQueries) {
+TEST(ScalarQuery, IsBitIdenticalToTheLibrarysQueries) {
     for (const int n : {64, 256}) {
         Ocean ocean({.resolution = n, .patch_size_m = 250, .choppiness = 1},
                     {.executor = make_serial_executor(), .queries = true});
@@ -224,7 +227,7 @@ TEST(ScalarQuery, HasTheBitsOfTheLibrarysQueries) {
     }
 }
 
-// Imath's half is what OpenEXR rounds with: to nearest even.
+// OpenEXR rounds with Imath's half: to nearest even.
 TEST(ScalarHalf, RoundsAsImathDoes) {
     std::mt19937 random(1);
     std::vector<float> values = {0.f,        -0.f,       1.f,       65504.f,  65519.996f, 65520.f,
@@ -236,7 +239,7 @@ TEST(ScalarHalf, RoundsAsImathDoes) {
         if (!std::isnan(value)) values.push_back(value);
     }
     for (std::uint32_t bits = 0; bits < 0x7C00; ++bits) {
-        // Halfway between two neighbours, where evenness decides.
+        // Midpoints between neighbours, where the rule for ties decides.
         const float here = value_of_half(static_cast<std::uint16_t>(bits));
         const float next = value_of_half(static_cast<std::uint16_t>(bits + 1));
         if (!std::isinf(next)) values.push_back(here + (next - here) / 2);

@@ -1,4 +1,4 @@
-// What of the pointer's movement is a drag, for every order of events within one frame.
+// Determines which pointer movements count as a drag, for every order of events within one frame.
 #include <gtest/gtest.h>
 
 #include "pelagic/viewer/pointer_drag.hpp"
@@ -42,7 +42,7 @@ TEST(PointerDrag, FramesOfADragSumUpToItsLength) {
     EXPECT_EQ(sum, glm::dvec2(30, -20));
 }
 
-TEST(PointerDrag, ThePlaceOfTheFirstEventIsNoMovement) {
+TEST(PointerDrag, PositionOfTheFirstEventIsNoMovement) {
     PointerDrag drag;
     drag.set_button(true);
     drag.move_to({640, 480});

@@ -1,4 +1,4 @@
-// Octaves of exp(sin - 1) against their sum in long double with libm.
+// Octaves of exp(sin - 1) compared with their sum in long double with libm.
 #include "pelagic/analytic/pond_waves.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const Long mean_exp = 1.26606587775200833559824462521471753760767031135496L / st
 
 double rounded(Long value) { return static_cast<double>(value); }
 
-/// The height alone, as the header has it: slopes are found from its differences.
+/// Returns the height by the header's definition; slopes are computed from its differences.
 Long height_of(const PondSea& sea, Long time_s, Long x, Long z) {
     Long parts = 0, part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) parts += part;
@@ -65,7 +65,8 @@ struct Answers {
 class PondOnEachIsa : public testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(Isas, PondOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-// One octave is exp(sin - 1) itself: sine, exponential and their last products are each within 2^-23.
+// One octave is exp(sin - 1): sine, exponential and their last products each have an error of at
+// most 2^-23.
 TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
     const PondSea sea{.octaves = 1, .height_m = 1, .wavelength_m = 1};
     const PondWaves water(sea, GetParam());
@@ -75,9 +76,9 @@ TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
         ASSERT_NEAR(said.of[height][i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
 }
 
-// What drags the later octaves carries the roundings of the earlier ones on: up to ten times as much as an octave has
-// by itself.
-TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
+// The drag of later octaves amplifies the rounding errors of earlier ones, up to ten times an
+// octave's own error.
+TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithExactDerivatives) {
     const PondSea sea;
     const PondWaves water(sea, GetParam());
     const Places places(120, 1000);
@@ -99,7 +100,7 @@ TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
     }
 }
 
-TEST_P(PondOnEachIsa, GivesTheGoldenBits) {
+TEST_P(PondOnEachIsa, MatchesTheGoldenHashes) {
     const Places places(501, 100);
     std::vector<float> footprint;
     for (int i = 0; i < 501; ++i) footprint.push_back(0.001f * static_cast<float>(i % 50));
@@ -119,13 +120,13 @@ TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
         EXPECT_LE(h, water.highest_m());
         sum += h;
     }
-    // Dragging gathers waves on crests, so that the mean is not quite that of each octave.
+    // Drag gathers waves on crests, so the mean differs slightly from that of each octave.
     EXPECT_NEAR(sum / 20000, 0, 0.05 * PondSea{}.height_m);
 }
 
-// Without dragging, octaves add up independently, and what a footprint hides of their slopes is in the variance: in
-// the sum nothing is lost. 20000 places tell a mean square within 3 %.
-TEST(Pond, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
+// Without drag the octaves are independent, and the slopes that a footprint filters out are counted
+// in the variance: the sum is preserved. 20000 positions give a mean square within 3 %.
+TEST(Pond, MeanSquareSlopeDoesNotDependOnTheFootprint) {
     const PondWaves water(PondSea{.drag = 0});
     const Places places(20000, 500);
     const auto mean_square_slope = [&](const Answers& said) {
@@ -148,13 +149,13 @@ TEST(Pond, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
     EXPECT_EQ(flat.of[height][7], 0);
 }
 
-TEST(Pond, RaysMeetTheFirstWaterInTheirWay) {
+TEST(Pond, RaysMeetTheFirstWaterOnTheirPath) {
     const PondSea sea;
     const PondWaves water(sea);
     std::mt19937 random(9);
     const auto one = [&] { return static_cast<double>(random()) * 0x1p-32; };
     for (int i = 0; i < 60; ++i) {
-        const bool grazes = i % 2 == 0;  // just below the highest crests: those are short
+        const bool grazes = i % 2 == 0;  // just below the highest crests, which are short
         const std::array<double, 3> from{10 * one(), grazes ? 0.03 : 1.5, 10 * one()};
         const std::array<double, 3> way{one() - 0.5, grazes ? -0.0005 : -0.1 - one(), one() - 0.5};
         const auto hit = water.first_hit(3, from, way, 50);
@@ -162,7 +163,7 @@ TEST(Pond, RaysMeetTheFirstWaterInTheirWay) {
         const auto [x, y, z] = hit->position_m;
         // 1e-6 m along a ray, above water whose slope is below 1.
         EXPECT_NEAR(rounded(height_of(sea, 3, x, z)), y, 2e-6);
-        // No water before it, looked at every millimetre of the last metre.
+        // Samples every millimetre of the last metre: the ray does not meet the water earlier.
         const double length = std::hypot(way[0], way[1], way[2]);
         std::vector<double> at_x, at_y, at_z;
         for (double at = std::max(0.0, hit->distance_m - 1); at < hit->distance_m - 0.005; at += 0.001) {
@@ -180,7 +181,7 @@ TEST(Pond, RaysMeetTheFirstWaterInTheirWay) {
     EXPECT_NEAR(water.first_hit(3, {2, 1, 5}, {0, -7, 0}, 2)->distance_m, 1 - rounded(height_of(sea, 3, 2, 5)), 2e-6);
 }
 
-TEST(Pond, NamesTheFirstBadNumber) {
+TEST(Pond, NamesTheFirstInvalidNumber) {
     EXPECT_EQ(check(PondSea{}), "");
     EXPECT_EQ(check(PondSea{.octaves = 65}), "octaves is 65, needs 1 to 64");
     EXPECT_EQ(check(PondSea{.height_m = 0}), "height_m is 0, needs (0, 10]");

@@ -1,4 +1,5 @@
-// Presets: the files that users copy, the seas of the library, and the published heights that they stand for.
+// Presets: the files that users copy, the library's sea states, and the published heights that they
+// stand for.
 #include <gtest/gtest.h>
 
 #include <CLI/App.hpp>
@@ -19,7 +20,7 @@ ResolvedSea resolved(const std::string& flag, const std::string& value) {
     CLI::App app;
     SeaOptions options;
     options.add_to(app);
-    app.parse(std::vector<std::string>{value, flag});  // CLI11 takes the last word first
+    app.parse(std::vector<std::string>{value, flag});  // CLI11 takes the arguments in reverse order
     return options.resolve();
 }
 
@@ -27,11 +28,12 @@ std::filesystem::path file_of(const SeaPreset& preset) {
     return std::filesystem::path(PELAGIC_PRESETS) / (std::string(preset.name) + ".toml");
 }
 
-TEST(Presets, FilesAreTheSeasOfTheirNames) {
+TEST(Presets, FilesMatchTheSeasOfTheirNames) {
     for (const SeaPreset& preset : sea_presets()) {
         const ResolvedSea named = resolved("--preset", std::string(preset.name));
         EXPECT_EQ(sea_as_json(resolved("--config", file_of(preset).string())), sea_as_json(named)) << preset.name;
-        // The file's angles are degrees, the library's radians: to the bit. What it chooses itself the command says.
+        // The file's angles are in degrees, the library's in radians: bit-identical. The command
+        // prints values that it chooses itself.
         const SeaState from_file = resolved("--config", file_of(preset).string()).sea;
         for (const SeaStateField& field : sea_state_fields())
             if (const SeaAngle* angle = sea_angle(field.name)) {
@@ -50,14 +52,14 @@ TEST(Presets, FilesAreTheSeasOfTheirNames) {
     EXPECT_EQ(sea_preset_named(""), nullptr);
 }
 
-TEST(Presets, AreUsableAndHaveNoWarnings) {
+TEST(Presets, AreValidAndHaveNoWarnings) {
     for (const SeaPreset& preset : sea_presets()) {
         EXPECT_EQ(check(preset.sea), "") << preset.name;
         EXPECT_EQ(warnings_about(preset.sea), std::vector<std::string>()) << preset.name;
     }
 }
 
-TEST(Presets, SummariesSayTheHeightAndTheSeaState) {
+TEST(Presets, SummariesContainTheHeightAndTheSeaState) {
     for (const SeaPreset& preset : sea_presets()) {
         const std::string summary(preset.summary);
         const auto at = summary.find("Hs ");
@@ -71,7 +73,7 @@ TEST(Presets, SummariesSayTheHeightAndTheSeaState) {
     }
 }
 
-TEST(Presets, StandWithTheMildestFirstAndTheForcesLast) {
+TEST(Presets, AreOrderedFromMildToRoughWithForcesLast) {
     const auto presets = sea_presets();
     const auto is_force = [](const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); };
     const auto forces = std::find_if(presets.begin(), presets.end(), is_force);
@@ -84,9 +86,9 @@ TEST(Presets, StandWithTheMildestFirstAndTheForcesLast) {
     EXPECT_TRUE(std::is_sorted(forces, presets.end(), lower));
 }
 
-// Probable wave heights of the open sea, metres, in the World Meteorological Organization's table of the forces. Light air's 0.1
-// is a rounded ripple, and a calm has none.
-TEST(Presets, ForcesHaveTheirWindAndTheProbableHeights) {
+// Probable wave heights of the open sea, in metres, by Beaufort force (World Meteorological
+// Organization). The table's 0.1 m for light air is a rounded ripple, and calm has no waves.
+TEST(Presets, ForcesHaveTheirWindAndProbableHeights) {
     const double probable[] = {0, 0.1, 0.2, 0.6, 1, 2, 3, 4, 5.5, 7, 9, 11.5, 14};
     for (int force = 0; force <= 12; ++force) {
         const SeaPreset* preset = sea_preset_named("beaufort-" + std::to_string(force));

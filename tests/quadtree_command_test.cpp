@@ -1,4 +1,4 @@
-// `pelagic quadtree`: what it prints and writes, read by somebody else.
+// `pelagic quadtree`: its output and files, read by independent code.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ using Triple = std::array<double, 3>;
 struct Obj {
     std::vector<Triple> vertices, normals;
     std::vector<std::array<double, 2>> texture;
-    std::vector<std::array<std::size_t, 3>> faces;  ///< from 0
+    std::vector<std::array<std::size_t, 3>> faces;  ///< indices from 0
 };
 
 Obj read_obj(const std::string& text) {
@@ -53,7 +53,7 @@ Obj read_obj(const std::string& text) {
     return obj;
 }
 
-/// Joins what lies at one place, to the bit: a vertex that two patches disagree on stays two.
+/// Merges vertices with bit-identical positions; a vertex on which two patches differ stays two.
 struct Welded {
     explicit Welded(const Obj& obj) {
         for (const Triple& place : obj.vertices)
@@ -63,7 +63,7 @@ struct Welded {
     std::vector<std::size_t> number_of;
 };
 
-TEST(QuadtreeCommand, TheWholeMeshIsOneClosedSheetWithAFlatBorder) {
+TEST(QuadtreeCommand, WholeMeshIsOneSurfaceWithAFlatBorder) {
     TemporaryFolder folder;
     const Outcome run =
         run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--all", "--camera", "123,4,-56", "--obj",
@@ -96,12 +96,13 @@ TEST(QuadtreeCommand, TheWholeMeshIsOneClosedSheetWithAFlatBorder) {
         EXPECT_EQ(place_of.at(edge.first)[1], 0);
     }
     EXPECT_GT(border, 0);
-    // A sheet: one face more than edges less vertices. An edge inside stands in the map twice.
+    // For a disc, faces - edges + vertices = 1. An inner edge is in the map twice.
     const auto all_edges = static_cast<long>((edges.size() + static_cast<std::size_t>(border)) / 2);
     EXPECT_EQ(static_cast<long>(welded.numbers.size()) - all_edges + static_cast<long>(obj.faces.size()), 1);
 }
 
-// Texture coordinates lead back to the rest place, the rest place to where the sea is drawn, and that to its normal.
+// Texture coordinates give the reference position, the reference position gives the displaced
+// position, and that gives the normal.
 TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     TemporaryFolder folder;
     const Outcome run =
@@ -122,7 +123,8 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
         EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 2e-4);
         const double x = (obj.texture[v][0] - 0.5 / 64) * sea.patch_size_m;
         const double z = (1 - obj.texture[v][1] - 0.5 / 64) * sea.patch_size_m;
-        // Six decimals of 250 m. Others are on their way between two levels, or fade out towards the border.
+        // Six decimals of 250 m. Other vertices are morphing between two levels, or fading out
+        // towards the border.
         const Displacement moved = displacement_of(frame, x, z);
         const double off = std::hypot(x + moved.dx - place[0], moved.height - place[1], z + moved.dz - place[2]);
         const bool is_fading = std::max(std::abs(x), std::abs(z)) > 5.0 / 16 * 1000 - sea.patch_size_m / 64;
@@ -132,15 +134,16 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
         water.sample({{&place[0], 1}, {&place[2], 1}}, {.normal_x = nx, .normal_y = ny, .normal_z = nz});
         const double cosine = normal[0] * static_cast<double>(nx[0]) + normal[1] * static_cast<double>(ny[0]) +
                               normal[2] * static_cast<double>(nz[0]);
-        // Both are made of the same differences; what is left are four decimals and the query's millimetre.
+        // Both use the same differences; the error is that of four decimals and of the query's
+        // millimetre.
         EXPECT_GT(cosine / std::hypot(normal[0], normal[1], normal[2]), std::cos(0.05 * std::numbers::pi / 180))
             << x << " " << z;
     }
     EXPECT_GT(in_place, 1000);
 }
 
-// tests/mesh_files_test.cpp looks into the files.
-TEST(QuadtreeCommand, TheSameMeshIsPlyAndGltf) {
+// tests/mesh_files_test.cpp checks the files' contents.
+TEST(QuadtreeCommand, PlyAndGltfHoldTheSameMesh) {
     TemporaryFolder folder;
     const Outcome run = run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--resolution", "32", "--foam",
                                      "--obj", (folder / "q.obj").string(), "--ply", (folder / "q.ply").string(),
@@ -157,7 +160,7 @@ TEST(QuadtreeCommand, TheSameMeshIsPlyAndGltf) {
               3 * obj.faces.size());
 }
 
-TEST(QuadtreeCommand, FiguresAgreeWithEachOther) {
+TEST(QuadtreeCommand, StatisticsAreConsistent) {
     TemporaryFolder folder;
     const std::string json_file = (folder / "q.json").string();
     const Outcome run = run_pelagic({"quadtree", "--size", "4096", "--camera", "10,5,10", "--target", "500,0,100",
@@ -175,7 +178,7 @@ TEST(QuadtreeCommand, FiguresAgreeWithEachOther) {
     EXPECT_NE(run.out.find("triangles"), std::string::npos);
 }
 
-TEST(QuadtreeCommand, ThePlanShowsEveryPatchAndTheFrustum) {
+TEST(QuadtreeCommand, PlanShowsEveryPatchAndTheFrustum) {
     TemporaryFolder folder;
     const std::string svg_file = (folder / "q.svg").string(), json_file = (folder / "q.json").string();
     ASSERT_EQ(run_pelagic({"quadtree", "--all", "--json", json_file, "--resolution", "32"}).exit_code, 0);
@@ -195,7 +198,7 @@ TEST(QuadtreeCommand, ThePlanShowsEveryPatchAndTheFrustum) {
     EXPECT_EQ(svg.rfind("</svg>\n"), svg.size() - 7);
 }
 
-TEST(QuadtreeCommand, AFailedWriteIsOneLineAndNothingHalfWritten) {
+TEST(QuadtreeCommand, FailedWriteGivesOneLineAndNoPartialFile) {
     TemporaryFolder folder;
     const Outcome run =
         run_pelagic({"quadtree", "--obj", (folder / "no/such/folder.obj").string(), "--resolution", "32"});

@@ -1,4 +1,4 @@
-// Culling against every triangle of the displaced mesh, clipped by the view's own volume.
+// Culling compared with every triangle of the displaced mesh, clipped by the view volume.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr int views = 1000;
 constexpr int views = 24;
 #endif
 
-/// A frame's displacement between its texels.
+/// Interpolates a frame's displacement between its texels.
 class FrameSea {
    public:
     explicit FrameSea(const Frame& frame) : frame_(frame) {}
@@ -38,13 +38,14 @@ class FrameSea {
     const Frame& frame_;
 };
 
-/// What a projection's depth may be. The volume itself is cut with these planes and no wider ones.
+/// The range of a projection's depth. The volume is clipped with exactly these planes.
 struct Projection {
     glm::dmat4 matrix;
     bool zero_to_one;
 };
 
-/// Reversed depth with an infinite far plane: z = near / distance, from 1 down to 0.
+/// A projection with reversed depth and an infinite far plane: z = near / distance, from 1 down to
+/// 0.
 glm::dmat4 reversed_infinite(double fov, double aspect, double near) {
     const double f = 1 / std::tan(fov / 2);
     glm::dmat4 m(0);
@@ -62,15 +63,15 @@ Projection random_projection(Random& random, int number) {
     switch (number % 7) {
         case 0: return {glm::perspectiveRH_NO(fov, aspect, near, far), false};
         case 1: return {glm::perspectiveRH_ZO(fov, aspect, near, far), true};
-        case 2:  // a headset's eye
+        case 2:  // an eye of a headset
             return {glm::frustumRH_NO(lopsided(-1.4, -0.7), lopsided(0.6, 1.1), lopsided(-1.3, -0.8),
                                       lopsided(0.8, 1.2), near, far),
                     false};
         case 3: return {glm::infinitePerspective(fov, aspect, near), false};
         case 4: return {reversed_infinite(fov, aspect, near), true};
-        case 5:  // reversed depth: near and far changed places
+        case 5:  // reversed depth: near and far are swapped
             return {glm::perspectiveRH_ZO(fov, aspect, far, near), true};
-        default:  // a shadow's view
+        default:  // a view for shadows
             return {glm::orthoRH_ZO(-300.0, 200.0, -150.0, 250.0, 0.1, far), true};
     }
 }
@@ -84,7 +85,8 @@ glm::dmat4 random_camera(Random& random, glm::dvec3 eye) {
     return glm::lookAtRH(eye, eye + forward, up);
 }
 
-/// Part of the triangle lies in the clip volume: Sutherland and Hodgman's clipping leaves something.
+/// Returns whether a part of the triangle lies in the clip volume: whether Sutherland and Hodgman's
+/// clipping leaves a polygon.
 bool is_visible(const std::array<glm::dvec4, 3>& triangle, bool zero_to_one) {
     using Distance = double (*)(const glm::dvec4&);
     const Distance near = zero_to_one ? Distance([](const glm::dvec4& p) { return p.z; })
@@ -112,7 +114,7 @@ bool is_visible(const std::array<glm::dvec4, 3>& triangle, bool zero_to_one) {
     return true;
 }
 
-/// Which patches of an unculled list have a visible triangle.
+/// Returns which patches of an unculled list have a visible triangle.
 std::vector<bool> truly_visible(const DrawList& list, const PatchMesh& mesh, const FrameSea& sea,
                                 const std::vector<std::pair<glm::dmat4, bool>>& seen_by) {
     std::vector<bool> visible(list.instances.size(), false);
@@ -138,7 +140,7 @@ class Culling : public testing::Test {
     explicit Culling(const SeaState& sea = {.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 18})
         : ocean_(sea, {.executor = make_serial_executor()}), sea_(ocean_.frame_at(7.5)) {}
 
-    /// Compares one selection with the truth; counts.
+    /// Compares one selection with the expected visibility, and counts.
     void compare(const QuadtreeOptions& options, glm::dvec3 viewer,
                  const std::vector<std::pair<glm::dmat4, bool>>& seen_by) {
         Selection everything(options), culled(options), wider(options);
@@ -150,7 +152,7 @@ class Culling : public testing::Test {
                            .views = matrices,
                            .bounds = sea_.bounds(),
                            .depth = seen_by[0].second ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one});
-        // Without a word on the depth it keeps all of these, and perhaps more.
+        // Without a depth range culling keeps all of these patches, and possibly more.
         std::set<std::tuple<int, int, int>> kept_by_wider;
         for (const PatchInstance& patch :
              wider.select({.viewer_m = viewer, .views = matrices, .bounds = sea_.bounds()}).instances)
@@ -175,7 +177,8 @@ class Culling : public testing::Test {
         EXPECT_EQ(lost, 0);
         truly_ += seen;
         kept_ += static_cast<int>(kept.instances.size());
-        // Views that graze the crests see a few patches; the boxes, as high as the highest crest, keep a few more.
+        // Views that graze the crests contain a few patches; the boxes, as high as the highest
+        // crest, keep a few more.
         if (seen >= 12) worst_ = std::max(worst_, static_cast<double>(kept.instances.size()) / seen);
     }
 
@@ -208,7 +211,7 @@ TEST_F(Culling, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
                 worst_);
 }
 
-TEST_F(Culling, LosesNothingOfEitherEye) {
+TEST_F(Culling, LosesNoVisibleTriangleOfEitherEye) {
     Random random(12);
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
     for (int i = 0; i < views / 10; ++i) {
@@ -226,7 +229,7 @@ TEST_F(Culling, LosesNothingOfEitherEye) {
     EXPECT_LE(kept_, 1.6 * truly_);
 }
 
-/// A node's box, as equation 61 has it.
+/// Returns a node's box by equation 61.
 Box box_of(const QuadtreeGrid& grid, const BoxesOfNodes& boxes, int level, int x, int z) {
     const double side = grid.patch_size_m(level);
     const glm::dvec2 centre = glm::dvec2(grid.corner) * grid.step_m + side * glm::dvec2(x + 0.5, z + 0.5);
@@ -235,7 +238,7 @@ Box box_of(const QuadtreeGrid& grid, const BoxesOfNodes& boxes, int level, int x
             {half.x, (boxes.high_m - boxes.low_m) / 2, half.y}};
 }
 
-TEST(NodeCullingTest, SeesWhatTheFrustumSeesAndAllWhereEveryCornerIsInside) {
+TEST(NodeCullingTest, AgreesWithTheFrustumAndDetectsFullyInsideNodes) {
     Random random(5);
     const QuadtreeGrid grid{.step_m = 4, .corner = {-300, 100}, .side = 512, .vertices = 32, .deepest_level = 4};
     std::map<NodeCulling::Sight, int> seen;
@@ -270,7 +273,8 @@ class CullingOfSeveralCascades : public Culling {
     CullingOfSeveralCascades() : Culling({.cascades = 4, .resolution = 32, .wind_speed_mps = 18}) {}
 };
 
-// A frame's bounds are sums of its cascades', whose extremes need not meet: a few more patches are kept.
+// A frame's bounds are sums of its cascades' bounds, whose extremes need not coincide: a few more
+// patches are kept.
 TEST_F(CullingOfSeveralCascades, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
     Random random(13);
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);

@@ -1,4 +1,4 @@
-// The sixteen stitch patterns and the mesh that is made of them, by enumeration.
+// The sixteen stitch patterns and the mesh built from them, tested exhaustively.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,12 +20,13 @@ using Edge = std::pair<Point, Point>;
 
 Point point(CellVertex v) { return {v.x, v.z}; }
 
-/// Twice the area seen from above, positive if counter-clockwise: with x to the right z points down.
+/// Returns twice the area seen from above, positive if counter-clockwise. With x to the right, z
+/// points down.
 int doubled_area(Point a, Point b, Point c) {
     return (b.second - a.second) * (c.first - a.first) - (b.first - a.first) * (c.second - a.second);
 }
 
-TEST(Stitching, APatternCoversItsCellOnceWithTrianglesThatFaceUp) {
+TEST(Stitching, PatternCoversItsCellOnceWithTrianglesThatFaceUp) {
     for (unsigned stitches = 0; stitches < 16; ++stitches) {
         const CellPattern pattern = cell_pattern(stitches);
         EXPECT_EQ(pattern.count, 8 - std::popcount(stitches));  // equation 66: 8 down to 4
@@ -40,7 +41,7 @@ TEST(Stitching, APatternCoversItsCellOnceWithTrianglesThatFaceUp) {
     }
 }
 
-TEST(Stitching, AStitchedSideHasNoMidpointAndTheOthersDo) {
+TEST(Stitching, OnlyStitchedSidesHaveNoMidpoint) {
     const std::map<Side, CellVertex> midpoints = {{east, {2, 1}}, {north, {1, 2}}, {west, {0, 1}}, {south, {1, 0}}};
     for (unsigned stitches = 0; stitches < 16; ++stitches) {
         std::set<Point> used;
@@ -69,7 +70,7 @@ std::vector<int> every_even_v() {
 }
 INSTANTIATE_TEST_SUITE_P(V, EachMesh, testing::ValuesIn(every_even_v()));
 
-TEST_P(EachMesh, RangesAreClosedInsideAndEndInTheRightVerticesOutside) {
+TEST_P(EachMesh, RangesAreClosedInsideAndHaveTheExpectedBorder) {
     for (unsigned stitches = 0; stitches < 16; ++stitches) {
         const PatchMesh::Range range = mesh_.ranges[stitches];
         ASSERT_EQ(range.count, 3 * patch_triangles(v(), stitches));
@@ -83,13 +84,13 @@ TEST_P(EachMesh, RangesAreClosedInsideAndEndInTheRightVerticesOutside) {
             for (int e = 0; e < 3; ++e) edges.push_back({corners[e], corners[(e + 1) % 3]});
         }
         EXPECT_EQ(area, 2L * v() * v());
-        // Every edge once each way, but for those of the border.
+        // Every inner edge occurs once in each direction.
         std::sort(edges.begin(), edges.end());
         ASSERT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
         std::set<Edge> border;
         for (const Edge& edge : edges)
             if (!std::binary_search(edges.begin(), edges.end(), Edge{edge.second, edge.first})) border.insert(edge);
-        std::set<Edge> expected;  // up the east side, seen with z downwards that is clockwise
+        std::set<Edge> expected;  // up the east side; with z downwards this is clockwise
         const auto side = [&](unsigned which, auto place) {
             const int step = (stitches >> which & 1) != 0 ? 2 : 1;
             for (int t = 0; t < v(); t += step) expected.insert({place(t), place(t + step)});
@@ -112,7 +113,7 @@ TEST_P(EachMesh, VerticesAreNumberedByEquation68AndFitSixteenBits) {
     EXPECT_LE(mesh_.positions.size(), 65536u);
 }
 
-/// Vertices transformed a triangle with a first-in, first-out cache.
+/// Returns the vertices transformed per triangle with a first-in, first-out cache.
 double transforms_per_triangle(const std::vector<std::uint16_t>& indices, PatchMesh::Range range,
                                std::size_t entries) {
     std::deque<std::uint16_t> cache;
@@ -126,8 +127,9 @@ double transforms_per_triangle(const std::vector<std::uint16_t>& indices, PatchM
     return misses / (range.count / 3.0);
 }
 
-// Bands of two cells take ten new vertices for sixteen triangles, 0.625, and five for the first row of each band, which
-// is 0.04 more at V = 16. A cache of 16 entries loses a few of them. Row after row, a patch needs 0.75 and more.
+// Bands of two cells need ten new vertices for sixteen triangles, 0.625, and five for the first row
+// of each band, which is 0.04 more at V = 16. A cache of 16 entries misses a few of them. In row
+// order a patch needs 0.75 and more.
 TEST(PatchMesh, IndicesSuitASmallVertexCache) {
     for (const int v : {16, 32, 64, 128}) {
         const PatchMesh mesh(v);
@@ -137,7 +139,7 @@ TEST(PatchMesh, IndicesSuitASmallVertexCache) {
     }
 }
 
-TEST(PatchMesh, RefusesOtherVertices) {
+TEST(PatchMesh, RejectsOtherVertexCounts) {
     for (const int v : {-2, 0, 1, 3, 63, 129, 130}) EXPECT_THROW(PatchMesh{v}, std::invalid_argument) << v;
 }
 

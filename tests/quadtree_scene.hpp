@@ -18,7 +18,7 @@ namespace pelagic {
 
 inline constexpr double sizes_m[] = {256, 512, 1024, 2048, 4096, 8192};
 
-/// Uniform in [low, high), the same on every standard library.
+/// Returns a uniform value in [low, high), the same on every standard library.
 class Random {
    public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -31,7 +31,8 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-/// Where somebody may look from: over the grid, outside, high above, under water, on borders of cells, on a line.
+/// Viewer positions: over the grid, outside, high above, under water, on borders of cells, on a
+/// line.
 inline SelectionInput random_viewer(Random& random, double size_m, int number) {
     const double far = 3e4;
     const glm::dvec2 somewhere(random.between(-far, far), random.between(-far, far));
@@ -44,7 +45,7 @@ inline SelectionInput random_viewer(Random& random, double size_m, int number) {
                 .centre_m = somewhere + size_m * glm::dvec2(random.between(-1.5, 1.5), random.between(-1.5, 1.5))};
         case 2: return {.viewer_m = over(size_m * random.between(0, 3))};
         case 3: return {.viewer_m = over(-random.between(0, 100))};
-        case 4: {  // borders of cells, corners too
+        case 4: {  // borders of cells, including corners
             const double cell = size_m / (1 << (1 + random.below(7)));
             return {.viewer_m = {cell * random.below(9), random.between(0, 2), cell * (random.below(9) - 4)}};
         }
@@ -53,12 +54,12 @@ inline SelectionInput random_viewer(Random& random, double size_m, int number) {
     }
 }
 
-/// A static sea in closed form, gentle enough that no triangle of it can turn over: see `steepest`.
+/// A static analytic sea, gentle enough that no triangle of it can overturn: see `steepest`.
 struct SineSea {
     double height_m = 2;
     double horizontal_m = 1;
-    /// Lipschitz bound of the horizontal displacement with the longest wave 40 m: the sum of amplitudes times wave
-    /// numbers. A triangle turns over only if it exceeds 1/2.
+    /// Lipschitz bound of the horizontal displacement for a longest wave of 40 m: the sum of
+    /// amplitudes times wave numbers. A triangle overturns only if the bound exceeds 1/2.
     static constexpr double shortest_wave_m = 40;
 
     glm::dvec3 operator()(glm::dvec2 rest) const {

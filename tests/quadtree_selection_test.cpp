@@ -1,4 +1,4 @@
-// Which patches are chosen: against the rule evaluated on the whole tree, and against each other.
+// The selected patches, compared with the rule evaluated on the whole tree and with each other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pelagic {
 namespace {
 
-/// level_map.hpp's rule on every node of every level, until nothing changes any more.
+/// Applies level_map.hpp's rule to every node of every level until nothing changes.
 class WholeTree {
    public:
     WholeTree(const QuadtreeOptions& o, glm::dvec3 viewer_m) : deepest_(deepest_level(o.size_m)) {
@@ -62,7 +62,7 @@ std::vector<QuadtreeOptions> all_options() {
     return all;
 }
 
-TEST(Selection, SplitsWhatTheRuleSplitsOnTheWholeTree) {
+TEST(Selection, MatchesTheRuleOnTheWholeTree) {
     Random random(1);
     for (const double size : {256.0, 512.0, 1024.0, 2048.0}) {
         for (const double tau : {0.75, 1.0, 1.5, 2.0, 3.0}) {
@@ -82,9 +82,9 @@ TEST(Selection, SplitsWhatTheRuleSplitsOnTheWholeTree) {
     }
 }
 
-// Where the paper's rule alone is balanced already, nothing is added to it but a node that is split a little early for
-// its neighbour's sake: those whose measure is above -k.
-TEST(Selection, SplitsByEquation57WhereThatIsBalanced) {
+// Where the paper's rule alone gives a balanced tree, the only additions are nodes that are split
+// early for a neighbour's sake: those whose measure is above -k.
+TEST(Selection, MatchesEquation57WhereItIsBalanced) {
     Random random(2);
     const double size = 2048, tau = 2.4;
     Selection selection({.size_m = size, .vertices = 2, .lod_scale = tau});
@@ -117,8 +117,8 @@ TEST(Selection, DeepestLevelIsEquation56) {
     EXPECT_EQ(deepest_level(8192), 7);
 }
 
-// The drawn patches cascade the grid as the level map says, and cover it once.
-TEST(Selection, TheLevelMapHoldsWhatIsDrawnAndWhatWouldBe) {
+// The drawn patches cover the grid once, with the levels of the level map.
+TEST(Selection, LevelMapHoldsTheDrawnAndTheCulledLevels) {
     Random random(3);
     for (const QuadtreeOptions& options : all_options()) {
         Selection selection(options), culled(options);
@@ -150,7 +150,7 @@ TEST(Selection, TheLevelMapHoldsWhatIsDrawnAndWhatWouldBe) {
     }
 }
 
-TEST(Selection, MoreTauMeansMoreTriangles) {
+TEST(Selection, LargerTauGivesMoreTriangles) {
     Random random(4);
     for (const double size : sizes_m) {
         for (int i = 0; i < 60; ++i) {
@@ -164,7 +164,7 @@ TEST(Selection, MoreTauMeansMoreTriangles) {
             }
         }
     }
-    // And really more where there is something to split.
+    // The count rises wherever there is something to split.
     Selection coarse({.size_m = 4096, .lod_scale = 1}), fine({.size_m = 4096, .lod_scale = 2});
     const SelectionInput on_board{.viewer_m = {0, 3, 0}};
     EXPECT_GT(fine.select(on_board).statistics.triangles, 2 * coarse.select(on_board).statistics.triangles);
@@ -219,7 +219,7 @@ TEST(Selection, BatchesHoldEveryInstanceOnceAtAnyLimit) {
             next += batch.count;
         }
         ASSERT_EQ(next, all.instances.size());
-        // Each instance is still drawn with the stitches it had.
+        // Each instance is still drawn with its stitches.
         for (const DrawBatch& whole : all.batches)
             for (const DrawBatch& part : list.batches)
                 if (part.first >= whole.first && part.first < whole.first + whole.count) {
@@ -228,7 +228,7 @@ TEST(Selection, BatchesHoldEveryInstanceOnceAtAnyLimit) {
     }
 }
 
-TEST(Selection, CountsWhatItDraws) {
+TEST(Selection, CountsTheDrawnPatches) {
     Selection selection(quadtree_preset_named("high")->options(8192));
     const DrawList& list = selection.select({.viewer_m = {3, 2, 4}});
     std::uint64_t triangles = 0, patches = 0;
@@ -237,11 +237,11 @@ TEST(Selection, CountsWhatItDraws) {
     for (const std::uint32_t n : list.statistics.patches_by_level) patches += n;
     EXPECT_EQ(list.statistics.triangles, triangles);
     EXPECT_EQ(patches, list.instances.size());
-    // A tree whose inner nodes have four children: n leaves hang under (n - 1) / 3 others.
+    // In a tree whose inner nodes have four children, n leaves have (n - 1) / 3 inner nodes.
     EXPECT_EQ(list.statistics.nodes_visited, patches + (patches - 1) / 3);
 }
 
-// One level more for twice the size: the cost follows what is drawn.
+// Doubling the size adds one level: the cost is proportional to the drawn patches.
 TEST(Selection, VisitsGrowWithTheLevelsAndNotWithTheArea) {
     std::vector<double> visits;
     for (const double size : sizes_m) {
@@ -253,9 +253,10 @@ TEST(Selection, VisitsGrowWithTheLevelsAndNotWithTheArea) {
     EXPECT_LT(visits.back(), 500);  // of 21845 nodes
 }
 
-TEST(Selection, AllViewsShareOneListThatHoldsWhatAnySees) {
+TEST(Selection, OneListHoldsThePatchesVisibleInAnyView) {
     Random random(5);
-    const auto towards = [](double heading) {  // a box 400 m long and 100 m wide, as a shadow's view
+    // a box 400 m long and 100 m wide, as a view for shadows
+    const auto towards = [](double heading) {
         const double c = std::cos(heading), s = std::sin(heading);
         return glm::dmat4(c / 200, 0, s / 50, 0, 0, 1e-3, 0, 0, -s / 200, 0, c / 50, 0, -1, 0, 0, 1);
     };
@@ -278,8 +279,8 @@ TEST(Selection, AllViewsShareOneListThatHoldsWhatAnySees) {
     }
 }
 
-TEST(Selection, KeepsTheSeaAtRestWhateverTheBounds) {
-    // Sees what lies between a metre below rest and a metre above it: there the waves have faded out.
+TEST(Selection, KeepsTheUndisplacedSeaForAnyBounds) {
+    // The view contains the water within a metre of the rest level, where the waves have faded out.
     const glm::dmat4 slice(1e-4, 0, 0, 0, 0, 0, 1, 0, 0, 1e-4, 0, 0, 0, 0, 0, 1);
     Selection selection(quadtree_preset_named("low")->options(1024));
     for (const SurfaceBounds& bounds : {SurfaceBounds{3, 4, 0, 0}, SurfaceBounds{-4, -3, 0, 0}})
@@ -296,7 +297,7 @@ void expect_rejected(const QuadtreeOptions& options, const std::string& said) {
     }
 }
 
-TEST(SelectionInput, OptionsOutOfRangeAreNamed) {
+TEST(SelectionInput, NamesOptionsOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     expect_rejected({.size_m = 255}, "size_m is 255, needs [256, 8192]");
     expect_rejected({.size_m = 8193}, "size_m is 8193, needs [256, 8192]");
@@ -310,7 +311,7 @@ TEST(SelectionInput, OptionsOutOfRangeAreNamed) {
     expect_rejected({.batch_limit = -1}, "batch_limit is -1, needs 0 or more");
 }
 
-TEST(SelectionInput, BadFramesAreRefusedAndLeaveTheListAsItWas) {
+TEST(SelectionInput, RejectsInvalidFramesAndKeepsTheList) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     Selection selection({});
     const std::vector<PatchInstance> before = selection.select({.viewer_m = {1, 2, 3}}).instances;

@@ -1,4 +1,4 @@
-// A viewer walks: what stays in the mesh stays in its place, and the surface never jumps.
+// For a walking viewer, vertices that stay in the mesh do not move, and the surface never jumps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace pelagic {
 namespace {
 
 #if defined(NDEBUG)
-// Grids of up to 2 km snap within 400 m, all but the largest of 8 km.
+// Grids of up to 2 km snap within 400 m; larger grids, up to 8 km, do not.
 double walk_m() { return of_sweep(400.0, 1500.0); }
 #else
-double walk_m() { return 20; }  // sanitizers look for other things
+double walk_m() { return 20; }  // sanitizers need fewer steps
 #endif
 constexpr double pace_m = 0.01;
 
 struct Walk {
     const char* preset;
     double size_m;
-    int vertices = 0;  ///< 0: the preset's
+    int vertices = 0;  ///< 0: the preset's number
 };
 void PrintTo(const Walk& walk, std::ostream* out) {
     *out << walk.preset << " " << walk.size_m << " " << walk.vertices;
@@ -36,7 +36,7 @@ class EachWalk : public testing::TestWithParam<Walk> {
         if (GetParam().vertices > 0) all.vertices = GetParam().vertices;
         return all;
     }
-    /// Slanted, so that borders are crossed at an angle, and longer than a snap.
+    /// A slanted direction, so that borders are crossed at an angle, and a path longer than a snap.
     glm::dvec3 on_the_way(double m) const { return {m * 0.8 + 11, 1.7, m * 0.6 - 3}; }
 };
 INSTANTIATE_TEST_SUITE_P(
@@ -44,14 +44,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024}, Walk{"ultra", 1024},
                     Walk{"low", 256}, Walk{"medium", 8192}, Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
                     Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048},
-                    // An odd number of coarser squares: their diagonals turn from patch to patch.
+                    // An odd number of coarser squares: their diagonals alternate from patch to
+                    // patch.
                     Walk{"low", 512, 6}, Walk{"low", 512, 10}),
     [](const auto& test) {
         return std::string(test.param.preset) + "_" + std::to_string(static_cast<int>(test.param.size_m)) +
                (test.param.vertices > 0 ? "_V" + std::to_string(test.param.vertices) : "");
     });
 
-/// The height of the mesh over a point, for a sea that only moves up and down: so points rest where they are drawn.
+/// Returns the height of the mesh over a point, for a sea without horizontal displacement, whose
+/// reference positions are the drawn ones.
 class MeshHeight {
    public:
     MeshHeight(const Selection& selection, const SineSea& sea) : selection_(selection), sea_(sea) {
@@ -76,7 +78,8 @@ class MeshHeight {
         const int level = selection_.level_map().level_at(cell_x, cell_z);
         const int cells = 1 << (grid.deepest_level - level);
         const PatchInstance& patch = *slot(cell_x / cells * cells, cell_z / cells * cells);
-        // In vertices of the patch; then in its 3 x 3 cell, whose fan turns around the middle.
+        // In vertices of the patch; then in its 3 x 3 cell, whose triangle fan has its centre in
+        // the middle.
         const glm::dvec2 in_patch = (steps - glm::dvec2(patch.corner_x, patch.corner_z)) / double(grid.stride(level));
         const int cx = std::min(static_cast<int>(in_patch.x) / 2, grid.vertices / 2 - 1);
         const int cz = std::min(static_cast<int>(in_patch.y) / 2, grid.vertices / 2 - 1);
@@ -94,14 +97,15 @@ class MeshHeight {
         return 0;
     }
 
-    /// Walks round the cell's edge: which triangle (middle, a, b) holds the point, and its plane there.
+    /// Goes around the cell's edge: finds the triangle (middle, a, b) that holds the point, and
+    /// evaluates its plane there.
     double fan_height(const PatchInstance& patch, unsigned stitches, int cx, int cz, glm::dvec2 p) const {
         const QuadtreeGrid& grid = selection_.list().grid;
         const int v = grid.vertices;
         const auto height = [&](int di, int dj) {
             return patch_vertex(grid, patch, 2 * cx + 1 + di, 2 * cz + 1 + dj, sea_).y;
         };
-        // The quarter: east |x| >= |z| with x > 0, and so on. Its side may lack the midpoint.
+        // The quadrant: east is |x| >= |z| with x > 0, and so on. Its side may lack the midpoint.
         const bool is_x = std::abs(p.x) >= std::abs(p.y);
         const int sign = (is_x ? p.x : p.y) >= 0 ? 1 : -1;
         const Side side = is_x ? (sign > 0 ? east : west) : (sign > 0 ? north : south);
@@ -128,8 +132,8 @@ class MeshHeight {
     std::vector<std::pair<const PatchInstance*, unsigned>> ends_;
 };
 
-// A pop would be as high as what a coarser grid misses: up to the wave's whole height, 4 m.
-TEST_P(EachWalk, TheSurfaceChangesByLessThanAMillimetreAStep) {
+// A pop would be as high as the error of a coarser grid: up to the wave's whole height, 4 m.
+TEST_P(EachWalk, SurfaceChangesByLessThanAMillimetreAStep) {
     const SineSea sea{.height_m = 2, .horizontal_m = 0};
     Random random(10);
     std::vector<glm::dvec2> points;
@@ -162,12 +166,13 @@ TEST_P(EachWalk, TheSurfaceChangesByLessThanAMillimetreAStep) {
     }
 }
 
-// Reference positions by level: a patch of level 2 and finer lies on the world's own raster of its size, so the same place
-// is always covered by the same patch, and its vertices are the same doubles.
+// Reference positions by level: a patch of level 2 and finer lies on the world's raster of its
+// size. The same position is always covered by the same patch, whose vertices are identical
+// doubles.
 TEST_P(EachWalk, NoVertexThatStaysInTheMeshMoves) {
     Selection selection(options());
     using Place = std::tuple<int, std::int64_t, std::int64_t>;  // level, raster
-    std::map<Place, std::pair<glm::dvec2, glm::dvec2>> known;   // its first and last vertex
+    std::map<Place, std::pair<glm::dvec2, glm::dvec2>> known;   // first and last vertex of a patch
     for (double m = 0; m <= walk_m(); m += 0.5) {
         const QuadtreeGrid& grid = selection.select({.viewer_m = on_the_way(m)}).grid;
         for (const PatchInstance& patch : selection.list().instances) {
@@ -184,8 +189,8 @@ TEST_P(EachWalk, NoVertexThatStaysInTheMeshMoves) {
     EXPECT_GT(known.size(), 4u);
 }
 
-// The grid goes along: the viewer is never further than S/8 from its middle, on either axis.
-TEST_P(EachWalk, TheGridFollowsInStepsOfAQuarter) {
+// The grid follows: the viewer is at most S/8 from its middle on either axis.
+TEST_P(EachWalk, GridFollowsInStepsOfAQuarter) {
     Selection selection(options());
     for (double m = 0; m <= walk_m(); m += 0.5) {
         const glm::dvec3 viewer = on_the_way(m);

@@ -1,4 +1,5 @@
-// No cracks: every edge between two triangles is the same edge, to the bit, after displacement and morph.
+// Absence of cracks: two neighbouring triangles share a bit-identical edge after displacement and
+// morph.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 #if defined(NDEBUG)
 int viewers() { return of_sweep(500, 2000); }
 #else
-int viewers() { return 60; }  // sanitizers look for other things, at a tenth of the speed
+int viewers() { return 60; }  // fewer under sanitizers, which have a tenth of the speed
 #endif
 
 std::vector<QuadtreeOptions> all_options() {
@@ -29,7 +30,7 @@ std::vector<QuadtreeOptions> all_options() {
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
 constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 
-/// Which instance of a list lies over each cell of the finest level, and with which stitches.
+/// Maps each cell of the finest level to the instance of a list that covers it, and its stitches.
 class Tiling {
    public:
     void build(const DrawList& list) {
@@ -57,9 +58,9 @@ class Tiling {
     std::vector<std::uint8_t> stitches_;
 };
 
-/// All borders of an unculled selection. Two patches of a level must keep the same vertices with the same weights; a
-/// finer patch must leave out what the coarser one lacks, and the coarser one's vertices must have arrived, for the
-/// finer one has them as its own.
+/// Checks all borders of an unculled selection. Two patches of a level must have the same vertices
+/// with the same weights. A finer patch must omit vertices that the coarser one lacks, and the
+/// coarser one's vertices must have finished morphing.
 ::testing::AssertionResult borders_close(const DrawList& list, const Tiling& tiling) {
     const QuadtreeGrid& grid = list.grid;
     for (int p = 0; p < static_cast<int>(list.instances.size()); ++p) {
@@ -137,16 +138,16 @@ struct EdgeHash {
 };
 
 SurfaceEdge edge_between(const glm::dvec3& a, const glm::dvec3& b) {
-    // 0.0 and -0.0 are one place.
+    // 0.0 and -0.0 are one position.
     return {{a.x + 0.0, a.y + 0.0, a.z + 0.0, b.x + 0.0, b.y + 0.0, b.z + 0.0}};
 }
 
-/// Twice the area seen from above.
+/// Returns twice the area seen from above.
 double doubled_area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y);
 }
 
-/// Every triangle of a list.
+/// Checks every triangle of a list.
 class WholeMesh {
    public:
     explicit WholeMesh(const PatchMesh& mesh) : mesh_(mesh) {}
@@ -157,7 +158,7 @@ class WholeMesh {
                 add_patch(list.grid, list.instances[i], mesh_.ranges[batch.stitches], sea);
     }
 
-    /// The skirt closes the border; what is left open is its own outer edge.
+    /// The skirt closes the border; the only open edges are its outer ones.
     void add_skirt(const DrawList& list) {
         const SkirtMesh strip(list.grid.vertices);
         for (const SkirtInstance& piece : list.skirt) {
@@ -189,7 +190,7 @@ class WholeMesh {
     void add_patch(const QuadtreeGrid& grid, const PatchInstance& patch, PatchMesh::Range range, const SineSea& sea) {
         const int row = grid.vertices + 1;
         const std::vector<glm::dvec3> at = patch_positions(grid, patch, sea);
-        // Edges reach two vertices at most: 25 directions from each vertex.
+        // Edges span two vertices at most: 25 directions from each vertex.
         directed_.assign(static_cast<std::size_t>(row * row) * 25, 0);
         const auto slot = [&](int a, int b) {
             const int di = b % row - a % row + 2, dj = b / row - a / row + 2;
@@ -224,7 +225,8 @@ class WholeMesh {
 
     const PatchMesh& mesh_;
     std::vector<std::uint8_t> directed_;
-    std::unordered_map<SurfaceEdge, int, EdgeHash> open_;  ///< edges whose other triangle has not come yet
+    /// edges whose second triangle has not been visited
+    std::unordered_map<SurfaceEdge, int, EdgeHash> open_;
     int flipped_ = 0, doubled_ = 0;
     double rest_area_ = 0, displaced_area_ = 0;
 };
@@ -237,7 +239,8 @@ void expect_closed(const QuadtreeOptions& options, const SelectionInput& input, 
     mesh.add(list, SineSea{});
     EXPECT_EQ(mesh.doubled(), 0);
     EXPECT_EQ(mesh.flipped(), 0);
-    // Sums of a million products of doubles. The displaced border has come to rest, so both areas are those of the square.
+    // Sums of a million products of doubles. The border is undisplaced, so both areas are those of
+    // the square.
     const double area = options.size_m * options.size_m;
     EXPECT_NEAR(mesh.rest_area() / area, 1, 1e-9);
     EXPECT_NEAR(mesh.displaced_area() / area, 1, 1e-9);
@@ -262,8 +265,8 @@ void expect_closed(const QuadtreeOptions& options, const SelectionInput& input, 
     }
 }
 
-// Two hundred viewers where patches have 16 steps a side, and as many triangles where they have more: some three thousand
-// selections in all. Half of them in the gate.
+// Two hundred viewers for patches of 16 steps a side, and as many triangles for patches of more:
+// some three thousand selections in all. The quick run makes half of them.
 TEST_P(EachPresetAndSize, EveryEdgeHasExactlyTwoTriangles) {
     const PatchMesh mesh(GetParam().vertices);
     Random random(static_cast<std::uint64_t>(GetParam().size_m) + 7);
@@ -277,8 +280,8 @@ TEST_P(EachPresetAndSize, EveryEdgeHasExactlyTwoTriangles) {
     for (int i = 0; i < count; ++i) expect_closed(GetParam(), random_viewer(random, GetParam().size_m, i), mesh);
 }
 
-// Every even V, with sizes that are no powers of two and neighbours of every legal kind.
-TEST(Watertight, EveryEvenVerticesCount) {
+// Every even V, with sizes that are not powers of two and neighbours of every allowed kind.
+TEST(Watertight, EveryEvenVertexCountIsClosed) {
     Random random(8);
     for (int v = 2; v <= 128; v += 2) {
         const PatchMesh mesh(v);
@@ -292,8 +295,9 @@ TEST(Watertight, EveryEvenVerticesCount) {
     }
 }
 
-/// Every pair of neighbours that a balanced tree allows, and the sixteen configurations, do come up above.
-TEST(Watertight, EveryConfigurationIsMet) {
+/// Every pair of neighbours that a balanced tree allows, and the sixteen configurations, occur
+/// above.
+TEST(Watertight, EveryConfigurationOccurs) {
     std::array<int, 16> met{};
     Random random(9);
     for (const double tau : {0.75, 1.0, 2.0}) {
@@ -302,7 +306,8 @@ TEST(Watertight, EveryConfigurationIsMet) {
             for (const DrawBatch& batch : selection.select(random_viewer(random, 8192, i)).batches)
                 ++met[batch.stitches];
     }
-    // Opposite sides can't both be coarser: the siblings on one of them have the patch's own level or finer ones.
+    // Opposite sides cannot both be coarser: the siblings on one of them have the patch's own level
+    // or finer ones.
     for (unsigned stitches = 0; stitches < 16; ++stitches) {
         const bool is_possible = (stitches & 5) != 5 && (stitches & 10) != 10;
         EXPECT_EQ(met[stitches] > 0, is_possible) << stitches;

@@ -1,4 +1,4 @@
-// `pelagic query` as a shell would run it.
+// `pelagic query` as a shell runs it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -48,8 +48,8 @@ Outcome query(const std::string& points, std::vector<std::string> more = {}) {
     return run_pelagic(more);
 }
 
-// Cubic unless it is told otherwise, and it says which.
-TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
+// The default interpolation is cubic, and the output states which is used.
+TEST(QueryCommand, PrintsTheLibrarysResultsExactly) {
     for (const auto& [flags, interpolation] :
          {std::pair<std::vector<std::string>, Interpolation>{{}, Interpolation::cubic},
           {{"--interpolation", "cubic"}, Interpolation::cubic},
@@ -92,8 +92,8 @@ TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
     }
 }
 
-// The default sea repeats after 200 s: the row of 200 s is that of 0 s.
-TEST(QueryCommand, RefusesTimesThatOutlastTheLoopUnlessItIsGiven) {
+// The default sea repeats after 200 s: the row of 200 s equals that of 0 s.
+TEST(QueryCommand, RejectsTimesBeyondTheLoopUnlessItIsGiven) {
     const Outcome outcome = query("1,2\n", {"--times", "0:400:200"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
@@ -116,7 +116,7 @@ TEST(QueryCommand, RefusesTimesThatOutlastTheLoopUnlessItIsGiven) {
     const std::vector<double> others = heights(query("1,2\n", {"--times", "0:400:200", "--loop-period", "600"}));
     ASSERT_EQ(others.size(), 3u);
     EXPECT_TRUE(others[0] != others[1] && others[1] != others[2] && others[2] != others[0]);
-    // A file may give the loop, too; what spans one loop exactly closes it.
+    // A file may also give the loop; times that span exactly one loop close it.
     const TemporaryFolder folder;
     write_file(folder / "sea.toml", "loop_period = 10\n");
     EXPECT_EQ(query("1,2\n", {"--times", "0:30:10", "--config", (folder / "sea.toml").string()}).exit_code, 0);
@@ -127,19 +127,19 @@ TEST(QueryCommand, RefusesTimesThatOutlastTheLoopUnlessItIsGiven) {
         << days.err;
 }
 
-TEST(QueryCommand, NotesThatPointsSpanMoreThanTheSeaDoes) {
+TEST(QueryCommand, ReportsPointsThatSpanMoreThanAPeriod) {
     const auto notes = [](const std::string& points) { return query(points, {"--patch-size", "250"}).err; };
     const std::string note = "note: the points span 250.5 m, but the longest waves repeat after 250 m\n";
     EXPECT_NE(notes("100,2\n3,4\n100,252.5\n").find(note), std::string::npos);
     EXPECT_EQ(notes("100,2\n3,4\n100,252\n").find("span"), std::string::npos);
 }
 
-TEST(QueryCommand, TakesPointsWithoutAHeaderAndWithMarks) {
+TEST(QueryCommand, ReadsPointsWithoutAHeaderAndWithAByteOrderMark) {
     EXPECT_EQ(lines_of(query("1,2\n3,4").out).size(), 3u);
     EXPECT_EQ(lines_of(query("\xEF\xBB\xBFx,z\r\n1,2\r\n").out).size(), 2u);
 }
 
-TEST(QueryCommand, RefusesAFileWithoutPoints) {
+TEST(QueryCommand, RejectsAFileWithoutPoints) {
     for (const char* points : {"", "\n\n", "x,z\n\n", "name,z,x"}) {
         const Outcome outcome = query(points);
         EXPECT_EQ(outcome.exit_code, 2) << points;
@@ -179,7 +179,7 @@ TEST(QueryCommand, ReadsStandardInput) {
     EXPECT_EQ(outcome.out, query("1,2\n3,4\n").out);
 }
 
-// The same numbers by another reader.
+// Another JSON reader finds the same numbers.
 TEST(QueryCommand, PrintsJsonWithTheSameNumbers) {
     const std::string points = "x,z,name\n1,2,\"a \"\"\xc3\xb6\"\" \t\xff\"\n3e0,4,b\n";
     const Outcome outcome = query(points, {"--json"});
@@ -219,7 +219,7 @@ TEST(QueryCommand, PrintsASeriesOfTimes) {
     EXPECT_EQ(query("1,2\n", {"--times", "0:1:1", "--time", "0"}).exit_code, 2);
 }
 
-TEST(QueryCommand, TakesAFileOfAnyLengthInConstantMemory) {
+TEST(QueryCommand, ReadsAFileOfAnyLengthInConstantMemory) {
     const TemporaryFolder folder;
     constexpr int points = is_sanitized ? 60'000 : 300'000;
     std::string text = "x,z,note\n";
@@ -238,18 +238,19 @@ TEST(QueryCommand, TakesAFileOfAnyLengthInConstantMemory) {
     const long many = peak_kb(text);
     EXPECT_EQ(lines_of(read_file(folder / "out")).size(), 1u + points);
     if (is_sanitized) return;
-    // Five times the points: 240,000 more, which took 52 bytes each at the least when all were held: 12 MB.
+    // Five times the points: 240,000 more, which would take at least 52 bytes each, 12 MB, if all
+    // were held in memory.
     EXPECT_LT(many - few, 6000) << few << " kB and " << many << " kB";
 }
 
-TEST(QueryCommand, RefusesALineWithoutEnd) {
+TEST(QueryCommand, RejectsAnEndlessLine) {
     const Outcome outcome = query("1,2\n" + std::string(3 << 20, '7'));
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("points.csv:2: the line has more than 65536 characters"), std::string::npos)
         << outcome.err;
 }
 
-TEST(QueryCommand, PrintsTheSameOnAnyNumberOfThreadsAndInstructionSet) {
+TEST(QueryCommand, OutputDependsNeitherOnThreadsNorOnTheInstructionSet) {
     std::string points;
     const int count = is_sanitized ? 600 : 3000;
     for (int i = 0; i < count; ++i) points += std::to_string(i * 0.37) + "," + std::to_string(500 - i * 1.1) + "\n";
@@ -259,7 +260,7 @@ TEST(QueryCommand, PrintsTheSameOnAnyNumberOfThreadsAndInstructionSet) {
     for (const Isa isa : isas_here()) EXPECT_EQ(query(points, {"--isa", std::string(name_of(isa))}).out, expected);
 }
 
-TEST(QueryCommand, NamesFileLineAndTextOfWhatItCantTake) {
+TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {
     for (const auto& [points, says] : std::vector<std::pair<std::string, std::string>>{
              {"x,z\n1,2\nharbour\n", "points.csv:3: the line is harbour, needs x,z"},
              {"1\n", ":1: the line is 1, needs x,z"},
@@ -281,7 +282,7 @@ TEST(QueryCommand, NamesFileLineAndTextOfWhatItCantTake) {
     }
 }
 
-TEST(QueryCommand, NamesTheOptionThatIsMissingOrWrong) {
+TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "1,2\n");
     const std::string points = (folder / "points.csv").string();
@@ -309,7 +310,7 @@ TEST(QueryCommand, NamesTheOptionThatIsMissingOrWrong) {
     }
 }
 
-TEST(QueryCommand, HelpNamesWhatItPrints) {
+TEST(QueryCommand, HelpListsTheOutputColumns) {
     const Outcome outcome = run_pelagic({"query", "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     for (const char* part : {"--points", "--time", header})

@@ -1,4 +1,5 @@
-// Which frame of the C interface may be asked, and that its memory stays as it is while somebody does.
+// Selects the frame that the C interface queries, and keeps its memory unchanged while a reader
+// uses it.
 #include "pelagic/capi/c_ocean.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace pelagic::capi {
 namespace {
 
-/// Frames that differ in their bounds, which a query keeps beside them.
+/// Frames with different bounds, which a query stores with them.
 class Shown {
    public:
     Shown() : frame_(ocean_.frame_at(0)) {}
@@ -28,7 +29,7 @@ class Shown {
 
 float number_of(const QueryFrames::Reader& reader) { return reader.query()->bounds().height_min_m; }
 
-TEST(CInterfaceQueryFrames, AReaderSeesTheNewestFrameAndKeepsIt) {
+TEST(CInterfaceQueryFrames, ReaderGetsTheNewestFrameAndKeepsIt) {
     Shown shown;
     QueryFrames frames;
     EXPECT_EQ(QueryFrames::Reader(frames).query(), nullptr);
@@ -41,16 +42,17 @@ TEST(CInterfaceQueryFrames, AReaderSeesTheNewestFrameAndKeepsIt) {
     EXPECT_EQ(number_of(QueryFrames::Reader(frames)), 2);
 }
 
-// Long enough for a thread that doesn't wait to get through; one that waits is never caught by a slow machine.
+// Long enough for a thread that does not wait to finish; a slow machine cannot fail a thread that
+// waits.
 constexpr std::chrono::milliseconds a_while(100);
 
-TEST(CInterfaceQueryFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
+TEST(CInterfaceQueryFrames, FrameIsOverwrittenAfterItsLastReader) {
     Shown shown;
     QueryFrames frames;
     frames.show(shown.query(1));
     auto first = std::make_unique<QueryFrames::Reader>(frames);
     auto second = std::make_unique<QueryFrames::Reader>(frames);
-    frames.wait_for_old_readers();  // nobody reads the one before
+    frames.wait_for_old_readers();  // no reader holds the previous frame
     frames.show(shown.query(2));
     const QueryFrames::Reader of_the_newest(frames);
 
@@ -71,9 +73,10 @@ TEST(CInterfaceQueryFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
     EXPECT_TRUE(is_free) << "whoever reads the newest frame holds up nobody";
 }
 
-// Readers that come while the application goes from frame to frame: what they hold never changes under them. The application's steps are
-// short, so that every order of the two comes up in a second.
-TEST(CInterfaceQueryFrames, WhatAReaderHoldsNeverChanges) {
+// Readers arrive while the application advances from frame to frame: the frames that they hold
+// never change. The application's steps are short, so that every interleaving occurs within a
+// second.
+TEST(CInterfaceQueryFrames, HeldFrameNeverChanges) {
     Shown shown;
     std::vector<SurfaceQuery> queries;
     for (int n = 0; n < 64; ++n) queries.push_back(shown.query(static_cast<float>(n)));
@@ -99,7 +102,8 @@ TEST(CInterfaceQueryFrames, WhatAReaderHoldsNeverChanges) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     for (std::size_t n = 1; std::chrono::steady_clock::now() < end || reads < 1000; ++n) {
         frames.wait_for_old_readers();
-        // A frame takes a while: whoever has come too late for this memory, and reads it, sees it change.
+        // A frame takes a while to write: a reader that arrived too late for this memory would see
+        // it change.
         for (int i = 0; i < 300; ++i) std::atomic_signal_fence(std::memory_order_seq_cst);
         frames.show(queries[n % queries.size()]);
     }

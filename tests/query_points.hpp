@@ -1,4 +1,4 @@
-// Points of the world at random, and room for all that a query answers at them.
+// Random positions, and buffers for all results of a query at them.
 #pragma once
 
 #include <cstddef>
