@@ -41,9 +41,9 @@ AnalyticSea with_significant_height(AnalyticSea sea, double height_m);
 
 std::span<const NumericField<AnalyticWave>> analytic_wave_fields();
 
-/// Returns an empty string if the sea is valid, otherwise one line: "steepness is 0.52, needs at
-/// most 0.4, the sum of 2 pi amplitude_m / wavelength_m", "waves[3].wavelength_m is -1, needs
-/// [0.01, 1000]".
+/// Returns an empty string if the sea is valid, otherwise one line: "steepness is 0.52, expected at
+/// most 0.4, the sum of 2 pi amplitude_m / wavelength_m", "waves[3].wavelength_m -1 is out of
+/// range [0.01, 1000]".
 std::string check(const AnalyticSea& sea);
 
 /// Interpolates between two seas. Amplitudes and choppiness are linear in s = u^2 (3 - 2u), so that

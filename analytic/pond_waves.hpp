@@ -41,7 +41,7 @@ struct PondSea {
 };
 
 /// Returns an empty string if the sea is valid, otherwise the first invalid field: "octaves is 65,
-/// needs 1 to 64". The last octave is at least 1 mm long.
+/// expected 1 to 64". The last octave is at least 1 mm long.
 std::string check(const PondSea& sea);
 
 /// An octave of a pond.

@@ -238,7 +238,8 @@ Options options_from(int argc, char** argv, CLI::App& app) {
     } else {
         const std::optional<Isa> isa = isa_named(isa_name);
         if (!isa || !runs_here(*isa))
-            throw CLI::ValidationError("--isa", "is " + isa_name + ", needs an instruction set that this CPU runs");
+            throw CLI::ValidationError("--isa",
+                                       "is " + isa_name + ", expected an instruction set that this CPU runs");
         options.isas = {*isa};
     }
     return options;

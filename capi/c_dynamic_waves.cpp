@@ -51,7 +51,8 @@ void need_no_frame_of_ocean(const pelagic_dynamic_waves& waves) {
 
 const DynamicWavesView& shown_view(const pelagic_dynamic_waves* waves) {
     const DynamicWavesView& view = needed(waves, "waves").waves->view();
-    if (!view) throw WrongOrder("there are no waves yet, needs pelagic_dynamic_waves_advance or a frame first");
+    if (!view)
+        throw WrongOrder("there are no waves yet; call pelagic_dynamic_waves_advance or complete a frame first");
     return view;
 }
 
@@ -180,7 +181,7 @@ pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, doubl
     return guarded([&] {
         DynamicWaves& ours = needed_waves(waves);
         if (waves->ocean)
-            throw WrongOrder("an ocean advances these waves, needs waves of pelagic_dynamic_waves_create");
+            throw WrongOrder("an ocean advances these waves, expected waves of pelagic_dynamic_waves_create");
         if (!std::isfinite(time_s)) reject(invalid_value_message("time_s", time_s, "a finite number"));
         ours.advance(time_s);
     });

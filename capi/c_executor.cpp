@@ -9,7 +9,7 @@ namespace {
 
 std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options) {
     if (options.cpu_mask != 0 && options.kind != PELAGIC_EXECUTOR_THREADS)
-        reject("cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
+        reject("cpu_mask is set, expected PELAGIC_EXECUTOR_THREADS");
     switch (options.kind) {
         case PELAGIC_EXECUTOR_DEFAULT: return make_default_executor(options.threads);
         case PELAGIC_EXECUTOR_SERIAL: return make_serial_executor();
@@ -18,7 +18,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
 #if defined(PELAGIC_HAS_TBB)
             return make_tbb_executor(options.threads);
 #else
-            reject("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
+            reject("kind is PELAGIC_EXECUTOR_TBB, expected a library built with PELAGIC_TBB");
 #endif
         case PELAGIC_EXECUTOR_APPLICATION:
             return make_callback_executor({.user = options.user,

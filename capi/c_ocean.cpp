@@ -42,11 +42,11 @@ void QueryFrames::wait_for_old_readers() {
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {
-    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
+    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight; call pelagic_ocean_complete first");
 }
 
 void need_frame(const pelagic_ocean& ocean) {
-    if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+    if (!ocean.shown) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
 }
 
 std::optional<Isa> isa_of(const char* name) {
@@ -57,7 +57,7 @@ std::optional<Isa> isa_of(const char* name) {
 }
 
 Allocator allocator_of(pelagic_allocate allocate, pelagic_release release, void* user) {
-    if (!allocate != !release) reject("allocate or release is NULL, needs both or neither");
+    if (!allocate != !release) reject("allocate or release is NULL, expected both or neither");
     return {user, allocate, release};
 }
 
@@ -101,11 +101,11 @@ void need_finite(double time_s) {
 }
 
 void need_frame_in_flight(const pelagic_ocean& ocean) {
-    if (!ocean.frame_in_flight) throw WrongOrder("no frame is in flight, needs pelagic_ocean_schedule first");
+    if (!ocean.frame_in_flight) throw WrongOrder("no frame is in flight; call pelagic_ocean_schedule first");
 }
 
 void need_sea_in_flight(const pelagic_ocean& ocean) {
-    if (!ocean.sea_in_flight) throw WrongOrder("no sea is being baked, needs pelagic_ocean_schedule_sea first");
+    if (!ocean.sea_in_flight) throw WrongOrder("no sea is being baked; call pelagic_ocean_schedule_sea first");
 }
 
 pelagic_plane plane_of(const PlaneView& view) {
@@ -388,7 +388,7 @@ pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
 pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        if (!ocean->contents.foam) reject("the ocean has no foam, needs pelagic_ocean_options.foam");
+        if (!ocean->contents.foam) reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->shown);
     });
 }
@@ -411,7 +411,7 @@ pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t
 pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea) {
     return guarded([&] {
         if (needed(ocean, "ocean").sea_in_flight)
-            throw WrongOrder("a sea is being baked, needs pelagic_ocean_complete_sea first");
+            throw WrongOrder("a sea is being baked; call pelagic_ocean_complete_sea first");
         ocean->ocean.schedule_sea(sea_of(sea));
         ocean->sea_in_flight = true;
     });

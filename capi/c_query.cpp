@@ -10,8 +10,9 @@ namespace pelagic::capi {
 namespace {
 
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
-    if (!ocean.has_queries) reject("the ocean can't be queried, needs pelagic_ocean_options.queries");
-    if (!reader.query()) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+    if (!ocean.has_queries)
+        reject("the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
+    if (!reader.query()) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
     return *reader.query();
 }
 

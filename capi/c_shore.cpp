@@ -11,7 +11,7 @@ namespace {
 
 const ShoreSurface& shown_shore(const pelagic_ocean& ocean) {
     need_frame(ocean);
-    if (!ocean.shown->shore) reject("the ocean has no shore, needs pelagic_ocean_options.shore");
+    if (!ocean.shown->shore) reject("the ocean has no shore: it was created without pelagic_ocean_options.shore");
     return ocean.shown->shore;
 }
 

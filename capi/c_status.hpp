@@ -18,7 +18,7 @@ namespace pelagic::capi {
 /// and returns `status`. Allocates nothing, so it also works when memory is exhausted.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
-/// Throws std::invalid_argument: "ocean is NULL, needs an ocean".
+/// Throws std::invalid_argument: "ocean is NULL, expected an ocean".
 [[noreturn]] void reject(const std::string& reason);
 
 /// A call that the object's state does not allow.
@@ -52,7 +52,7 @@ pelagic_status guarded(Body body) noexcept {
 /// Dereferences a pointer. Throws std::invalid_argument for null.
 template <class T>
 T& needed(T* pointer, const char* name) {
-    if (!pointer) reject(std::string(name) + " is NULL, needs a pointer");
+    if (!pointer) reject(std::string(name) + " is NULL, expected a pointer");
     return *pointer;
 }
 

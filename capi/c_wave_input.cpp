@@ -71,7 +71,7 @@ std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, 
     for (std::size_t i = 0; i < count; ++i) {
         const std::string name = "inputs[" + number_text(i) + "]";
         if (needed(inputs[i], name.c_str()).has_ocean)
-            reject(name + " belongs to another ocean, needs one that is new");
+            reject(name + " belongs to another ocean, expected one that is new");
         ours.push_back(inputs[i]->input);
     }
     return ours;
@@ -94,7 +94,7 @@ pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_in
 pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves) {
     return guarded([&] {
         if (!needed(input, "input").waves)
-            reject("input is not a batch of waves, needs one of pelagic_input_create_waves");
+            reject("input is not a batch of waves; expected one of pelagic_input_create_waves");
         input->waves->set(waves_of(waves));
     });
 }
@@ -110,7 +110,8 @@ pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic
 
 pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple) {
     return guarded([&] {
-        if (!needed(input, "input").ripple) reject("input is not a ripple, needs one of pelagic_input_create_ripple");
+        if (!needed(input, "input").ripple)
+            reject("input is not a ripple; expected one of pelagic_input_create_ripple");
         input->ripple->set(ripple_of(ripple));
     });
 }

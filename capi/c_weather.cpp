@@ -59,7 +59,7 @@ pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast, c
 pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change) {
     return guarded([&] {
         if (needed(ocean, "ocean").sea_in_flight)
-            throw WrongOrder("a sea is being baked, needs pelagic_ocean_complete_sea first");
+            throw WrongOrder("a sea is being baked; call pelagic_ocean_complete_sea first");
         ocean->ocean.schedule_sea(change_of(change, "change"));
     });
 }

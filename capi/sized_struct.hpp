@@ -72,11 +72,11 @@ T read_struct(const T* pointer, const char* name) {
     std::memcpy(&ours, pointer, std::min(bytes, sizeof ours));
     const auto* const all = reinterpret_cast<const unsigned char*>(pointer);
     if (std::any_of(all + std::min(bytes, sizeof ours), all + bytes, [](unsigned char byte) { return byte != 0; }))
-        reject(std::string(name) + " sets fields of a later version, needs 0 there");
+        reject(std::string(name) + " sets fields of a later version, expected 0 there");
     if constexpr (requires { ours.reserved; })
-        if (ours.reserved != 0) reject(std::string(name) + ".reserved is set, needs 0");
+        if (ours.reserved != 0) reject(std::string(name) + ".reserved is set, expected 0");
     if constexpr (requires { ours.reserved_1; })
-        if (ours.reserved_1 != 0) reject(std::string(name) + ".reserved_1 is set, needs 0");
+        if (ours.reserved_1 != 0) reject(std::string(name) + ".reserved_1 is set, expected 0");
     return ours;
 }
 

@@ -19,15 +19,15 @@ Functions load_functions(GetProcAddress get) {
 #define PELAGIC_GL_LOAD(name)       \
     load(get, "gl" #name, gl.name); \
     if (!gl.name)                   \
-        throw GlError("the OpenGL ES driver has no gl" #name ", needs OpenGL ES 3.0; Debian: libgl1-mesa-dri");
+        throw GlError("the OpenGL ES driver has no gl" #name ", expected OpenGL ES 3.0; Debian: libgl1-mesa-dri");
     PELAGIC_GL_FUNCTIONS(PELAGIC_GL_LOAD)
 #undef PELAGIC_GL_LOAD
 
     const auto* version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
-    if (!version) throw GlError("no OpenGL ES context is current on this thread, needs one");
+    if (!version) throw GlError("no OpenGL ES context is current on this thread, expected one");
     const std::string text = version;
     if (!text.starts_with("OpenGL ES ") || text.size() < 11 || text[10] < '3')
-        throw GlError("the context is \"" + text + "\", needs OpenGL ES 3.0 or later");
+        throw GlError("the context is \"" + text + "\", expected OpenGL ES 3.0 or later");
 
     if (has_extension(gl, "GL_KHR_debug")) load(get, "glDebugMessageCallbackKHR", gl.DebugMessageCallbackKHR);
     if (has_extension(gl, "GL_KHR_robustness"))

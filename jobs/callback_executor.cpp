@@ -224,7 +224,7 @@ class CallbackExecutor final : public Executor {
 }  // namespace
 
 std::shared_ptr<Executor> make_callback_executor(const ApplicationJobs& jobs) {
-    if (!jobs.parallel_for) throw std::invalid_argument("parallel_for is null, needs the application's function");
+    if (!jobs.parallel_for) throw std::invalid_argument("parallel_for is null; expected a function");
     if (jobs.threads < 1 || jobs.threads > 1024)
         throw std::invalid_argument(invalid_value_message("threads", jobs.threads, "1 to 1024"));
     return std::make_shared<CallbackExecutor>(jobs);

@@ -14,7 +14,7 @@ namespace {
     char digits[16];
     const auto length =
         static_cast<std::size_t>(std::to_chars(digits, digits + sizeof digits, cpu_mask, 16).ptr - digits);
-    throw std::invalid_argument("cpu_mask is 0x" + std::string(digits, length) + ", needs " + needs);
+    throw std::invalid_argument("cpu_mask is 0x" + std::string(digits, length) + ", expected " + needs);
 }
 
 }  // namespace

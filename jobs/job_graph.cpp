@@ -14,11 +14,11 @@ StageId JobGraph::add(Stage stage) {
     const auto reject = [&](const std::string& what) {
         throw std::invalid_argument(one_line("stage " + stage.name + what));
     };
-    if (stage.batch == 0) reject(" has a batch of 0, needs at least 1");
+    if (stage.batch == 0) reject(" has a batch of 0, expected at least 1");
     if (!stage.body) reject(" has no body");
     for (const StageId earlier : stage.waits_for)
         if (earlier >= id)
-            reject(" waits for stage number " + number_text(earlier) + ", needs one of the " + number_text(id) +
+            reject(" waits for stage number " + number_text(earlier) + ", expected one of the " + number_text(id) +
                    " added before it");
     stages_.push_back(std::move(stage));
     return id;

@@ -1,4 +1,4 @@
-// Error messages for values out of range: "wind_speed_mps is -3, needs (0, 60]".
+// Error messages for values out of range: "wind_speed_mps -3 is out of range (0, 60]".
 #pragma once
 
 #include <string>
@@ -11,21 +11,24 @@
 
 namespace pelagic {
 
-/// Returns "NAME is VALUE, needs ACCEPTED" on one line of at most max_line_bytes, escaped by
-/// one_line().
+/// Returns "NAME VALUE is out of range ACCEPTED" if `accepted` begins with an interval, such as
+/// "(0, 60] m/s"; otherwise "NAME is VALUE, expected ACCEPTED". The message is one line of at most
+/// max_line_bytes, escaped by one_line().
 ///
 /// \param name      name of the option or field
 /// \param value     a number, or the text of the input
 /// \param accepted  accepted range or list of values
 template <class Value>
 std::string invalid_value_message(std::string_view name, const Value& value, std::string_view accepted) {
+    // "(n, 2)" is a shape, not an interval.
+    const bool is_interval = accepted.starts_with('[') || accepted.starts_with("(0") || accepted.starts_with("(-");
     std::string text(name);
-    text += " is ";
+    text += is_interval ? " " : " is ";
     if constexpr (std::is_arithmetic_v<Value>)
         append_number(text, value);
     else
         text += value;
-    return one_line(text.append(", needs ").append(accepted));
+    return one_line(text.append(is_interval ? " is out of range " : ", expected ").append(accepted));
 }
 
 /// Checks the fields in the order of the table. Returns the invalid_value_message() of the first

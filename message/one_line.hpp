@@ -46,7 +46,7 @@ void write_escaped(std::string_view text, Write write) {
 }
 
 /// Escapes the text and, if it exceeds max_line_bytes, replaces its middle by " ... ". Keeps the
-/// beginning, "--wind-speed is ...", and the end, "... needs (0, 60]". Allocates no memory.
+/// beginning, "--wind-speed ...", and the end, "... is out of range (0, 60]". Allocates no memory.
 ///
 /// \param line  buffer of at least max_line_bytes
 /// \return number of bytes written

@@ -47,7 +47,8 @@ bool is_singular(glm::dmat4 m) {
 
 Frustum::Frustum(const glm::dmat4& clip_from_world, ClipDepth depth) {
     if (!is_finite(clip_from_world)) throw std::invalid_argument("clip_from_world holds NaN or infinity");
-    if (is_singular(clip_from_world)) throw std::invalid_argument("clip_from_world is singular, needs an inverse");
+    if (is_singular(clip_from_world))
+        throw std::invalid_argument("clip_from_world is singular; expected an invertible matrix");
     const glm::dmat4 rows = glm::transpose(clip_from_world);
     for (int axis = 0; axis < 3; ++axis) {
         planes[static_cast<std::size_t>(2 * axis)] = rows[3] + rows[axis];

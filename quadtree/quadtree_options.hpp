@@ -19,7 +19,7 @@ struct QuadtreeOptions {
 };
 
 /// Returns an empty string if the options are valid, else a message about the first invalid field:
-/// "vertices is 7, needs an even number from 2 to 128".
+/// "vertices is 7, expected an even number from 2 to 128".
 std::string check(const QuadtreeOptions& options);
 
 /// Returns the level of the smallest patches (equation 56), whose side is about 64 m. The root has

@@ -23,7 +23,7 @@ void check_position(const char* name, const double* values, int count) {
     for (int i = 0; i < count; ++i) {
         if (std::abs(values[i]) <= furthest_m) continue;  // false for NaN
         throw std::invalid_argument(std::string(name) + " holds " + number_text(values[i]) +
-                                    ", needs finite numbers within 1e8 m of the origin");
+                                    ", expected finite numbers within 1e8 m of the origin");
     }
 }
 

@@ -47,8 +47,8 @@ double shape_at(const Disturbance& disturbance, double x_m, double z_m);
 /// Returns the table of its numeric fields.
 std::span<const NumericField<Disturbance>> disturbance_fields();
 
-/// Returns an empty string for a usable disturbance, else what is wrong: "radius_m is 0, needs
-/// [0.001, 1000]".
+/// Returns an empty string for a usable disturbance, else what is wrong: "radius_m 0 is out of
+/// range [0.001, 1000]".
 std::string check(const Disturbance& disturbance);
 
 }  // namespace pelagic

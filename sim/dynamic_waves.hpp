@@ -56,7 +56,7 @@ struct DynamicWavesOptions {
 std::span<const NumericField<DynamicWavesOptions>> dynamic_waves_fields();
 
 /// Returns an empty string for usable options, else a message that names the first invalid one:
-/// "resolution is 100, needs 64, 128, 256, 512 or 1024".
+/// "resolution is 100, expected 64, 128, 256, 512 or 1024".
 std::string check(const DynamicWavesOptions& options);
 
 /// The dynamic waves at a point.

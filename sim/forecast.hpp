@@ -74,7 +74,7 @@ struct Forecast {
 void keep_constant_fields(SeaState& sea, const SeaState& first);
 
 /// Returns an empty string for a usable forecast, else a message about the first invalid value:
-/// "depth_m of change 1 is 20, needs 4000 as the first sea has it". Messages about a sea begin with
+/// "change 1: depth_m is 20, expected 4000 as the first sea has it". Messages about a sea begin with
 /// the number of that sea.
 std::string check(const Forecast& forecast);
 

@@ -34,8 +34,8 @@ struct Ripple {
 /// Returns the table of its numeric fields.
 std::span<const NumericField<Ripple>> ripple_fields();
 
-/// Returns an empty string for a usable ripple, else what is wrong: "wavelength_m is 0, needs
-/// [0.01, 1000]".
+/// Returns an empty string for a usable ripple, else what is wrong: "wavelength_m 0 is out of
+/// range [0.01, 1000]".
 std::string check(const Ripple& ripple);
 
 class RippleInput final : public WaveInput {

@@ -123,7 +123,7 @@ using SeaStateField = NumericField<SeaState>;
 std::span<const SeaStateField> sea_state_fields();
 
 /// Returns an empty string for a usable sea, else a message about the first invalid field:
-/// "wind_speed_mps is -3, needs (0, 60]".
+/// "wind_speed_mps -3 is out of range (0, 60]".
 ///
 /// phillips-paper has no physical height for a swell to be added to, and only its own spreading.
 /// Only a spectrum has a swell. For the other models patch_size_m must be at least the longest

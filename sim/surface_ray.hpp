@@ -23,7 +23,7 @@ struct SurfaceHit {
 };
 
 /// Returns an empty string for a ray that first_hit() accepts, else a message about the first
-/// invalid value: "reach_m is nan, needs 0 to a million texels of the coarsest cascade".
+/// invalid value: "reach_m is nan, expected 0 to a million texels of the coarsest cascade".
 /// Coordinates must be in [-1e9, 1e9], the direction's length in [1e-100, 1e100]. The check also
 /// bounds the time of first_hit().
 std::string check(const SurfaceRay& ray, const Frame& frame);

@@ -30,8 +30,8 @@ struct TextureTargets {
 TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution);
 
 /// Returns an empty string if the targets fit frames of `cascade_count` cascades of this
-/// resolution, else the first problem: "slopes_rgba8 lacks level 3, needs 8 levels",
-/// "gradient_rgba8 is wanted, needs an ocean with gradients".
+/// resolution, else the first problem: "slopes_rgba8 lacks level 3, expected 8 levels",
+/// "gradient_rgba8 is requested, but the ocean was created without gradients".
 std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents);
 

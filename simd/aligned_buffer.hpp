@@ -61,7 +61,7 @@ class AlignedBuffer {
         if (!given) throw std::bad_alloc();
         if (reinterpret_cast<std::uintptr_t>(given) % alignment == 0) return given;
         memory_.release(memory_.user, given, bytes(), alignment);
-        throw std::invalid_argument("the application's memory is not aligned, needs multiples of 64");
+        throw std::invalid_argument("the application's memory is not aligned, expected multiples of 64");
     }
 
     void swap(AlignedBuffer& other) noexcept {

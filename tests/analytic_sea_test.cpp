@@ -18,22 +18,22 @@ const AnalyticSea& named(std::string_view name) { return analytic_preset_named(n
 TEST(AnalyticSea, NamesTheFirstInvalidValue) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     AnalyticSea sea;
-    EXPECT_EQ(check(sea), "waves is 0, needs 1 to 64 of them");
+    EXPECT_EQ(check(sea), "waves is 0, expected 1 to 64 of them");
     sea.waves.resize(65);
-    EXPECT_EQ(check(sea), "waves is 65, needs 1 to 64 of them");
+    EXPECT_EQ(check(sea), "waves is 65, expected 1 to 64 of them");
     sea.waves.resize(2);
     EXPECT_EQ(check(sea), "");
     sea.waves[1].wavelength_m = -1;
-    EXPECT_EQ(check(sea), "waves[1].wavelength_m is -1, needs [0.01, 1000]");
+    EXPECT_EQ(check(sea), "waves[1].wavelength_m -1 is out of range [0.01, 1000]");
     sea.waves[1] = {.amplitude_m = nan};
-    EXPECT_EQ(check(sea), "waves[1].amplitude_m is nan, needs [0, 100]");
+    EXPECT_EQ(check(sea), "waves[1].amplitude_m nan is out of range [0, 100]");
     sea.waves[1] = {.direction_rad = 7};
-    EXPECT_EQ(check(sea), "waves[1].direction_rad is 7, needs [-2 pi, 2 pi]");
+    EXPECT_EQ(check(sea), "waves[1].direction_rad 7 is out of range [-2 pi, 2 pi]");
     sea.waves[1] = {.phase_rad = std::numeric_limits<double>::infinity()};
-    EXPECT_EQ(check(sea), "waves[1].phase_rad is inf, needs [-2 pi, 2 pi]");
+    EXPECT_EQ(check(sea), "waves[1].phase_rad inf is out of range [-2 pi, 2 pi]");
     sea.waves[1] = {};
     sea.choppiness = nan;
-    EXPECT_EQ(check(sea), "choppiness is nan, needs [0, 1]");
+    EXPECT_EQ(check(sea), "choppiness nan is out of range [0, 1]");
 }
 
 TEST(PlaneWaves, NamesTheFirstInvalidValue) {
@@ -43,16 +43,16 @@ TEST(PlaneWaves, NamesTheFirstInvalidValue) {
         return check(sea);
     };
     EXPECT_EQ(with([](PlaneWaves&) {}), "");
-    EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves.clear(); }), "waves is 0, needs 1 to 64 of them");
-    EXPECT_EQ(with([](PlaneWaves& sea) { sea.choppiness = 2; }), "choppiness is 2, needs [0, 1]");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves.clear(); }), "waves is 0, expected 1 to 64 of them");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.choppiness = 2; }), "choppiness 2 is out of range [0, 1]");
     EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves[3].amplitude_m = -1; }),
-              "waves[3].amplitude_m is -1, needs [0, 100]");
+              "waves[3].amplitude_m -1 is out of range [0, 100]");
     EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves[1].turns_per_m_x = sea.waves[1].turns_per_m_z = 0; }),
-              "waves[1].turns_per_m is 0, needs [0.0001, 200]");
+              "waves[1].turns_per_m 0 is out of range [0.0001, 200]");
     EXPECT_EQ(with([](PlaneWaves& sea) {
                   for (PlaneWave& wave : sea.waves) wave.amplitude_m *= 10;
               }),
-              "steepness is 0.48, needs at most 0.4, the sum of 2 pi amplitude_m turns_per_m");
+              "steepness is 0.48, expected at most 0.4, the sum of 2 pi amplitude_m turns_per_m");
     EXPECT_THROW(AnalyticSurface{PlaneWaves{}}, std::invalid_argument);
 }
 

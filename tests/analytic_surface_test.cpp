@@ -383,7 +383,7 @@ TEST(AnalyticSurface, RejectsASeaThatIsTooSteep) {
         FAIL();
     } catch (const std::invalid_argument& reason) {
         EXPECT_STREQ(reason.what(),
-                     "steepness is 0.523599, needs at most 0.4, the sum of 2 pi amplitude_m / wavelength_m");
+                     "steepness is 0.523599, expected at most 0.4, the sum of 2 pi amplitude_m / wavelength_m");
     }
     sea.waves[0].amplitude_m = 0.4 * 12 / (2 * std::numbers::pi);
     EXPECT_NO_THROW(AnalyticSurface{sea});

@@ -109,7 +109,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--maps", ""}, {"--maps", "displacement", "gradient"}},
         {{"export", "--out", "OUT", "--maps", "gradient,gradient"}, {"--maps", "gradient,gradient"}},
         {{"export", "--out", "OUT", "--maps", "foam,foam"},
-         {"--maps is foam,foam, needs displacement, gradient, normal, foam, velocity, jacobian, slope or some of "
+         {"--maps is foam,foam, expected displacement, gradient, normal, foam, velocity, jacobian, slope or some of "
           "them with commas, each once"}},
         {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr, tif, ktx2 or dds"}},
         {{"export", "--out", "OUT", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},
@@ -130,15 +130,16 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
         {{"info", "--preset", "hurricane"},
-         {"--preset is hurricane, needs pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
+         {"--preset is hurricane, expected pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, "
+          "rough, "
           "analytic-intense, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
-        {{"info", "--waves", "pon"}, {"--waves is pon, needs spectrum, analytic or pond (the nearest is pond)\n"}},
+        {{"info", "--waves", "pon"}, {"--waves is pon, expected spectrum, analytic or pond (the nearest is pond)\n"}},
         {{"export", "--out", "OUT", "--waves", "analytic", "--wave-height", "9"},
          {"steepness is 1.0", "at most 0.4"}},
         {{"export", "--out", "OUT", "--preset", "pond", "--cascades", "4"},
-         {"cascades is 4, needs 1 where waves is pond\n"}},
-        {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
+         {"cascades is 4, expected 1 where waves is pond\n"}},
+        {{"info", "--spectrum", "sine"}, {"expected phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
         {{"help", "exprot"}, {"exprot", "export, info, merge, quadtree"}},
         {{"info", "--frobnicate"}, {"unknown option --frobnicate; pelagic info --help lists all"}},
@@ -148,7 +149,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--config", "/tmp"}, {"--config", "/tmp", "folder"}},
         {{"info", "--config", "/proc/self/mem"}, {"--config", "/proc/self/mem", "can't be read"}},
         {{"export", "--out", "OUT", "--config", "CONFIG"},
-         {"CONFIG:2", "wind_sped", "needs preset, waves, spectrum,", "nearest is wind_speed"},
+         {"CONFIG:2", "wind_sped", "expected preset, waves, spectrum,", "nearest is wind_speed"},
          "seed = 1\nwind_sped = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1"}, "wind_speed = = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "seed"}, "seed = 1\nseed = 2\n"},
@@ -171,7 +172,7 @@ std::vector<BadInput> bad_inputs() {
          "preset = \"strom\"\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
         {{"info", "--spectrum", "phillips-paper", "--swell-height", "2"},
-         {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper"}},
+         {"swell_height_m is 2, expected 0 where the spectrum is phillips-paper"}},
         // A file of --config that is called sea.json.
         {{"info", "--config", "CONFIG"}, {"CONFIG:3", "malformed JSON", "sea.json"}, "{\n\"sea\": {\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "malformed JSON"}, "{\"sea\": {\"seed\": 1e999}}"},
@@ -185,11 +186,11 @@ std::vector<BadInput> bad_inputs() {
          "{\"sea\": {\"wind_speed_mps\": -3}}"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "seed", "array"}, "{\"sea\": {\"seed\": [1]}}"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "seed", "without quotes"}, "{\"sea\": {\"seed\": \"1\"}}"},
-        {{"export", "--out", "OUT", "--cascades", "3", "--patch-size", "100"}, {"cascades is 3, needs 1", "side"}},
+        {{"export", "--out", "OUT", "--cascades", "3", "--patch-size", "100"}, {"cascades is 3, expected 1", "side"}},
         {{"export", "--out", "OUT", "--cascades", "2", "--resolution", "16"},
-         {"cascades is 2, needs 1", "resolution"}},
+         {"cascades is 2, expected 1", "resolution"}},
         {{"export", "--out", "OUT", "--cascades", "2", "--spectrum", "phillips-paper"},
-         {"cascades is 2, needs 1", "paper"}},
+         {"cascades is 2, expected 1", "paper"}},
         // An invalid value in the file is an error even where a flag overrides it.
         {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"},
          {"CONFIG:1", "-3"},
@@ -225,7 +226,10 @@ std::vector<BadInput> bad_inputs() {
             // One parser reads all flags. Under a sanitizer each flag is tried with one of its
             // values, and each kind of value with some flag.
             if (is_sanitized && &value != &values[flag.size() % values.size()]) continue;
-            all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " is " + value + ", needs", accepted}});
+            const bool is_interval = accepted.starts_with('[') || accepted.starts_with('(');
+            all.push_back({{"export", "--out", "OUT", flag, value},
+                           {flag + (is_interval ? " " + value + " is out of range " : " is " + value + ", expected "),
+                            accepted}});
         }
     return all;
 }
@@ -267,7 +271,7 @@ TEST(BadInput, AConfigFileOfMoreThan64MiBIsRejected) {
     std::filesystem::resize_file(folder / "sea.toml", (std::uintmax_t{64} << 20) + 1);
     const Outcome outcome = run_pelagic({"info", "--config", (folder / "sea.toml").string()});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("which has more than 64 MiB, needs a TOML file"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("which has more than 64 MiB, expected a TOML file"), std::string::npos) << outcome.err;
 }
 
 std::string repeated(const std::string& text, int times) {

@@ -380,7 +380,7 @@ TEST(Buoyancy, BowUpIsPositivePitchAndStarboardDownIsPositiveRoll) {
 
 TEST(Buoyancy, InvalidOptionsAreNamed) {
     EXPECT_EQ(check(BoxOptions{}), "");
-    EXPECT_EQ(check({.beam_m = -1}), "beam_m is -1, needs (0, 1000]");
+    EXPECT_EQ(check({.beam_m = -1}), "beam_m -1 is out of range (0, 1000]");
     EXPECT_NE(check({.mass_kg = 1e6}).find("to float"), std::string::npos);
     EXPECT_THROW(FloatingBox({.heave_damping = 1}), std::invalid_argument);
     EXPECT_THROW(write_csv(std::filesystem::path("no such folder") / "trace.csv", {{"boat", {{}}}}),

@@ -116,7 +116,7 @@ TEST(CInterfaceMemory, FailedAllocationsReturnAStatusWithoutALeak) {
     EXPECT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OUT_OF_MEMORY);
     options.release = nullptr;
     EXPECT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_STREQ(pelagic_last_error(), "allocate or release is NULL, needs both or neither");
+    EXPECT_STREQ(pelagic_last_error(), "allocate or release is NULL, expected both or neither");
 }
 
 // ---- Errors -----------------------------------------------------------------------
@@ -141,8 +141,8 @@ TEST(CInterfaceErrors, TheCallbackIsCalledForEachFailure) {
         std::thread([&] { EXPECT_EQ(pelagic_ocean_complete(nullptr, nullptr), PELAGIC_INVALID_ARGUMENT); }).join();
         ASSERT_EQ(log.lines.size(), 2u) << "also of those on other threads";
         EXPECT_EQ(log.lines[0].first, PELAGIC_INVALID_ARGUMENT);
-        EXPECT_EQ(log.lines[0].second, "sea is NULL, needs a pointer");
-        EXPECT_EQ(log.lines[1].second, "ocean is NULL, needs a pointer");
+        EXPECT_EQ(log.lines[0].second, "sea is NULL, expected a pointer");
+        EXPECT_EQ(log.lines[1].second, "ocean is NULL, expected a pointer");
     }
     // Exceptions of the callback do not propagate.
     pelagic_set_error_callback([](void*, pelagic_status, const char*) { throw 1; }, nullptr);
@@ -160,7 +160,7 @@ TEST(CInterfaceErrors, MessagesAreOneShortLineWithoutControlCharacters) {
         EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
         return pelagic_last_error();
     };
-    constexpr const char* accepted = ", needs sse4.2, avx2, avx512 or neon";
+    constexpr const char* accepted = ", expected sse4.2, avx2, avx512 or neon";
     EXPECT_EQ(message_for("a\n\nb\r\x7f"), std::string("isa is a\\n\\nb\\x0d\\x7f") + accepted);
     EXPECT_EQ(message_for("caf\u00e9 \u6d77"), std::string("isa is caf\u00e9 \u6d77") + accepted);
     EXPECT_EQ(message_for("next\u0085line"), std::string("isa is next\\xc2\\x85line") + accepted)

@@ -92,12 +92,12 @@ TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
 
     targets[0].cascade_count = 2;
     expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
-                   "targets.cascade_count is 2, needs 3, with as many structs one after the other");
+                   "targets.cascade_count is 2, expected 3, with as many structs one after the other");
     targets[0].cascade_count = 3;
     targets[1].moments_rgba8[2] = nullptr;
     expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
-                   "targets: moments_rgba8 lacks level 2, needs 6 levels");
-    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, nullptr), "targets is NULL, needs a pointer");
+                   "targets: moments_rgba8 lacks level 2, expected 6 levels");
+    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, nullptr), "targets is NULL, expected a pointer");
 }
 
 bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
@@ -198,14 +198,14 @@ TEST_F(CInterfaceCascades, AnInvalidCascadeIndexIsNamed) {
     std::memset(&cascade, 0xAB, sizeof cascade);
     cascade.struct_size = sizeof cascade;
     std::memcpy(&untouched, &cascade, sizeof cascade);
-    expect_invalid(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, needs 0");
-    expect_invalid(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, needs 0 to 1");
-    expect_invalid(pelagic_ocean_cascade(two.get(), -1, &cascade), "index is -1, needs 0 to 1");
-    expect_invalid(pelagic_ocean_cascade(two.get(), INT32_MIN, &cascade), "index is -2147483648, needs 0 to 1");
+    expect_invalid(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, expected 0");
+    expect_invalid(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, expected 0 to 1");
+    expect_invalid(pelagic_ocean_cascade(two.get(), -1, &cascade), "index is -1, expected 0 to 1");
+    expect_invalid(pelagic_ocean_cascade(two.get(), INT32_MIN, &cascade), "index is -2147483648, expected 0 to 1");
     EXPECT_EQ(std::memcmp(&cascade, &untouched, sizeof cascade), 0);
     const pelagic_sea lone = small_sea(32), more = stack_sea(3);
-    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &lone), "cascades is 1, needs 2, as the ocean was built");
-    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, needs 2, as the ocean was built");
+    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &lone), "cascades is 1, expected 2, as the ocean was built");
+    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, expected 2, as the ocean was built");
 }
 
 TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
@@ -534,29 +534,29 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     };
     const std::string size = std::to_string(sizeof(pelagic_frame_buffers));
     const std::string odd = std::to_string(sizeof(pelagic_frame_buffers) - 1);
-    expect_line("buffers[1].struct_size is 0, needs " + size + ", as the first's",
+    expect_line("buffers[1].struct_size is 0, expected " + size + ", as the first's",
                 [](auto* buffers) { buffers[1].struct_size = 0; });
     // A struct of the first version, whose size is not checked unless a second struct follows it.
-    expect_line("buffers.struct_size is " + odd + ", needs " + size + ", the size of the struct",
+    expect_line("buffers.struct_size is " + odd + ", expected " + size + ", the size of the struct",
                 [](auto* buffers) { buffers[0].struct_size -= 1; });
-    expect_line("buffers[1].cascade_count is 2, needs 0", [](auto* buffers) { buffers[1].cascade_count = 2; });
+    expect_line("buffers[1].cascade_count is 2, expected 0", [](auto* buffers) { buffers[1].cascade_count = 2; });
     for (const std::uint32_t count : {0u, 1u, 3u}) {
         pelagic_frame_buffers alone = arrays[0].view();  // no struct follows it
         alone.cascade_count = count;
         expect_invalid(pelagic_ocean_copy(ocean.get(), &alone),
                        "buffers.cascade_count is " + std::to_string(count) +
-                           ", needs 2, with as many structs one after the other");
+                           ", expected 2, with as many structs one after the other");
     }
-    expect_line("height has 1023 elements, needs 1024",
+    expect_line("height has 1023 elements, expected 1024",
                 [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });
-    expect_line("slopes_rgba8 has 1 elements, needs 1365", [](auto* buffers) { buffers[1].slopes_count = 0; });
-    expect_line("moments_rgba8 has 1366 elements, needs 1365",
+    expect_line("slopes_rgba8 has 1 elements, expected 1365", [](auto* buffers) { buffers[1].slopes_count = 0; });
+    expect_line("moments_rgba8 has 1366 elements, expected 1365",
                 [](auto* buffers) { buffers[0].slopes_count = 1366, buffers[0].slopes_rgba8 = nullptr; });
     static float room[1024];
     static std::uint32_t chain[1365];
-    expect_line("velocity_z is wanted, needs an ocean with velocities",
+    expect_line("velocity_z is requested, but the ocean was created without velocities",
                 [](auto* buffers) { buffers[1].velocity_z = room; });
-    expect_line("gradient_rgba8 is wanted, needs an ocean with gradients",
+    expect_line("gradient_rgba8 is requested, but the ocean was created without gradients",
                 [](auto* buffers) { buffers[1].gradient_rgba8 = chain; });
     expect_line("", [](auto*) {});
 
@@ -564,7 +564,8 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     complete(one.get(), 0);
     auto buffers = sized<pelagic_frame_buffers>();
     buffers.slopes_rgba8 = chain, buffers.slopes_count = 1365;
-    expect_invalid(pelagic_ocean_copy(one.get(), &buffers), "slopes_rgba8 is wanted, needs an ocean with slopes");
+    expect_invalid(pelagic_ocean_copy(one.get(), &buffers),
+                   "slopes_rgba8 is requested, but the ocean was created without slopes");
 }
 
 }  // namespace

@@ -125,14 +125,14 @@ TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     const COcean ocean = with_dynamic_waves();
     rain.radius_m = 3;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
-                    "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
+                    "radius_m 3 is out of range [0.001, 2], to a 16th of side_m");
     rain.radius_m = 0.6, rain.height_m = 11;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
-                    "height_m is 11, needs [-10, 10]");
+                    "height_m 11 is out of range [-10, 10]");
     // drops ten texels wide, half a metre per texel
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
-                    "drops_per_m2_s is 100, needs [0, 38.4] for drops of this radius on this grid");
+                    "drops_per_m2_s 100 is out of range [0, 38.4] for drops of this radius on this grid");
     rain.drops_per_m2_s = 1;
     EXPECT_EQ(pelagic_dynamic_waves_set_rain(waves_of(with_dynamic_waves(false).get()), &rain),
               PELAGIC_INVALID_ARGUMENT);
@@ -152,7 +152,7 @@ TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
     std::vector<std::uint8_t> saved(count);
     expect_rejected(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), count - 1, &count),
                     PELAGIC_INVALID_ARGUMENT,
-                    "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
+                    "room is " + std::to_string(count - 1) + ", expected " + std::to_string(count) + " or more");
     ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), saved.size(), &count),
               PELAGIC_OK);
     const pelagic_disturbance stone = drop(3);
@@ -169,7 +169,7 @@ TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
               PELAGIC_INVALID_ARGUMENT);
     expect_rejected(
         pelagic_dynamic_waves_restore_state(waves_of(with_dynamic_waves(true, 48).get()), saved.data(), saved.size()),
-        PELAGIC_INVALID_ARGUMENT, "the saved state has other options, needs those of these dynamic waves");
+        PELAGIC_INVALID_ARGUMENT, "the saved state has other options, expected those of these dynamic waves");
     ASSERT_EQ(pelagic_ocean_schedule(rolled_back.get(), 2), PELAGIC_OK);
     EXPECT_EQ(pelagic_dynamic_waves_save_state(waves_of(rolled_back.get()), saved.data(), saved.size(), &count),
               PELAGIC_WRONG_ORDER);
@@ -192,7 +192,7 @@ TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
     resources.isa = "avx3";
     pelagic_dynamic_waves* alone = nullptr;
     expect_rejected(pelagic_dynamic_waves_create(&options, &resources, &alone), PELAGIC_INVALID_ARGUMENT,
-                    "isa is avx3, needs sse4.2, avx2, avx512 or neon");
+                    "isa is avx3, expected sse4.2, avx2, avx512 or neon");
     EXPECT_EQ(alone, nullptr);
     resources.isa = nullptr;
     ASSERT_EQ(pelagic_dynamic_waves_create(&options, &resources, &alone), PELAGIC_OK) << pelagic_last_error();
@@ -232,23 +232,23 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     complete(with, 0);
     pelagic_dynamic_waves* none = waves_of(with.get());
     expect_rejected(pelagic_ocean_dynamic_waves(without.get(), &none), PELAGIC_INVALID_ARGUMENT,
-                    "the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
+                    "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
     EXPECT_EQ(none, nullptr);
     std::uint64_t hash = 0;
     EXPECT_EQ(pelagic_dynamic_waves_hash(none, &hash), PELAGIC_INVALID_ARGUMENT);
     expect_rejected(pelagic_dynamic_waves_advance(waves_of(with.get()), 1), PELAGIC_WRONG_ORDER,
-                    "an ocean advances these waves, needs waves of pelagic_dynamic_waves_create");
+                    "an ocean advances these waves, expected waves of pelagic_dynamic_waves_create");
     EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(without.get()), &surface), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(without.get()), 0, 0), PELAGIC_INVALID_ARGUMENT);
     pelagic_disturbance wrong = drop();
     EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(without.get()), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;
     expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
-                    "radius_m is 0, needs [0.001, 1000]");
+                    "radius_m 0 is out of range [0.001, 1000]");
     wrong = drop();
     wrong.mode = 3;
     expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
-                    "mode is 3, needs one of PELAGIC_DISTURBANCE_...");
+                    "mode is 3, expected one of PELAGIC_DISTURBANCE_...");
     wrong = drop();
     wrong.shape = -1;
     EXPECT_EQ(pelagic_dynamic_waves_set_source(waves_of(with.get()), 1, &wrong), PELAGIC_INVALID_ARGUMENT);
@@ -265,7 +265,7 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     const pelagic_sea sea = small_sea();
     pelagic_ocean* ocean = nullptr;
     expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
-                    "dynamic_waves.border_m is 20, needs at most a quarter of side_m, 16");
+                    "dynamic_waves.border_m is 20, expected at most a quarter of side_m, 16");
     dynamic_waves.border_m = 0;
     dynamic_waves.step = 2;
     EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);

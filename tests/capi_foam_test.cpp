@@ -88,12 +88,12 @@ TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
     ASSERT_EQ(pelagic_ocean_cascade(without_foam.get(), 0, &cascade), PELAGIC_OK);
     EXPECT_EQ(cascade.foam_r8, nullptr);
     expect_rejected(pelagic_ocean_query(without_foam.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
-                    "the frame has no foam, needs an ocean with OceanOptions::foam");
+                    "the frame has no foam: the ocean was created without OceanOptions::foam");
     expect_rejected(pelagic_ocean_copy(without_foam.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,
-                    "foam_r8 is wanted, needs an ocean with foam");
+                    "foam_r8 is requested, but the ocean was created without foam");
     std::uint64_t hash = 7;
     expect_rejected(pelagic_ocean_foam_hash(without_foam.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                    "the ocean has no foam, needs pelagic_ocean_options.foam");
+                    "the ocean has no foam: it was created without pelagic_ocean_options.foam");
     EXPECT_EQ(hash, 7u);
     EXPECT_TRUE(saved(without_foam).empty());
 }
@@ -125,22 +125,22 @@ TEST_F(CInterfaceFoam, InvalidHistoryIsRejected) {
     EXPECT_EQ(history.size(), 2 * 32 * 32 + 8u);
     std::size_t count = 77;
     expect_rejected(pelagic_ocean_save_history(ocean.get(), history.data(), 100, &count), PELAGIC_INVALID_ARGUMENT,
-                    "room is 100, needs 2056 or more");
+                    "room is 100, expected 2056 or more");
     EXPECT_EQ(count, 77u);
     expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, nullptr), PELAGIC_INVALID_ARGUMENT,
-                    "count is NULL, needs a pointer");
+                    "count is NULL, expected a pointer");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 9), PELAGIC_INVALID_ARGUMENT,
-                    "bytes is NULL, needs a pointer");
+                    "bytes is NULL, expected a pointer");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), history.data(), 2055), PELAGIC_INVALID_ARGUMENT,
-                    "history is 2055 bytes, needs none or 2056");
+                    "history is 2055 bytes, expected none or 2056");
     std::fill_n(history.begin(), 8, std::uint8_t{0x7F});
     EXPECT_EQ(pelagic_ocean_restore_history(ocean.get(), history.data(), history.size()), PELAGIC_INVALID_ARGUMENT);
 
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_WRONG_ORDER,
-                    "a frame is in flight, needs pelagic_ocean_complete first");
+                    "a frame is in flight; call pelagic_ocean_complete first");
     expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 0), PELAGIC_WRONG_ORDER,
-                    "a frame is in flight, needs pelagic_ocean_complete first");
+                    "a frame is in flight; call pelagic_ocean_complete first");
 }
 
 }  // namespace

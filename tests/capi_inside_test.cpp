@@ -176,7 +176,7 @@ TEST(CInterfaceInside, AnOlderApplicationGetsOneCascadeOfAQuarterOfTheCoarsestSi
             EXPECT_EQ(pelagic_sea_preset(preset.name.data(), &older), PELAGIC_INVALID_ARGUMENT);
             EXPECT_EQ(std::string(pelagic_last_error()),
                       "preset is " + std::string(preset.name) +
-                          ", needs a struct pelagic_sea that has waves, as later versions do");
+                          ", expected a struct pelagic_sea that has waves, as later versions do");
             continue;
         }
         ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &older), PELAGIC_OK);
@@ -230,7 +230,7 @@ TEST(CInterfaceInside, QueriesUseTheGivenInterpolation) {
     auto samples = sized<pelagic_samples>();
     points.interpolation = 2;
     EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(pelagic_last_error()).find("points.interpolation is 2, needs"), std::string::npos);
+    EXPECT_NE(std::string(pelagic_last_error()).find("points.interpolation is 2, expected"), std::string::npos);
 }
 
 }  // namespace

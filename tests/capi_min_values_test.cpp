@@ -137,7 +137,7 @@ void expect_rejected(pelagic_status status, const std::string& what, const char*
     const std::string line = pelagic_last_error();
     EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT) << what << ": " << line;
     EXPECT_NE(line.find(name), std::string::npos) << what << ": " << line;
-    EXPECT_NE(line.find(", needs "), std::string::npos) << what << ": " << line;
+    EXPECT_NE(line.find(", expected "), std::string::npos) << what << ": " << line;
 }
 
 using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;

@@ -102,22 +102,23 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
 TEST_F(CInterfaceShore, InvalidOptionsAreNamed) {
     pelagic_shore_options wrong = shore();
     wrong.columns = 1;
-    EXPECT_EQ(refused(wrong), "shore.columns is 1, needs 2 to 4096");
+    EXPECT_EQ(refused(wrong), "shore.columns is 1, expected 2 to 4096");
     wrong = shore();
     wrong.heights_m = nullptr;
-    EXPECT_EQ(refused(wrong), "shore.heights_m is NULL, needs a pointer");
+    EXPECT_EQ(refused(wrong), "shore.heights_m is NULL, expected a pointer");
     wrong = shore();
     wrong.swash_m = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(refused(wrong), "shore.swash_m is nan, needs [0, 10]");
+    EXPECT_EQ(refused(wrong), "shore.swash_m nan is out of range [0, 10]");
     EXPECT_EQ(refused(shore(), small_sea()),
-              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
+              "cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
 
     const COcean open = ocean_of(stack_sea(2), with(nullptr));
     auto surface = sized<pelagic_shore_surface>();
     EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_WRONG_ORDER);
     complete(open, 0);
     EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(std::string(pelagic_last_error()), "the ocean has no shore, needs pelagic_ocean_options.shore");
+    EXPECT_EQ(std::string(pelagic_last_error()),
+              "the ocean has no shore: it was created without pelagic_ocean_options.shore");
 }
 
 }  // namespace

@@ -87,10 +87,10 @@ TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
     for (const double time_s : {5.0, 15.0, 24.0})
         EXPECT_EQ(hash_at(at_once.get(), time_s), hash_at(live.get(), time_s));
 
-    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "from_s of change 2 is 1, needs at least 30");
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "change 2: from_s is 1, expected at least 30");
     change.swell_from_m = 1;
     expect_invalid(pelagic_ocean_schedule_change(live.get(), &change),
-                   "swell_from_m of change 2 is 1, needs [1e3, 2e7]");
+                   "change 2: swell_from_m 1 is out of range [1e3, 2e7]");
     change.swell_from_m = 0;
     change.from_s = 40;
     change.sea = &other;
@@ -131,10 +131,10 @@ TEST(CInterface, PresetsAreValidSeas) {
         EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
     }
     auto sea = sized<pelagic_sea>();
-    expect_invalid(
-        pelagic_sea_preset("choppy", &sea),
-        "preset is choppy, needs one of pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
-        "analytic-intense, storm, beaufort-0 to beaufort-12");
+    expect_invalid(pelagic_sea_preset("choppy", &sea),
+                   "preset is choppy, expected one of pond, calm, lake, analytic-calm, analytic-moderate, swell, "
+                   "moderate, rough, "
+                   "analytic-intense, storm, beaufort-0 to beaufort-12");
     expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
 }
 
@@ -142,13 +142,13 @@ TEST(CInterface, PresetsAreValidSeas) {
 TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
     const std::map<std::string, std::function<void(pelagic_sea&)>> mistakes = {
         {"spectrum is no known model", [](pelagic_sea& sea) { sea.spectrum = -1; }},
-        {"resolution is 17, needs a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
+        {"resolution is 17, expected a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
         {"resolution is 1073741824", [](pelagic_sea& sea) { sea.resolution = 1 << 30; }},
         {"resolution is -2147483648", [](pelagic_sea& sea) { sea.resolution = INT32_MIN; }},
         {"patch_size_m is nan", [](pelagic_sea& sea) { sea.patch_size_m = nan; }},
-        {"wind_speed_mps is -3, needs (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
+        {"wind_speed_mps -3 is out of range (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
         {"wind_direction_rad is inf", [](pelagic_sea& sea) { sea.wind_direction_rad = infinity; }},
-        {"fetch_m is 0, needs (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
+        {"fetch_m 0 is out of range (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
         {"depth_m is -inf", [](pelagic_sea& sea) { sea.depth_m = -infinity; }},
         {"choppiness is 1.5", [](pelagic_sea& sea) { sea.choppiness = 1.5; }},
         {"roughness is", [](pelagic_sea& sea) { sea.roughness = nan; }},
@@ -156,23 +156,24 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
         {"wind_alignment is", [](pelagic_sea& sea) { sea.wind_alignment = nan; }},
         {"loop_period_s is", [](pelagic_sea& sea) { sea.loop_period_s = nan; }},
         {"spreading is no known model", [](pelagic_sea& sea) { sea.spreading = 4; }},
-        {"swell_height_m is 31, needs [0, 30]", [](pelagic_sea& sea) { sea.swell_height_m = 31; }},
-        {"swell_period_s is 0.5, needs [1, 40]", [](pelagic_sea& sea) { sea.swell_period_s = 0.5; }},
+        {"swell_height_m 31 is out of range [0, 30]", [](pelagic_sea& sea) { sea.swell_height_m = 31; }},
+        {"swell_period_s 0.5 is out of range [1, 40]", [](pelagic_sea& sea) { sea.swell_period_s = 0.5; }},
         {"swell_direction_rad is", [](pelagic_sea& sea) { sea.swell_direction_rad = nan; }},
-        {"swell_spread_rad is 2, needs [pi/180, 4 pi/9]", [](pelagic_sea& sea) { sea.swell_spread_rad = 2; }},
+        {"swell_spread_rad 2 is out of range [pi/180, 4 pi/9]", [](pelagic_sea& sea) { sea.swell_spread_rad = 2; }},
         {"sea.reserved is set", [](pelagic_sea& sea) { sea.reserved = 1; }},
         {"sea.reserved_1 is set", [](pelagic_sea& sea) { sea.reserved_1 = 1; }},
-        {"cascades is 5, needs 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = 5; }},
-        {"cascades is -1, needs 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = -1; }},
-        {"cascades is 2, needs 1 where the side of the cascade is given", [](pelagic_sea& sea) { sea.cascades = 2; }},
-        {"cascades is 3, needs 1 where the resolution is 16",
+        {"cascades is 5, expected 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = 5; }},
+        {"cascades is -1, expected 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = -1; }},
+        {"cascades is 2, expected 1 where the side of the cascade is given",
+         [](pelagic_sea& sea) { sea.cascades = 2; }},
+        {"cascades is 3, expected 1 where the resolution is 16",
          [](pelagic_sea& sea) { sea.cascades = 3, sea.patch_size_m = 0; }},
-        {"spreading is hasselmann, needs paper where the spectrum is phillips-paper",
+        {"spreading is hasselmann, expected paper where the spectrum is phillips-paper",
          [](pelagic_sea& sea) {
              sea.spectrum = PELAGIC_SPECTRUM_PHILLIPS_PAPER;
              sea.spreading = PELAGIC_SPREADING_HASSELMANN;
          }},
-        {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper",
+        {"swell_height_m is 2, expected 0 where the spectrum is phillips-paper",
          [](pelagic_sea& sea) {
              sea.spectrum = PELAGIC_SPECTRUM_PHILLIPS_PAPER;
              sea.swell_height_m = 2;
@@ -280,7 +281,7 @@ TEST(CInterface, WrongStructSizesAreNamed) {
         pelagic_executor* executor = nullptr;
         pelagic_ocean* made = nullptr;
 
-        expect_invalid(pelagic_sea_defaults(&sea), "sea.struct_size is " + std::to_string(size) + ", needs ");
+        expect_invalid(pelagic_sea_defaults(&sea), "sea.struct_size is " + std::to_string(size) + ", expected ");
         expect_invalid(pelagic_sea_preset("calm", &sea), "sea.struct_size");
         expect_invalid(pelagic_sea_check(&sea), "sea.struct_size");
         expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.struct_size");
@@ -318,9 +319,10 @@ TEST(CInterface, ReservedFieldsMustBeZero) {
     const pelagic_sea sea = small_sea();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
-    expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, needs 0");
+    expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, expected 0");
     expect_invalid(pelagic_ocean_create(&sea, &ocean_options, &made), "options.reserved");
-    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.cascade_count is 2, needs 1");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr),
+                   "buffers.cascade_count is 2, expected 1");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.reserved");
     expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.reserved");
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reserved");
@@ -335,13 +337,14 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
         EXPECT_EQ(executor, nullptr);
         return status;
     };
-    expect_invalid(create_with([](auto& o) { o.kind = 5; }), "kind is 5, needs 0 to 4");
+    expect_invalid(create_with([](auto& o) { o.kind = 5; }), "kind is 5, expected 0 to 4");
     expect_invalid(create_with([](auto& o) { o.kind = -1; }), "kind is -1");
-    expect_invalid(create_with([](auto& o) { o.threads = -1; }), "threads is -1, needs 0 to 1024");
+    expect_invalid(create_with([](auto& o) { o.threads = -1; }), "threads is -1, expected 0 to 1024");
     expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_THREADS, o.threads = 1025; }),
-                   "threads is 1025, needs 0 to 1024");
+                   "threads is 1025, expected 0 to 1024");
     expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_APPLICATION; }), "parallel_for is null");
-    expect_invalid(create_with([](auto& o) { o.cpu_mask = 1; }), "cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
+    expect_invalid(create_with([](auto& o) { o.cpu_mask = 1; }),
+                   "cpu_mask is set, expected PELAGIC_EXECUTOR_THREADS");
 
     const pelagic_sea sea = small_sea();
     const auto ocean_with = [&](const std::function<void(pelagic_ocean_options&)>& change) {
@@ -385,13 +388,13 @@ TEST(CInterface, CallsInTheWrongOrderFailAndChangeNothing) {
     EXPECT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
 
     pelagic_sea other = small_sea(32);
-    expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &other), "resolution is 32, needs 16");
+    expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &other), "resolution is 32, expected 16");
 }
 
 TEST(CInterface, InvalidTimesAreNamed) {
     const COcean ocean = make_ocean();
     auto buffers = sized<pelagic_frame_buffers>();
-    expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, needs a finite number");
+    expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, expected a finite number");
     expect_invalid(pelagic_ocean_schedule(ocean.get(), -infinity), "time_s is -inf");
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), infinity, &buffers, nullptr), "time_s is inf");
     for (const double time_s : {1e300, -1e300, -0.0, 5e-324}) frame_at(ocean.get(), time_s);
@@ -449,7 +452,8 @@ TEST(CInterface, MissingOceanOptionsAreNamed) {
     EXPECT_EQ(frame_at(plain, 0).velocity_x.data, nullptr);
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
-    expect_invalid(pelagic_ocean_query(plain, &points, &samples), "needs pelagic_ocean_options.queries");
+    expect_invalid(pelagic_ocean_query(plain, &points, &samples),
+                   "it was created without pelagic_ocean_options.queries");
     FrameArrays arrays(16);
     const pelagic_frame_buffers buffers = arrays.view();
     expect_invalid(pelagic_ocean_frame_at(plain, 0, &buffers, nullptr), "velocity_x is wanted");
@@ -479,7 +483,7 @@ TEST(CInterface, MessagesAreOneShortLineWithTheGivenValue) {
         auto options = sized<pelagic_ocean_options>();
         options.query_tolerance_m = wanted;
         pelagic_ocean* ocean = nullptr;
-        expect_invalid(pelagic_ocean_create(&sea, &options, &ocean), ", needs 0 or [1e-6, 1000]");
+        expect_invalid(pelagic_ocean_create(&sea, &options, &ocean), ", expected 0 or [1e-6, 1000]");
         const std::string message = pelagic_last_error();
         EXPECT_EQ(std::strtod(message.c_str() + message.find(" is ") + 4, nullptr), wanted) << message;
     }
@@ -586,7 +590,7 @@ TEST(CInterface, ACopyHasTightRows) {
     EXPECT_EQ(pelagic_ocean_copy(ocean.get(), &height_alone), PELAGIC_OK);
     EXPECT_EQ(one.planes[1], arrays.planes[1]);
     height_alone.plane_count = 5;
-    expect_invalid(pelagic_ocean_copy(ocean.get(), &height_alone), "height has 5 elements, needs 4096");
+    expect_invalid(pelagic_ocean_copy(ocean.get(), &height_alone), "height has 5 elements, expected 4096");
 }
 
 // Equal to a C++ application that queries the frame of frame_at().

@@ -158,13 +158,13 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(hash_of(ocean, 3), hash_of(pure, 3));
     expect_rejected(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
-                    "input is not a ripple, needs one of pelagic_input_create_ripple");
+                    "input is not a ripple; expected one of pelagic_input_create_ripple");
     expect_rejected(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
-                    "input is not a batch of waves, needs one of pelagic_input_create_waves");
+                    "input is not a batch of waves; expected one of pelagic_input_create_waves");
     pelagic_ocean* second = nullptr;
     const pelagic_sea sea = flat_sea();
     expect_rejected(pelagic_ocean_create(&sea, &options, &second), PELAGIC_INVALID_ARGUMENT,
-                    "inputs[0] belongs to another ocean, needs one that is new");
+                    "inputs[0] belongs to another ocean, expected one that is new");
 }
 
 TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
@@ -173,33 +173,33 @@ TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
     wave.wavelength = std::numeric_limits<double>::quiet_NaN();
     pelagic_waves waves = wave.as_waves();
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
-                    "waves[0].wavelength_m is nan, needs [0.01, 1000]");
+                    "waves[0].wavelength_m nan is out of range [0.01, 1000]");
     waves.count = 65;
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
-                    "waves.count is 65, needs at most 64");
+                    "waves.count is 65, expected at most 64");
     waves.count = 1, waves.amplitude_m = nullptr;
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
-                    "waves.amplitude_m is NULL, needs a pointer");
+                    "waves.amplitude_m is NULL, expected a pointer");
     const auto ripple = sized<pelagic_ripple>();
     expect_rejected(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
-                    "wavelength_m is 0, needs [0.01, 1000]");
+                    "wavelength_m 0 is out of range [0.01, 1000]");
     auto callback = sized<pelagic_input_callback>();
     expect_rejected(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
-                    "callback.add is NULL, needs a pointer");
+                    "callback.add is NULL, expected a pointer");
     callback.add = [](void*, const pelagic_input_rows*) {};
     callback.largest_slope = -1;
     expect_rejected(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
-                    "callback.largest_slope is -1, needs [0, 100]");
+                    "callback.largest_slope -1 is out of range [0, 100]");
     EXPECT_EQ(made, nullptr);
     const pelagic_sea sea = flat_sea(16);
     auto options = sized<pelagic_ocean_options>();
     options.input_count = 1;
     pelagic_ocean* ocean = nullptr;
     expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
-                    "inputs is NULL, needs a pointer");
+                    "inputs is NULL, expected a pointer");
     options.inputs = &made;
     expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
-                    "inputs[0] is NULL, needs a pointer");
+                    "inputs[0] is NULL, expected a pointer");
 }
 
 TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
@@ -222,7 +222,7 @@ TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
     fails = 2;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,
-                    "inputs[0]'s height is inf, needs [-1000, 1000], metres or metres a second");
+                    "inputs[0]'s height inf is out of range [-1000, 1000], metres or metres a second");
     fails = 0;
     EXPECT_EQ(hash_of(ocean, 1), before);
 }

@@ -145,17 +145,17 @@ TEST(Caustics, TheCascadeIsSelectedByFocalDepth) {
     }
     EXPECT_GT(side_before_m, frame.cascades.back().grid.side_m);
     EXPECT_THROW(baker.schedule(frame, {.depth_m = 0}), std::invalid_argument);
-    EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs [0.001, 1000]");
+    EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m -1 is out of range [0.001, 1000]");
 }
 
 TEST(SeaFloor, InvalidValuesAreNamed) {
     EXPECT_EQ(gl::check(gl::SeaFloor{}), "");
     EXPECT_EQ(gl::check(gl::SeaFloor{.columns = 1, .rows = 2}),
-              "columns is 1, needs 2 to 4096, or 0 for an even floor");
+              "columns is 1, expected 2 to 4096, or 0 for an even floor");
     EXPECT_EQ(gl::check(gl::SeaFloor{.columns = 2, .rows = 2, .heights_m = {1, 2, 3}}),
-              "heights_m.size() is 3, needs columns * rows");
+              "heights_m.size() is 3, expected columns * rows");
     EXPECT_EQ(gl::check(gl::SeaFloor{.columns = 2, .rows = 2, .heights_m = {1, 2, 3, 1e5f}}),
-              "heights_m is 100000, needs [-11000, 9000]");
+              "heights_m 100000 is out of range [-11000, 9000]");
 }
 
 TEST(SeaFloor, MipsAverageToTheMeanAndHeightsAreInterpolated) {

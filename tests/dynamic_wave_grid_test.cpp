@@ -208,7 +208,7 @@ TEST(DynamicWaveState, InvalidStateIsRejectedWithoutAChange) {
     refuses(with(0, std::numeric_limits<std::int64_t>::max()), "first texel");
     refuses(with(16, std::int64_t{-1}), "ticks");
     refuses(with(24, std::numeric_limits<float>::quiet_NaN()), "texel of the water is nan");
-    refuses(with(saved.size() / 2, 1e30f), "texel of the water is 1e+30, needs [-1e6, 1e6]");
+    refuses(with(saved.size() / 2, 1e30f), "texel of the water 1e+30 is out of range [-1e6, 1e6]");
 }
 
 TEST(DynamicWavesGridRefuses, InvalidOptions) {
@@ -218,14 +218,15 @@ TEST(DynamicWavesGridRefuses, InvalidOptions) {
         return check(options);
     };
     EXPECT_EQ(check(DynamicWavesOptions{}), "");
-    EXPECT_EQ(reason([](auto& o) { o.resolution = 100; }), "resolution is 100, needs 64, 128, 256, 512 or 1024");
-    EXPECT_EQ(reason([](auto& o) { o.border_m = 17; }), "border_m is 17, needs at most a quarter of side_m, 16");
+    EXPECT_EQ(reason([](auto& o) { o.resolution = 100; }), "resolution is 100, expected 64, 128, 256, 512 or 1024");
+    EXPECT_EQ(reason([](auto& o) { o.border_m = 17; }), "border_m is 17, expected at most a quarter of side_m, 16");
     EXPECT_EQ(reason([](auto& o) { o.side_m = std::numeric_limits<double>::quiet_NaN(); }),
-              "side_m is nan, needs [1, 10000]");
+              "side_m nan is out of range [1, 10000]");
     // c = (9.5 / (60 x 0.25))^2 = 0.401
-    EXPECT_EQ(reason([](auto& o) { o.step = DynamicWavesStep::verlet, o.wave_speed_mps = 9.5; }),
-              "wave_speed_mps is 9.5, needs c = (wave_speed_mps / (ticks_per_s texel))^2 to be 0.4 at most, which is "
-              "0.401");
+    EXPECT_EQ(
+        reason([](auto& o) { o.step = DynamicWavesStep::verlet, o.wave_speed_mps = 9.5; }),
+        "wave_speed_mps is 9.5, expected c = (wave_speed_mps / (ticks_per_s texel))^2 to be 0.4 at most, which is "
+        "0.401");
     EXPECT_EQ(reason([](auto& o) { o.step = DynamicWavesStep::verlet, o.wave_speed_mps = 9.48; }), "");
     EXPECT_EQ(reason([](auto& o) { o.wave_speed_mps = 9.5; }), "") << "only Verlet's waves have that speed";
     DynamicWavesOptions wrong;

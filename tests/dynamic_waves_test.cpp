@@ -276,7 +276,7 @@ TEST(DynamicWaves, ATickTakesAtMost4096Impulses) {
             ocean.dynamic_waves().add_impulse(drop(1e-4));
             ADD_FAILURE();
         } catch (const std::invalid_argument& error) {
-            EXPECT_STREQ(error.what(), "the number of impulses of a tick is 4097, needs at most 4096");
+            EXPECT_STREQ(error.what(), "the number of impulses of a tick is 4097, expected at most 4096");
         }
     };
     ocean.frame_at(0.5);
@@ -351,7 +351,7 @@ TEST(DynamicWaves, StateOfOtherOptionsIsRejected) {
             ocean.dynamic_waves().restore_state(saved_with(change));
             ADD_FAILURE() << "accepted a state with another " << what;
         } catch (const std::invalid_argument& error) {
-            EXPECT_STREQ(error.what(), "the saved state has other options, needs those of these dynamic waves");
+            EXPECT_STREQ(error.what(), "the saved state has other options, expected those of these dynamic waves");
         }
         EXPECT_EQ(ocean.dynamic_waves().save_state(), before) << what;
     };
@@ -444,7 +444,7 @@ TEST(DynamicWaves, InvalidArgumentsAreRejected) {
         const Ocean ocean(breeze, wrong);
         ADD_FAILURE();
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "resolution is 65, needs 64, 128, 256, 512 or 1024");
+        EXPECT_STREQ(error.what(), "resolution is 65, expected 64, 128, 256, 512 or 1024");
     }
     Ocean ocean(breeze, with_dynamic_waves());
     run_frames(ocean, 0, 20);

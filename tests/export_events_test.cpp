@@ -427,23 +427,23 @@ TEST_F(ExportEvents, ExportsWithAnotherFileAreNotResumedOrMerged) {
 TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
     const std::string start = "time,x,z,radius,height";
     const std::vector<std::pair<std::string, std::string>> bad = {
-        {"", " is empty, needs a CSV file whose first line names"},
-        {start + "\n", "holds no events, needs rows"},
-        {"0,0,0,1,1\n", ":1: a column's name is 0, needs time, x, z"},
+        {"", " is empty, expected a CSV file whose first line names"},
+        {start + "\n", "holds no events, expected rows"},
+        {"0,0,0,1,1\n", ":1: a column's name is 0, expected time, x, z"},
         {"time,x,z,radius\n", "a column height"},
-        {"time,x,z,x,radius,height\n", ":1: a column's name is x, needs each column once"},
-        {start + ",speed\n", ":1: a column's name is speed, needs time"},
-        {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, needs 5"},
-        {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in [0.001, 1000]"},
-        {start + "\n0,nan,0,1,1\n", ":2: x is nan, needs metres in"},
-        {start + "\n0,+-1,0,1,1\n", ":2: x is +-1, needs metres in"},
-        {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
-        {start + "\n0,0,0,1,1e3\n", ":2: height is 1e3, needs metres in [-100, 100]"},
-        {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},
-        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs impulse, pressure or relaxation"},
+        {"time,x,z,x,radius,height\n", ":1: a column's name is x, expected each column once"},
+        {start + ",speed\n", ":1: a column's name is speed, expected time"},
+        {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, expected 5"},
+        {start + "\n0,0,0,0,1\n", ":2: radius is 0, expected metres in [0.001, 1000]"},
+        {start + "\n0,nan,0,1,1\n", ":2: x is nan, expected metres in"},
+        {start + "\n0,+-1,0,1,1\n", ":2: x is +-1, expected metres in"},
+        {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, expected seconds in"},
+        {start + "\n0,0,0,1,1e3\n", ":2: height is 1e3, expected metres in [-100, 100]"},
+        {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, expected 0, or a duration"},
+        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, expected impulse, pressure or relaxation"},
         {start + ",mode,duration\n0,0,0,1,1,impulse,1\n",
-         ":2: mode is impulse, needs pressure or relaxation with a duration"},
-        {start + "\n-90000,0,0,1,1\n", "needs 86400 s between them at most"}};
+         ":2: mode is impulse, expected pressure or relaxation with a duration"},
+        {start + "\n-90000,0,0,1,1\n", "expected 86400 s between them at most"}};
     for (const auto& [text, expected] : bad) {
         write_file(events(), text);
         const Outcome outcome = run_pelagic(to("bad"));
@@ -451,9 +451,10 @@ TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
         EXPECT_FALSE(std::filesystem::exists(place("bad"))) << text;
     }
     write_file(events(), several);
-    expect_rejected(run_pelagic(to("bad", {"--events-side", "0"})), "--events-side is 0, needs metres in [1, 10000]");
-    expect_rejected(run_pelagic(to("bad", {"--events-at", "3"})), "--events-at is 3, needs X,Z");
-    expect_rejected(run_pelagic({"query", "--points", "-", "--events-at", "3,4"}), "needs --events with it");
+    expect_rejected(run_pelagic(to("bad", {"--events-side", "0"})),
+                    "--events-side is 0, expected metres in [1, 10000]");
+    expect_rejected(run_pelagic(to("bad", {"--events-at", "3"})), "--events-at is 3, expected X,Z");
+    expect_rejected(run_pelagic({"query", "--points", "-", "--events-at", "3,4"}), "it requires --events");
     std::string many = start + "\n";
     for (int i = 0; i < 4097; ++i) many += "1,0,0,1,0.1\n";
     write_file(events(), many);

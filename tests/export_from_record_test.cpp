@@ -188,7 +188,7 @@ TEST(ExportFromRecord, RejectsRecordsThatNoExportWrites) {
     const auto expect_message = [&](const std::string& line, const std::string& message) {
         EXPECT_NE(line.find(message), std::string::npos) << line;
     };
-    expect_message(message_of("/version", "99.0"), "was written by pelagic 99.0, needs");
+    expect_message(message_of("/version", "99.0"), "was written by pelagic 99.0, expected");
     expect_message(message_of("/export/maps", "whales"), "--maps is whales");
     expect_message(message_of("/export/frames", -1), "--frames is -1");
     expect_message(message_of("/export/help", true), "sea.json: ");

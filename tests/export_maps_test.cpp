@@ -394,15 +394,15 @@ TEST(ExportedMapsRefused, EachWithOneLineThatNamesTheAcceptedValues) {
     const TemporaryFolder folder;
     const std::vector<std::pair<Arguments, std::string>> asked = {
         {{"--maps", "normal,speed"},
-         "needs displacement, gradient, normal, foam, velocity, jacobian, slope or some of them"},
-        {{"--bit-depth", "12"}, "--bit-depth is 12, needs 8, 16 or float"},
-        {{"--bit-depth", "16"}, "--bit-depth is 16, needs normal or foam among --maps"},
-        {{"--normal-y", "left", "--maps", "normal"}, "--normal-y is left, needs up or down"},
-        {{"--normal-y", "down"}, "--normal-y is down, needs normal among --maps"},
-        {{"--axes", "x-up"}, "--axes is x-up, needs y-up or z-up"},
-        {{"--unit", "ft"}, "--unit is ft, needs m or cm"},
-        {{"--rows", "left"}, "--rows is left, needs top or bottom"},
-        {{"--maps", "slope", "--format", "png"}, "--format is png, needs exr, tif, ktx2 or dds"}};
+         "expected displacement, gradient, normal, foam, velocity, jacobian, slope or some of them"},
+        {{"--bit-depth", "12"}, "--bit-depth is 12, expected 8, 16 or float"},
+        {{"--bit-depth", "16"}, "--bit-depth is 16, expected normal or foam among --maps"},
+        {{"--normal-y", "left", "--maps", "normal"}, "--normal-y is left, expected up or down"},
+        {{"--normal-y", "down"}, "--normal-y is down, expected normal among --maps"},
+        {{"--axes", "x-up"}, "--axes is x-up, expected y-up or z-up"},
+        {{"--unit", "ft"}, "--unit is ft, expected m or cm"},
+        {{"--rows", "left"}, "--rows is left, expected top or bottom"},
+        {{"--maps", "slope", "--format", "png"}, "--format is png, expected exr, tif, ktx2 or dds"}};
     for (const auto& [flags, words] : asked) {
         const Outcome outcome = run({"export", "--out", (folder / "out").string()}, flags);
         EXPECT_EQ(outcome.exit_code, 2);

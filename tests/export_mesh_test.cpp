@@ -136,20 +136,21 @@ TEST(ExportMesh, ANotePrintsTheCascadesThatTheStepsResolve) {
 TEST(ExportMesh, InvalidOptionsGiveOneLineAndNoFile) {
     const TemporaryFolder folder;
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"--mesh", "fbx"}, "--mesh is fbx, needs obj, ply, gltf, gltf-animation, mdd or some of them with commas"},
-        {{"--mesh", "obj,obj"}, "--mesh is obj,obj, needs"},
-        {{"--mesh", ""}, "--mesh is , needs obj"},
-        {{"--mesh-size", "5"}, "--mesh-size is 5, needs --mesh with it"},
-        {{"--mesh-steps", "5"}, "--mesh-steps is 5, needs --mesh with it"},
-        {{"--mesh", "obj", "--mesh-size", "0"}, "--mesh-size is 0, needs metres in [0.001, 1e6]"},
-        {{"--mesh", "obj", "--mesh-steps", "2049"}, "--mesh-steps is 2049, needs a whole number from 1 to 2048"},
-        {{"--mesh", "gltf", "--axes", "z-up"}, "--axes is z-up, needs y-up with --mesh gltf"},
-        {{"--mesh", "gltf-animation", "--unit", "cm"}, "--unit is cm, needs m with --mesh gltf"},
-        {{"--maps", "none"}, "--maps is none, needs --mesh or --events with it, or some maps"},
+        {{"--mesh", "fbx"},
+         "--mesh is fbx, expected obj, ply, gltf, gltf-animation, mdd or some of them with commas"},
+        {{"--mesh", "obj,obj"}, "--mesh is obj,obj, expected"},
+        {{"--mesh", ""}, "--mesh is , expected obj"},
+        {{"--mesh-size", "5"}, "--mesh-size is 5; it requires --mesh"},
+        {{"--mesh-steps", "5"}, "--mesh-steps is 5; it requires --mesh"},
+        {{"--mesh", "obj", "--mesh-size", "0"}, "--mesh-size is 0, expected metres in [0.001, 1e6]"},
+        {{"--mesh", "obj", "--mesh-steps", "2049"}, "--mesh-steps is 2049, expected a whole number from 1 to 2048"},
+        {{"--mesh", "gltf", "--axes", "z-up"}, "--axes is z-up, expected y-up with --mesh gltf"},
+        {{"--mesh", "gltf-animation", "--unit", "cm"}, "--unit is cm, expected m with --mesh gltf"},
+        {{"--maps", "none"}, "--maps is none, expected --mesh or --events with it, or some maps"},
         {{"--mesh", "gltf-animation", "--frames", "257"}, "of 257 frames needs at most 256"},
         {{"--mesh", "gltf-animation", "--frames", "1-3,5"}, "of frames 1-3,5 needs frames without a gap"},
-        {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 512 MiB"},
-        {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "needs at most 1024 MiB"},
+        {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "expected at most 512 MiB"},
+        {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "expected at most 1024 MiB"},
     };
     for (const auto& [options, message] : cases) {
         const Outcome outcome = export_to(folder, options);

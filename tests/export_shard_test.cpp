@@ -151,7 +151,7 @@ TEST(ShardedExport, RejectsInvalidShards) {
 TEST(ShardedExport, RejectsFilesThatHoldAllFrames) {
     const TemporaryFolder folder;
     expect_message(run_pelagic(shard_to(folder.path(), 1, 2, {"--mesh", "mdd"})), 2,
-                   "--shard is 1/2, needs files of single frames only");
+                   "--shard is 1/2, expected files of single frames only");
 }
 
 TEST(ShardedExport, JoinsAFinishedExportOnlyWithEqualOptions) {
@@ -429,7 +429,7 @@ TEST(VerifiedExport, IsCompleteOrTheErrorIsNamed) {
 TEST(VerifiedExport, NeedsAFinishedExport) {
     const TemporaryFolder folder;
     expect_message(run_pelagic({"verify", folder.path().string()}), 2,
-                   "sea_files.json is missing, needs a finished export");
+                   "sea_files.json is missing: expected a finished export");
     expect_done(run_pelagic(shard_to(folder.path(), 1, 2)));
     expect_message(run_pelagic({"verify", folder.path().string()}), 2, "pelagic merge makes one of the shards");
     expect_message(run_pelagic({"verify", folder.path().string(), "--sample", "some"}), 2, "--sample is some");

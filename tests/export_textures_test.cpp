@@ -170,14 +170,14 @@ TEST_F(ExportedTextures, ResumeToIdenticalFiles) {
 
 TEST_F(ExportedTextures, InvalidOptionsAreRejectedInOneLine) {
     const std::vector<std::pair<Arguments, std::string>> wrong = {
-        {{"--format", "ktx"}, "--format is ktx, needs exr, tif, ktx2 or dds"},
-        {{"--compression", "zstd"}, "--compression is zstd, needs zip, zips, piz, dwaa or none"},
-        {{"--format", "ktx2", "--compression", "gzip"}, "--compression is gzip, needs zstd or none"},
-        {{"--flipbook", "8"}, "--flipbook is 8, needs columns and rows from 1 to 16384, as 8x4"},
-        {{"--flipbook", "0x4"}, "--flipbook is 0x4, needs columns and rows"},
-        {{"--flipbook", "2x2", "--frames", "5"}, "--flipbook is 2x2, needs room for 5 frames"},
-        {{"--flipbook", "513x1"}, "--flipbook is 513x1, needs at most 512 frames of 32 texels along a side"},
-        {{"--preview", "--resume"}, "--preview is given with --resume, needs an export without"},
+        {{"--format", "ktx"}, "--format is ktx, expected exr, tif, ktx2 or dds"},
+        {{"--compression", "zstd"}, "--compression is zstd, expected zip, zips, piz, dwaa or none"},
+        {{"--format", "ktx2", "--compression", "gzip"}, "--compression is gzip, expected zstd or none"},
+        {{"--flipbook", "8"}, "--flipbook is 8, expected columns and rows from 1 to 16384, as 8x4"},
+        {{"--flipbook", "0x4"}, "--flipbook is 0x4, expected columns and rows"},
+        {{"--flipbook", "2x2", "--frames", "5"}, "--flipbook is 2x2, expected room for 5 frames"},
+        {{"--flipbook", "513x1"}, "--flipbook is 513x1, expected at most 512 frames of 32 texels along a side"},
+        {{"--preview", "--resume"}, "--preview cannot be combined with --resume"},
     };
     for (const auto& [arguments, line] : wrong) {
         const Outcome outcome = export_to(folder_ / "none", arguments);
@@ -188,14 +188,14 @@ TEST_F(ExportedTextures, InvalidOptionsAreRejectedInOneLine) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
     if (tools::has_zstd()) return;
     const Outcome outcome = export_to(folder_ / "none", {"--format", "ktx2", "--compression", "zstd"});
-    EXPECT_EQ(outcome.err, "pelagic: --compression is zstd, needs a pelagic that was built with libzstd\n");
+    EXPECT_EQ(outcome.err, "pelagic: --compression is zstd, expected a pelagic that was built with libzstd\n");
 }
 
 TEST_F(ExportedTextures, MeasureRejectsDds) {
     expect_export(folder_.path(), {"--format", "dds", "--frames", "2"});
     const Outcome outcome = run_pelagic({"info", "--measure", folder_.path().string()});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find(": the maps are dds textures, needs an export with --format exr, tif or ktx2"),
+    EXPECT_NE(outcome.err.find(": the maps are dds textures, expected an export with --format exr, tif or ktx2"),
               std::string::npos)
         << outcome.err;
 }

@@ -136,9 +136,9 @@ TEST(FoamInBuffers, IsTheMipChainOfEachCascade) {
         EXPECT_TRUE(std::equal(bytes[i].begin(), bytes[i].end(), frame.cascades[i].foam_r8.begin(),
                                frame.cascades[i].foam_r8.end()));
 
-    EXPECT_EQ(check(buffers, 4, 32, {}), "foam_r8 is wanted, needs an ocean with foam");
+    EXPECT_EQ(check(buffers, 4, 32, {}), "foam_r8 is requested, but the ocean was created without foam");
     buffers[2].foam_r8 = buffers[2].foam_r8.first(1024);
-    EXPECT_EQ(check(buffers, 4, 32, {.foam = true}), "foam_r8 has 1024 elements, needs 1365");
+    EXPECT_EQ(check(buffers, 4, 32, {.foam = true}), "foam_r8 has 1024 elements, expected 1365");
 }
 
 }  // namespace

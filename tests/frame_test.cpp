@@ -221,7 +221,7 @@ TEST(Ocean, InvalidOptionsThrowTheMessageOfCheck) {
         Ocean ocean(bad);
         FAIL() << "no exception";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "wind_speed_mps is -3, needs (0, 60]");
+        EXPECT_STREQ(error.what(), "wind_speed_mps -3 is out of range (0, 60]");
     }
     Ocean ocean(SeaState{.resolution = 16, .patch_size_m = 250});
     EXPECT_THROW(ocean.schedule_sea(SeaState{.resolution = 32, .patch_size_m = 250}), std::invalid_argument);

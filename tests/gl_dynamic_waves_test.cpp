@@ -204,20 +204,20 @@ TEST(GlDynamicWaves, IsRejectedIfNoTextureCanHoldIt) {
     EXPECT_EQ(gl::check(grid.surface(), 2048), "");
     EXPECT_EQ(gl::check({}, 2048), "");
     EXPECT_EQ(gl::check(grid.surface(), 32),
-              "Frame::dynamic_waves.resolution is 64, needs a power of two up to the driver's 32");
+              "Frame::dynamic_waves.resolution is 64, expected a power of two up to the driver's 32");
     DynamicWavesView wrong = grid.surface();
     wrong.resolution = 48;
     EXPECT_EQ(gl::check(wrong, 2048),
-              "Frame::dynamic_waves.resolution is 48, needs a power of two up to the driver's 2048");
+              "Frame::dynamic_waves.resolution is 48, expected a power of two up to the driver's 2048");
     wrong = grid.surface();
     wrong.foam = wrong.foam.first(9);
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.foam.size() is 9, needs resolution^2, 4096");
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.foam.size() is 9, expected resolution^2, 4096");
     wrong = grid.surface();
     wrong.height_m = {};
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.height_m.size() is 0, needs resolution^2, 4096");
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.height_m.size() is 0, expected resolution^2, 4096");
     wrong = grid.surface();
     wrong.texel_m = 0;
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.texel_m is 0, needs (0, inf)");
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.texel_m 0 is out of range (0, inf)");
 }
 
 // Wind waves that carry dynamic waves along, a million metres from the origin.

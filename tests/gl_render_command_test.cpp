@@ -135,11 +135,11 @@ TEST(RenderCommand, ReadsTheSeaFloorFromAnImage) {
     const Outcome lake = run_pelagic({"render", "--floor", (folder / "floor.png").string(), "--shore", "--surface",
                                       "lake", "--out", file.string()});
     EXPECT_EQ(lake.exit_code, 2);
-    EXPECT_EQ(lake.err, "pelagic: --shore is given, needs --surface open: small water feels no floor\n");
+    EXPECT_EQ(lake.err, "pelagic: --shore requires --surface open\n");
     const Outcome wrong = run_pelagic({"render", "--floor", (folder / "sea.png").string(), "--out", "a.png"},
                                       [&] { write_file(folder / "sea.png", "no image"); });
     EXPECT_EQ(wrong.exit_code, 2);
-    EXPECT_NE(wrong.err.find("needs a PNG or EXR image"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("expected a PNG or EXR image"), std::string::npos) << wrong.err;
     EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
 }
 
@@ -246,52 +246,52 @@ TEST(RenderCommand, WritesLinearLightAndTheSkyMap) {
 
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},
+        {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, expected a file named *.png\n"},
         {{"--out", "a.png", "--size", "12x9000"},
-         "pelagic: --size is 12x9000, needs WIDTHxHEIGHT, each from 16 to 8192\n"},
+         "pelagic: --size is 12x9000, expected WIDTHxHEIGHT, each from 16 to 8192\n"},
         {{"--out", "a.png", "--sun", "3"},
-         "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
-        {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a fraction in [0, 1]\n"},
-        {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
+         "pelagic: --sun is 3, expected AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, expected a fraction in [0, 1]\n"},
+        {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, expected a whole number from 1 to 100000\n"},
         {{"--out", "a.png", "--floor", "reef.jpg"},
-         "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},
+         "pelagic: --floor is reef.jpg, expected a PNG or EXR image, each side from 2 to 4096 pixels\n"},
         {{"--out", "a.png", "--floor", "no such.png"},
-         "pelagic: --floor is no such.png, which can't be read, needs a PNG or EXR image, each side from 2 to 4096 "
+         "pelagic: --floor is no such.png, which can't be read, expected a PNG or EXR image, each side from 2 to "
+         "4096 "
          "pixels (No such file or directory)\n"},
-        {{"--out", "a.png", "--shore"},
-         "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
-        {{"--out", "a.png", "--floor-size", "20"}, "pelagic: --floor-size is 20, needs --floor beside it\n"},
+        {{"--out", "a.png", "--shore"}, "pelagic: --shore requires --floor FILE, the heights of the sea floor\n"},
+        {{"--out", "a.png", "--floor-size", "20"}, "pelagic: --floor-size is 20, expected --floor beside it\n"},
         {{"--out", "a.png", "--floor", "a.exr", "--floor-heights", "0,1"},
-         "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},
+         "pelagic: --floor-heights is 0,1, expected a PNG: an EXR holds metres\n"},
         {{"--out", "a.png", "--floor", "a.png", "--floor-heights", "3,-1"},
-         "pelagic: --floor-heights is 3,-1, needs LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
+         "pelagic: --floor-heights is 3,-1, expected LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
         {{"--out", "a.png", "--moon", "10,91"},
-         "pelagic: --moon is 10,91, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
-        {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, needs metres in [500, 300000]\n"},
+         "pelagic: --moon is 10,91, expected AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, expected metres in [500, 300000]\n"},
         {{"--out", "a.png", "--light", "moonlit"},
-         "pelagic: --light is moonlit, needs noon, golden-hour, overcast, storm or moonlight (the nearest is "
+         "pelagic: --light is moonlit, expected noon, golden-hour, overcast, storm or moonlight (the nearest is "
          "moonlight)\n"},
         {{"--out", "a.png", "--exposure", "21"},
-         "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
-        {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
-        {{"--out", "a.png", "--rock", "3"}, "pelagic: --rock is 3, needs X,Z in metres, each in [-10000, 10000]\n"},
+         "pelagic: --exposure is 21, expected auto, or an exposure value in [-10, 20]\n"},
+        {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, expected stops in [-5, 5]\n"},
+        {{"--out", "a.png", "--rock", "3"},
+         "pelagic: --rock is 3, expected X,Z in metres, each in [-10000, 10000]\n"},
         {{"--out", "a.png", "--rock", "3,4", "--stereo"},
-         "pelagic: --rock is 3,4, needs an image without --stereo and --wireframe\n"},
-        {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a fraction in [0, 1]\n"},
-        {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
-        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
+         "pelagic: --rock is 3,4, expected an image without --stereo and --wireframe\n"},
+        {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, expected a fraction in [0, 1]\n"},
+        {{}, "pelagic: --out is missing: expected a PNG file to write; or give --hdr or --sky, an EXR file\n"},
+        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, expected a file named *.exr\n"},
         {{"--sky", "a%d.exr"},
-         "pelagic: --sky is a%d.exr, needs a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
+         "pelagic: --sky is a%d.exr, expected a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
          "on\n"},
-        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
+        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, expected another file than --hdr\n"},
         {{"--hdr", "a.exr", "--wireframe"},
-         "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
+         "pelagic: --hdr is a.exr, expected a sea without --wireframe, whose colours are no radiance\n"},
         {{"--out", "a.png", "--surface", "sea"},
-         "pelagic: --surface is sea, needs open, lake, coast, river or pond\n"},
-        {{"--out", "a.png", "--flow", "a.png"},
-         "pelagic: --flow is given, needs --surface river, the only water that flows\n"},
+         "pelagic: --surface is sea, expected open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--flow", "a.png"}, "pelagic: --flow requires --surface river\n"},
         {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
-         "pelagic: --flow is /dev/null, needs a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
+         "pelagic: --flow is /dev/null, expected a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
          "channel\n"},
     };
     for (const auto& [arguments, line] : cases) {

@@ -52,7 +52,7 @@ class SkyBake : public testing::Test {
 // Rayleigh scattering is proportional to the fourth power of frequency.
 TEST_F(SkyBake, ClearZenithIsBlueAndTheHorizonPaler) {
     const gl::Sky& sky = bake(clear_sky(50));
-    const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);       // +y
+    const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);  // +y
     // -x, away from the sun, just above the horizon
     const glm::vec3 horizon = texel(sky, 1, side / 2, side / 2 - 1);
     EXPECT_GT(zenith.b, 1.5f * zenith.r);
@@ -193,10 +193,11 @@ TEST_F(SkyBake, RejectsValuesOutOfRange) {
     // The message has the digits of a float: as a double the value would print as
     // 1.600000023841858.
     const float infinity = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(check(gl::SkyOptions{.sun_azimuth_rad = infinity}), "sun_azimuth_rad is inf, needs a finite number");
-    EXPECT_EQ(check(gl::SkyOptions{.sun_elevation_rad = 1.6f}), "sun_elevation_rad is 1.6, needs [-pi/2, pi/2]");
-    EXPECT_EQ(check(gl::SkyOptions{.cloud_cover = std::nanf("")}), "cloud_cover is nan, needs [0, 1]");
-    EXPECT_EQ(check(gl::SkyOptions{.visibility_m = 499.9f}), "visibility_m is 499.9, needs [500, 300e3]");
+    EXPECT_EQ(check(gl::SkyOptions{.sun_azimuth_rad = infinity}), "sun_azimuth_rad is inf, expected a finite number");
+    EXPECT_EQ(check(gl::SkyOptions{.sun_elevation_rad = 1.6f}),
+              "sun_elevation_rad 1.6 is out of range [-pi/2, pi/2]");
+    EXPECT_EQ(check(gl::SkyOptions{.cloud_cover = std::nanf("")}), "cloud_cover nan is out of range [0, 1]");
+    EXPECT_EQ(check(gl::SkyOptions{.visibility_m = 499.9f}), "visibility_m 499.9 is out of range [500, 300e3]");
     EXPECT_EQ(check(gl::SkyOptions{.sun_azimuth_rad = -1e30f,
                                    .sun_elevation_rad = 3.14159265f / 2,
                                    .cloud_cover = 1,

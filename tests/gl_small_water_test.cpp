@@ -149,9 +149,9 @@ TEST(SmallRiver, RejectsAnIncompleteFlow) {
     gl::FlowMap map = gl::winding_channel();
     EXPECT_EQ(check(map), "");
     map.velocities.pop_back();
-    EXPECT_EQ(check(map), "velocities has 131071 bytes, needs 2 side^2 = 131072");
+    EXPECT_EQ(check(map), "velocities has 131071 bytes, expected 2 side^2 = 131072");
     map.side = 0;
-    EXPECT_EQ(check(map), "side is 0, needs 1 to 4096");
+    EXPECT_EQ(check(map), "side is 0, expected 1 to 4096");
 }
 
 }  // namespace

@@ -401,7 +401,7 @@ TEST(ExecutorDeathTest, FailureToStartThreadsIsAnErrorAndNotACrash) {
 #endif
 }
 
-# only in builds with assertions
+#if !defined(NDEBUG)  // assertions are compiled in
 class MisuseDeathTest : public EachExecutor {};
 INSTANTIATE_TEST_SUITE_P(Kinds, MisuseDeathTest, testing::ValuesIn(executor_kinds()),
                          [](const auto& test) { return test.param.name; });
@@ -429,8 +429,8 @@ std::string reason_of(const std::function<void()>& action) {
 
 TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
     for (const auto make : {make_thread_executor, make_default_executor}) {
-        EXPECT_EQ(reason_of([&] { make(-3); }), "threads is -3, needs 0 to 1024");
-        EXPECT_EQ(reason_of([&] { make(1025); }), "threads is 1025, needs 0 to 1024");
+        EXPECT_EQ(reason_of([&] { make(-3); }), "threads is -3, expected 0 to 1024");
+        EXPECT_EQ(reason_of([&] { make(1025); }), "threads is 1025, expected 0 to 1024");
     }
 }
 
@@ -448,7 +448,7 @@ TEST(ExecutorOptions, MaskOfCoresMustContainAnAvailableCore) {
     EXPECT_GE(make_thread_executor_on(~std::uint64_t{0})->thread_limit(), 1);
     if (std::thread::hardware_concurrency() < 64) {
         EXPECT_EQ(reason_of([] { make_thread_executor_on(std::uint64_t{1} << 63); }),
-                  "cpu_mask is 0x8000000000000000, needs a CPU that this process may use");
+                  "cpu_mask is 0x8000000000000000, expected a CPU that this process may use");
     }
 }
 
@@ -468,12 +468,11 @@ TEST(ThreadExecutor, ThreadsStayOnTheMasksCores) {
 }
 
 TEST(ExecutorOptions, ApplicationsJobsAreChecked) {
-    EXPECT_EQ(reason_of([] { make_callback_executor({}); }),
-              "parallel_for is null, needs the application's function");
+    EXPECT_EQ(reason_of([] { make_callback_executor({}); }), "parallel_for is null; expected a function");
     TestApplication application;
     ApplicationJobs jobs = application.jobs();
     jobs.threads = 0;
-    EXPECT_EQ(reason_of([&] { make_callback_executor(jobs); }), "threads is 0, needs 1 to 1024");
+    EXPECT_EQ(reason_of([&] { make_callback_executor(jobs); }), "threads is 0, expected 1 to 1024");
 }
 
 TEST(CallbackExecutor, RunsStagesInOrderAThousandTimes) {
@@ -589,10 +588,10 @@ TEST(JobGraph, BadStagesThrowTheReasonAndAreNotAdded) {
     JobGraph graph;
     const JobBody nothing = [](std::size_t, std::size_t) {};
     EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .batch = 0, .body = nothing}); }),
-              "stage rows has a batch of 0, needs at least 1");
+              "stage rows has a batch of 0, expected at least 1");
     EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .body = {}}); }), "stage rows has no body");
     EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .waits_for = {0}, .body = nothing}); }),
-              "stage rows waits for stage number 0, needs one of the 0 added before it");
+              "stage rows waits for stage number 0, expected one of the 0 added before it");
     EXPECT_EQ(graph.add({.name = "good", .count = 1, .body = nothing}), 0u);
 }
 

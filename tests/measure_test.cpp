@@ -375,7 +375,7 @@ TEST(Measure, WritesOnlyTheRequestedImage) {
 void expect_rejected(const std::vector<std::string>& arguments, int code, const std::string& reason) {
     const Outcome outcome = run_pelagic(arguments);
     EXPECT_EQ(outcome.exit_code, code) << outcome.err;
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << "needs " << reason << "\nsays " << outcome.err;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << "expected " << reason << "\nsays " << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_LT(outcome.err.size(), 400u);
     EXPECT_EQ(outcome.out, "");
@@ -396,17 +396,18 @@ TEST(Measure, HostileFoldersGiveOneLine) {
     };
     expect_rejected({"info", "--measure", ""}, 2, "--measure is empty");
     expect_rejected({"info", "--measure", (out / "sea.json").string()}, 2,
-                    "needs a folder that pelagic export has written");
-    expect_rejected({"info", "--measure", folder.path().string()}, 2, "sea.json is missing, needs a finished export");
-    expect_rejected({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "needs no other sea");
+                    "expected a folder that pelagic export has written");
+    expect_rejected({"info", "--measure", folder.path().string()}, 2,
+                    "sea.json is missing: expected a finished export");
+    expect_rejected({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "no sea option is accepted");
     expect_rejected({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
     expect_rejected({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
                     "can't write");
-    expect_rejected({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
+    expect_rejected({"info", "--svg", "x.svg"}, 2, "it requires --measure DIR");
 
     with_record([](json& record) { record["export"]["pack"] = "parts"; }, "frame 0 names no displacement image");
     with_record([](json& record) { record["export"]["format"] = "dds"; },
-                "needs an export with --format exr, tif or ktx2");
+                "expected an export with --format exr, tif or ktx2");
     with_record([](json& record) { record.erase("frames"); }, "has no frames");
     with_record([](json& record) { record["frames"] = json::array(); }, "has no frames");
     with_record([](json& record) { record["frames"][1] = 7; }, "frame 1 has no time_s");
@@ -439,7 +440,7 @@ TEST(Measure, HostileFoldersGiveOneLine) {
     with_image(image.substr(0, image.size() / 2), "");
     with_image(std::string(std::size_t{2} << 20, 'x'), "it is larger than 16 x 16 pixels can be");
     export_to(folder / "other", {"--resolution", "32", "--patch-size", "250"});
-    with_image(read_file(folder / "other" / "displacement_0000.exr"), "it has 32 x 32 pixels, needs 16 x 16");
+    with_image(read_file(folder / "other" / "displacement_0000.exr"), "it has 32 x 32 pixels, expected 16 x 16");
     std::filesystem::remove(out / "displacement_0001.exr");
     expect_rejected(measure, 1, "displacement_0001.exr: No such file");
     std::filesystem::create_symlink("displacement_0000.exr", out / "displacement_0001.exr");

@@ -406,7 +406,7 @@ TEST(OpenXrErrors, AreOneLineWithARemedy) {
 TEST(OpenXrErrors, NameAnInvalidOption) {
     const TemporaryFolder folder;
     const auto said = [](const std::vector<std::string>& arguments) { return failure(arguments, {}); };
-    EXPECT_EQ(said({"--frames", "soon"}), "openxr_application: --frames is soon, needs a whole number from 1\n");
+    EXPECT_EQ(said({"--frames", "soon"}), "openxr_application: --frames is soon, expected a whole number from 1\n");
     EXPECT_EQ(said({"--frames"}),
               "openxr_application: --frames has no value; needs [--preset NAME] [--resolution N] [--quality NAME] "
               "[--frames N] "
@@ -416,16 +416,16 @@ TEST(OpenXrErrors, NameAnInvalidOption) {
               "[--frames N] "
               "[--images FOLDER] [--hashes FILE]\n");
     EXPECT_EQ(said({"--quality", "best"}),
-              "openxr_application: --quality is best, needs one of low, medium, high, ultra, paper_low, "
+              "openxr_application: --quality is best, expected one of low, medium, high, ultra, paper_low, "
               "paper_medium, paper_high, "
               "paper_ultra\n");
     EXPECT_EQ(said({"--resolution", "100"}),
-              "openxr_application: --resolution is 100, needs a power of two from 16 to 2048, or 0: chosen\n");
-    EXPECT_EQ(said({"--images", folder / "none"}),
-              "openxr_application: --images is " + (folder / "none").string() + ", needs a folder that is there\n");
+              "openxr_application: --resolution is 100, expected a power of two from 16 to 2048, or 0: chosen\n");
+    EXPECT_EQ(said({"--images", folder / "none"}), "openxr_application: --images is " + (folder / "none").string() +
+                                                       ", expected a folder that is there\n");
     EXPECT_EQ(said({"--hashes", folder / "none/seas.txt"}),
               "openxr_application: --hashes is " + (folder / "none/seas.txt").string() +
-                  ", needs the name of a file in a folder that is there\n");
+                  ", expected the name of a file in a folder that is there\n");
     EXPECT_EQ(said({"--eyes\n", "3"}).substr(0, 45), "openxr_application: --eyes? is no option; nee");
     EXPECT_TRUE(files_in(folder.path()).empty());
 }

@@ -183,9 +183,9 @@ TEST(Pond, RaysMeetTheFirstWaterOnTheirPath) {
 
 TEST(Pond, NamesTheFirstInvalidNumber) {
     EXPECT_EQ(check(PondSea{}), "");
-    EXPECT_EQ(check(PondSea{.octaves = 65}), "octaves is 65, needs 1 to 64");
-    EXPECT_EQ(check(PondSea{.height_m = 0}), "height_m is 0, needs (0, 10]");
-    EXPECT_EQ(check(PondSea{.drag = std::nan("")}), "drag is nan, needs [0, 1]");
+    EXPECT_EQ(check(PondSea{.octaves = 65}), "octaves is 65, expected 1 to 64");
+    EXPECT_EQ(check(PondSea{.height_m = 0}), "height_m 0 is out of range (0, 10]");
+    EXPECT_EQ(check(PondSea{.drag = std::nan("")}), "drag nan is out of range [0, 1]");
     EXPECT_EQ(check(PondSea{.octaves = 64}).substr(0, 34), "the last octave's wavelength_m is ");
     EXPECT_THROW(PondWaves(PondSea{.decay = 2}), std::invalid_argument);
 }

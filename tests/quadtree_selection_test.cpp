@@ -299,16 +299,16 @@ void expect_rejected(const QuadtreeOptions& options, const std::string& said) {
 
 TEST(SelectionInput, NamesOptionsOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    expect_rejected({.size_m = 255}, "size_m is 255, needs [256, 8192]");
-    expect_rejected({.size_m = 8193}, "size_m is 8193, needs [256, 8192]");
-    expect_rejected({.size_m = nan}, "size_m is nan, needs [256, 8192]");
-    expect_rejected({.vertices = 0}, "vertices is 0, needs an even number from 2 to 128");
-    expect_rejected({.vertices = 63}, "vertices is 63, needs an even number from 2 to 128");
-    expect_rejected({.vertices = 130}, "vertices is 130, needs an even number from 2 to 128");
-    expect_rejected({.lod_scale = 0.5}, "lod_scale is 0.5, needs [0.75, 8]");
-    expect_rejected({.lod_scale = nan}, "lod_scale is nan, needs [0.75, 8]");
-    expect_rejected({.cull_scale = 0.9}, "cull_scale is 0.9, needs [1, 4]");
-    expect_rejected({.batch_limit = -1}, "batch_limit is -1, needs 0 or more");
+    expect_rejected({.size_m = 255}, "size_m 255 is out of range [256, 8192]");
+    expect_rejected({.size_m = 8193}, "size_m 8193 is out of range [256, 8192]");
+    expect_rejected({.size_m = nan}, "size_m nan is out of range [256, 8192]");
+    expect_rejected({.vertices = 0}, "vertices is 0, expected an even number from 2 to 128");
+    expect_rejected({.vertices = 63}, "vertices is 63, expected an even number from 2 to 128");
+    expect_rejected({.vertices = 130}, "vertices is 130, expected an even number from 2 to 128");
+    expect_rejected({.lod_scale = 0.5}, "lod_scale 0.5 is out of range [0.75, 8]");
+    expect_rejected({.lod_scale = nan}, "lod_scale nan is out of range [0.75, 8]");
+    expect_rejected({.cull_scale = 0.9}, "cull_scale 0.9 is out of range [1, 4]");
+    expect_rejected({.batch_limit = -1}, "batch_limit is -1, expected 0 or more");
 }
 
 TEST(SelectionInput, RejectsInvalidFramesAndKeepsTheList) {

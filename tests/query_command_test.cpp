@@ -144,7 +144,8 @@ TEST(QueryCommand, RejectsAFileWithoutPoints) {
         const Outcome outcome = query(points);
         EXPECT_EQ(outcome.exit_code, 2) << points;
         EXPECT_EQ(outcome.out, "") << points;
-        EXPECT_NE(outcome.err.find("points.csv holds no points, needs lines x,z"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("points.csv holds no points, expected lines x,z"), std::string::npos)
+            << outcome.err;
     }
 }
 
@@ -157,11 +158,11 @@ TEST(QueryCommand, KeepsTheColumnsOfTheFileAndFindsXAndZByName) {
     EXPECT_EQ(lines[1], "2,\"Buoy, \"\"A\"\"\",1" + plain[1].substr(3));
     EXPECT_EQ(lines[2], "4,,+3" + plain[2].substr(3));
     for (const auto& [points, says] : std::vector<std::pair<std::string, std::string>>{
-             {"x,z,y\n1,2\n", "points.csv:2: the line is 1,2, needs 3 columns"},
+             {"x,z,y\n1,2\n", "points.csv:2: the line is 1,2, expected 3 columns"},
              {"1,2,3\n", "or a first line that names columns"},
-             {"x,z,x\n1,2,3\n", "needs one column x and one column z"},
+             {"x,z,x\n1,2,3\n", "expected one column x and one column z"},
              {"x,z,height\n1,2,3\n", "the points' column height has the name"},
-             {"x,z,a\n1,2,\"b\n", "needs an end of its quotes"}}) {
+             {"x,z,a\n1,2,\"b\n", "expected an end of its quotes"}}) {
         const Outcome outcome = query(points);
         EXPECT_EQ(outcome.exit_code, 2) << points;
         EXPECT_EQ(outcome.out, "") << points;
@@ -213,7 +214,8 @@ TEST(QueryCommand, PrintsASeriesOfTimes) {
     for (const char* bad : {"0:1", "0:1:0", "1:0:0.1", "0:1:x", "0:2e9:1", "0:1:1e-7", "::", "0:1:nan"}) {
         const Outcome outcome = query("1,2\n", {"--times", bad});
         EXPECT_EQ(outcome.exit_code, 2) << bad;
-        EXPECT_NE(outcome.err.find("--times is " + std::string(bad) + ", needs FIRST:LAST:STEP"), std::string::npos)
+        EXPECT_NE(outcome.err.find("--times is " + std::string(bad) + ", expected FIRST:LAST:STEP"),
+                  std::string::npos)
             << outcome.err;
     }
     EXPECT_EQ(query("1,2\n", {"--times", "0:1:1", "--time", "0"}).exit_code, 2);
@@ -262,9 +264,9 @@ TEST(QueryCommand, OutputDependsNeitherOnThreadsNorOnTheInstructionSet) {
 
 TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {
     for (const auto& [points, says] : std::vector<std::pair<std::string, std::string>>{
-             {"x,z\n1,2\nharbour\n", "points.csv:3: the line is harbour, needs x,z"},
-             {"1\n", ":1: the line is 1, needs x,z"},
-             {"1,2,3\n", ":1: the line is 1,2,3, needs x,z"},
+             {"x,z\n1,2\nharbour\n", "points.csv:3: the line is harbour, expected x,z"},
+             {"1\n", ":1: the line is 1, expected x,z"},
+             {"1,2,3\n", ":1: the line is 1,2,3, expected x,z"},
              {"1;2\n", ":1: the line is 1;2, needs"},
              {",\n", ":1: the line is ,, needs"},
              {"1,nan\n", ":1: the line is 1,nan, needs"},
@@ -287,21 +289,21 @@ TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
     write_file(folder / "points.csv", "1,2\n");
     const std::string points = (folder / "points.csv").string();
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-             {{"query"}, "--points is missing, needs a CSV file of lines x,z"},
+             {{"query"}, "--points is missing: expected a CSV file of lines x,z"},
              {{"query", "--points", ""}, "--points is missing"},
              {{"query", "--points", (folder / "none.csv").string()},
-              "none.csv, which can't be read, needs a CSV file"},
-             {{"query", "--points", folder.path().string()}, ", a folder, needs a CSV file"},
-             {{"query", "--points", "/proc/self/mem"}, "/proc/self/mem, which can't be read, needs a CSV file"},
-             {{"query", "--points", points, "--time", "noon"}, "--time is noon, needs seconds in [-1e9, 1e9]"},
-             {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, needs seconds in [-1e9, 1e9]"},
+              "none.csv, which can't be read, expected a CSV file"},
+             {{"query", "--points", folder.path().string()}, ", a folder, expected a CSV file"},
+             {{"query", "--points", "/proc/self/mem"}, "/proc/self/mem, which can't be read, expected a CSV file"},
+             {{"query", "--points", points, "--time", "noon"}, "--time is noon, expected seconds in [-1e9, 1e9]"},
+             {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, expected seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--interpolation", "quintic"},
-              "--interpolation is quintic, needs linear or cubic"},
-             {{"query", "--points", points, "--choppiness", "2"}, "--choppiness is 2, needs [0, 1]"},
+              "--interpolation is quintic, expected linear or cubic"},
+             {{"query", "--points", points, "--choppiness", "2"}, "--choppiness 2 is out of range [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
              {{"ask"},
-              "unknown command ask, needs bench, export, info, merge, quadtree, query, render, verify or view"},
-             {{}, "no command, needs bench, export, info, merge, quadtree, query, render, verify or view"}}) {
+              "unknown command ask, expected bench, export, info, merge, quadtree, query, render, verify or view"},
+             {{}, "no command, expected bench, export, info, merge, quadtree, query, render, verify or view"}}) {
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << says;
         EXPECT_EQ(outcome.out, "") << says;

@@ -305,16 +305,17 @@ TEST(RainDrops, RefusesWhatCantFall) {
     Rain rain{.drops_per_m2_s = 1};
     EXPECT_EQ(check(rain, water), "");
     rain.radius_m = 4.1;
-    EXPECT_EQ(check(rain, water), "radius_m is 4.1, needs [0.001, 4], to a 16th of side_m");
+    EXPECT_EQ(check(rain, water), "radius_m 4.1 is out of range [0.001, 4], to a 16th of side_m");
     rain.radius_m = 0;
-    EXPECT_EQ(check(rain, water), "radius_m is 0, needs [0.001, 4], to a 16th of side_m");
+    EXPECT_EQ(check(rain, water), "radius_m 0 is out of range [0.001, 4], to a 16th of side_m");
     rain = {.drops_per_m2_s = 1, .height_m = std::numeric_limits<double>::quiet_NaN()};
     EXPECT_NE(check(rain, water), "");
     // Drops of eight texels by eight, 2 m by 2 m, 16 of which are on a texel in each of 60 ticks a second.
     rain = {.drops_per_m2_s = 16.0 * 60 / 4};
     EXPECT_EQ(check(rain, water), "");
     rain.drops_per_m2_s = 250;
-    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops of this radius on this grid");
+    EXPECT_EQ(check(rain, water),
+              "drops_per_m2_s 250 is out of range [0, 240] for drops of this radius on this grid");
     rain.drops_per_m2_s = -1;
     EXPECT_NE(check(rain, water), "");
     rain.drops_per_m2_s = std::numeric_limits<double>::infinity();

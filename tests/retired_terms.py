@@ -40,7 +40,7 @@ def main():
                     print(f"{place}:{number}: {term}: {line.strip()[:120]}")
                     found += 1
     if read < 100:
-        sys.exit(f"{read} texts were read, needs the whole tree")
+        sys.exit(f"{read} texts were read, expected the whole tree")
     sys.exit(1 if found else 0)
 
 

@@ -116,20 +116,20 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
     write_image(folder / "floor.exr", beach_of_image());
     const std::string file = (folder / "floor.exr").string();
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"--shore"}, "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
-        {{"--floor-size", "20", "--shore"},
-         "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
+        {{"--shore"}, "pelagic: --shore requires --floor FILE, the heights of the sea floor\n"},
+        {{"--floor-size", "20", "--shore"}, "pelagic: --shore requires --floor FILE, the heights of the sea floor\n"},
         {{"--floor", file}, "pelagic: --floor needs --shore: only a shore uses the floor\n"},
-        {{"--floor-middle", "3,4"}, "pelagic: --floor-middle is 3,4, needs --floor beside it\n"},
+        {{"--floor-middle", "3,4"}, "pelagic: --floor-middle is 3,4, expected --floor beside it\n"},
         {{"--floor", "reef.jpg", "--shore"},
-         "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},
+         "pelagic: --floor is reef.jpg, expected a PNG or EXR image, each side from 2 to 4096 pixels\n"},
         {{"--floor", file, "--floor-size", "1e6", "--shore"},
          "pelagic: --floor is " + file +
-             ", needs heights in metres (metres_a_sample is 41666.666666666664, needs [0.001, 10000])\n"},
+             ", expected heights in metres (metres_a_sample 41666.666666666664 is out of range [0.001, 10000])\n"},
         {{"--floor", file, "--shore", "--patch-size", "250"},
-         "pelagic: --cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves\n"},
+         "pelagic: --cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's "
+         "waves\n"},
         {{"--floor", file, "--shore", "--waves", "pond"},
-         "pelagic: --waves is pond, needs spectrum or analytic where there is a shore\n"},
+         "pelagic: --waves is pond, expected spectrum or analytic where there is a shore\n"},
     };
     for (const auto& [arguments, line] : cases) {
         const Outcome run = query(folder, "0,0\n", arguments);
@@ -141,7 +141,7 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
     const Outcome weather = run_pelagic({"query", "--points", (folder / "points.csv").string(), "--weather",
                                          (folder / "weather.toml").string(), "--floor", file, "--shore"});
     EXPECT_EQ(weather.exit_code, 2);
-    EXPECT_EQ(weather.err, "pelagic: --shore is given, needs a sea that never changes, without --weather\n");
+    EXPECT_EQ(weather.err, "pelagic: --shore cannot be combined with --weather\n");
 }
 
 /// The bytes of an EXR file by its specification, with no pixels: all that is read before they are asked for.
@@ -195,7 +195,7 @@ TEST(ShoreCommand, RefusesHeadersThatAskForMuch) {
         long_attribute.usual(1).torn() + "a" + std::string(1, '\0') + "string" + std::string(1, '\0');
     two_gigabytes += std::string("\xff\xff\xff\x7f", 4) + std::string(100, 'x');
     const std::vector<std::pair<std::string, std::string>> files = {
-        {ExrBytes().usual(1000).whole(), "it has 1000 channels, needs at most 4"},
+        {ExrBytes().usual(1000).whole(), "it has 1000 channels, expected at most 4"},
         {attributes.usual(1).whole(), "its EXR header has more than 4000 attributes"},
         {two_gigabytes, "its EXR header has no end within the first 1 MiB"},
         {ExrBytes().usual(1).torn(), "its EXR header has no end"},

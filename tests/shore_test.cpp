@@ -463,25 +463,26 @@ TEST(Shore, RefusesWhatItCantBe) {
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refused([](ShoreOptions&) {}), "");
-    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.columns = 1; }), "columns is 1, needs 2 to 4096");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.columns = 1; }), "columns is 1, expected 2 to 4096");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.rows = 60; }),
-              "heights_m' size is 4941, needs 4860, columns times rows");
+              "heights_m' size is 4941, expected 4860, columns times rows");
     EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.heights_m[7] = static_cast<float>(nan); }),
-              "heights_m is nan, needs [-11000, 9000]");
+              "heights_m nan is out of range [-11000, 9000]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.heights_m.back() = 1e30f; }),
-              "heights_m is 1e+30, needs [-11000, 9000]");
-    EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.corner_x_m = nan; }), "corner_x_m is nan, needs [-1e8, 1e8]");
+              "heights_m 1e+30 is out of range [-11000, 9000]");
+    EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.corner_x_m = nan; }),
+              "corner_x_m nan is out of range [-1e8, 1e8]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.metres_a_sample = 0; }),
-              "metres_a_sample is 0, needs [0.001, 10000]");
+              "metres_a_sample 0 is out of range [0.001, 10000]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.resolution = 100; }),
-              "resolution is 100, needs 64, 128, 256, 512 or 1024");
+              "resolution is 100, expected 64, 128, 256, 512 or 1024");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.fade_m = 151; }),
-              "fade_m is 151, needs at most half the field's shorter side, 150");
+              "fade_m is 151, expected at most half the field's shorter side, 150");
 
     EXPECT_EQ(check(bay(), SeaState{.patch_size_m = 100}),
-              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
+              "cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
     EXPECT_EQ(check(bay(), SeaState{.waves = WaveModel::pond}),
-              "waves is pond, needs spectrum or analytic where there is a shore");
+              "waves is pond, expected spectrum or analytic where there is a shore");
     EXPECT_THROW(Ocean(SeaState{.resolution = 32, .patch_size_m = 100}, with_bay()), std::invalid_argument);
     Forecast changing{.first = breeze};
     changing.changes.push_back({.sea = breeze, .from_s = 5, .over_s = 5});

@@ -632,7 +632,7 @@ TEST(SlopesOfFrames, AreThereForOneCascadeIfAskedAndChangeNoHash) {
         plain.frame_at(3, buffers);
         FAIL() << "no exception";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "slopes_rgba8 is wanted, needs an ocean with slopes");
+        EXPECT_STREQ(error.what(), "slopes_rgba8 is requested, but the ocean was created without slopes");
     }
 }
 

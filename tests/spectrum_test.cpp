@@ -383,9 +383,9 @@ TEST(Swell, OfNoHeightChangesNoBit) {
 
 TEST(Phillips, PaperTakesNeitherSwellNorMeasuredSpreading) {
     EXPECT_EQ(check({.spectrum = SpectrumModel::phillips_paper, .spreading = SpreadingModel::cosine_2s}),
-              "spreading is cosine-2s, needs paper where the spectrum is phillips-paper");
+              "spreading is cosine-2s, expected paper where the spectrum is phillips-paper");
     EXPECT_EQ(check({.spectrum = SpectrumModel::phillips_paper, .swell_height_m = 2}),
-              "swell_height_m is 2, needs 0 where the spectrum is phillips-paper");
+              "swell_height_m is 2, expected 0 where the spectrum is phillips-paper");
     EXPECT_EQ(
         check({.spectrum = SpectrumModel::phillips, .spreading = SpreadingModel::cosine_2s, .swell_height_m = 2}),
         "");

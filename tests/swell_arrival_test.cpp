@@ -87,18 +87,19 @@ TEST(SwellArrival, ForecastKnowsTheEndAndThePartOfThePeak) {
 
 TEST(SwellArrival, RefusesInOneLineWhatCannotCome) {
     Forecast forecast = from_afar(500, 10);
-    EXPECT_EQ(check(forecast), "swell_from_m of change 1 is 500, needs [1e3, 2e7], or 0: all waves change together");
+    EXPECT_EQ(check(forecast),
+              "change 1: swell_from_m 500 is out of range [1e3, 2e7], or 0: all waves change together");
     forecast.changes[0].swell_from_m = 3e7;
-    EXPECT_EQ(check(forecast).substr(0, 37), "swell_from_m of change 1 is 30000000,");
+    EXPECT_EQ(check(forecast).substr(0, 37), "change 1: swell_from_m is 30000000,");
     forecast.changes[0].swell_from_m = std::nan("");
     EXPECT_NE(check(forecast), "");
     forecast.changes[0].swell_from_m = 1e3;
     EXPECT_EQ(check(forecast), "");
     forecast.changes.push_back({.sea = ripples, .from_s = 50, .over_s = 1});
-    EXPECT_EQ(check(forecast).substr(0, 44), "from_s of change 2 is 50, needs at least 269")
+    EXPECT_EQ(check(forecast).substr(0, 44), "change 2: from_s is 50, expected at least 269")
         << "the last waves come then";
     forecast.changes = {{.sea = ripples, .from_s = 10, .over_s = 1, .swell_from_m = 1e5}};
-    EXPECT_EQ(check(forecast), "swell_from_m of change 1 is 100000, needs 0 where the sea has no swell");
+    EXPECT_EQ(check(forecast), "change 1: swell_from_m is 100000, expected 0 where the sea has no swell");
 }
 
 TEST(HarmonicBands, AreOneHarmonicAtFirstAndThenASixteenthOfAnOctave) {

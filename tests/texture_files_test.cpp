@@ -185,12 +185,12 @@ TEST(Texture, NamesWhatIsWrong) {
     Texture texture = Pixels(4, 4, 4, Sample::uint8, 3).texture();
     EXPECT_EQ(check(texture), "");
     texture.channels = 3;
-    EXPECT_EQ(check(texture), "channels are 3, needs 1, 2 or 4");
+    EXPECT_EQ(check(texture), "channels are 3, expected 1, 2 or 4");
     texture = Pixels(4, 4, 4, Sample::uint8, 3).texture();
     texture.levels[1] = texture.levels[0];
-    EXPECT_EQ(check(texture), "the bytes of level 1 are 64, needs 16");
+    EXPECT_EQ(check(texture), "the bytes of level 1 are 64, expected 16");
     texture.levels.clear();
-    EXPECT_EQ(check(texture), "levels are 0, needs 1 to 3");
+    EXPECT_EQ(check(texture), "levels are 0, expected 1 to 3");
 }
 
 }  // namespace

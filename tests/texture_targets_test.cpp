@@ -144,9 +144,10 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
     const std::uint64_t before = hash_of(ocean.frame_at(5));
     CascadeMemory memory;
     const TextureTargets whole = memory.targets();
-    EXPECT_EQ(invalid_value_of(ocean, {&whole, 1}), "slopes_rgba8 is wanted, needs an ocean with slopes");
+    EXPECT_EQ(invalid_value_of(ocean, {&whole, 1}),
+              "slopes_rgba8 is requested, but the ocean was created without slopes");
     const TextureTargets two[2] = {};
-    EXPECT_EQ(invalid_value_of(ocean, two), "there are targets of 2 cascades, needs 1");
+    EXPECT_EQ(invalid_value_of(ocean, two), "there are targets of 2 cascades, expected 1");
     TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
     EXPECT_EQ(invalid_value_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
     Ocean with_slopes({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor(), .slopes = true});
@@ -163,7 +164,7 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
             }
     TextureTargets torn{.gradient_rgba8 = whole.gradient_rgba8};
     torn.gradient_rgba8[3] = nullptr;
-    EXPECT_EQ(invalid_value_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, needs 6 levels");
+    EXPECT_EQ(invalid_value_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, expected 6 levels");
     EXPECT_EQ(hash_of(ocean.complete()), before);
 
     TextureTargets good{.displacement_rgba16f = whole.displacement_rgba16f};

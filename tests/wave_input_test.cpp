@@ -632,13 +632,13 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
         const auto complete = [&] { ocean.frame_at(1); };
         value = std::numeric_limits<float>::quiet_NaN();
         EXPECT_EQ(invalid_value_of(complete),
-                  "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
+                  "inputs[1]'s dx nan is out of range [-1000, 1000], metres or metres a second");
         value = -1001, field = 1;
         EXPECT_EQ(invalid_value_of(complete),
-                  "inputs[1]'s height is -1001, needs [-1000, 1000], metres or metres a second");
+                  "inputs[1]'s height -1001 is out of range [-1000, 1000], metres or metres a second");
         value = std::numeric_limits<float>::infinity(), field = 5;
         EXPECT_EQ(invalid_value_of(complete),
-                  "inputs[1]'s velocity_z is inf, needs [-1000, 1000], metres or metres a second");
+                  "inputs[1]'s velocity_z inf is out of range [-1000, 1000], metres or metres a second");
         value = 0, field = 0;
         EXPECT_EQ(hash_of(ocean.frame_at(2)), [&] {
             // Zeros that are added: the sea's own values, but for the ranges of slopes.
@@ -676,26 +676,27 @@ TEST(WaveInput, BadInputsAreRefusedInOneLine) {
     EXPECT_EQ(invalid_value_of([] {
                   Ocean ocean(stack, with({gerstner(), nullptr}));
               }),
-              "inputs[1] is null, needs an input");
+              "inputs[1] is null, expected an input");
     for (const auto& [slope, text] : {std::pair{-1.0, "-1"}, {std::nan(""), "nan"}, {1e9, "1000000000"}}) {
         const auto steep = callback([](const InputRows&) {}, slope);
         Ocean ocean(stack, with({steep}));
         EXPECT_EQ(invalid_value_of([&] { ocean.frame_at(0); }),
-                  "inputs[0]'s largest_slope is " + std::string(text) + ", needs [0, 100]");
+                  "inputs[0]'s largest_slope " + std::string(text) + " is out of range [0, 100]");
     }
     const auto waves = gerstner();
     AnalyticSea bad = some_waves();
     bad.waves[1].wavelength_m = std::nan("");
-    EXPECT_EQ(invalid_value_of([&] { waves->set(bad); }), "waves[1].wavelength_m is nan, needs [0.01, 1000]");
+    EXPECT_EQ(invalid_value_of([&] { waves->set(bad); }), "waves[1].wavelength_m nan is out of range [0.01, 1000]");
     bad = some_waves();
     bad.waves[0].amplitude_m = 50;
     EXPECT_NE(invalid_value_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
     const auto rings = ripple({.wavelength_m = 3, .amplitude_m = 0.4});
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m is nan, needs [-1e8, 1e8]");
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 0}); }), "wavelength_m is 0, needs [0.01, 1000]");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m nan is out of range [-1e8, 1e8]");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 0}); }),
+              "wavelength_m 0 is out of range [0.01, 1000]");
     EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
-              "amplitude_m is 0.2, needs at most wavelength_m / (2 pi), 0.1592");
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.reach_m = -1}); }), "reach_m is -1, needs [0, 1e5]");
+              "amplitude_m is 0.2, expected at most wavelength_m / (2 pi), 0.1592");
+    EXPECT_EQ(invalid_value_of([&] { rings->set({.reach_m = -1}); }), "reach_m -1 is out of range [0, 1e5]");
     // They keep what they had.
     Ocean ocean(stack, with({waves, rings})),
         same(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));

@@ -80,7 +80,7 @@ TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
         return text;
     };
     EXPECT_EQ(invalid_value_of(weather_of(1001)), "pelagic: " + (folder_ / "weather.toml").string() +
-                                                      " is a forecast of 1001 changes, needs at most 1000\n");
+                                                      " is a forecast of 1001 changes, expected at most 1000\n");
     write_file(folder_ / "points.csv", "0,0\n");
     const Outcome max = run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--time", "900",
                                      "--weather", file(weather_of(1000))});
@@ -93,25 +93,25 @@ TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
               std::string::npos);
     EXPECT_NE(
-        invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("depth_m of change 1 is 3, needs 4000"),
+        invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("change 1: depth_m is 3, expected 4000"),
         std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
-                  .find("swell_from_m of change 1 is 5000000, needs 0 where the sea has no swell"),
+                  .find("change 1: swell_from_m is 5000000, expected 0 where the sea has no swell"),
               std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n")
-                  .find("swell_from is 30000000, needs metres"),
+                  .find("swell_from is 30000000, expected metres"),
               std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = \"5\"\nover = 1\n")
-                  .find("weather.toml:2: from is \"5\", needs a number without quotes: seconds in [-1e9, 1e9]"),
+                  .find("weather.toml:2: from is \"5\", expected a number without quotes: seconds in [-1e9, 1e9]"),
               std::string::npos);
-    EXPECT_NE(
-        invalid_value_of("[[change]]\nfrom = 5\nover = \"1\"\n").find("over is \"1\", needs a number without quotes"),
-        std::string::npos);
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 5\nover = \"1\"\n")
+                  .find("over is \"1\", expected a number without quotes"),
+              std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 5\nover = 1\nswell_from = \"2e3\"\n")
-                  .find("swell_from is \"2e3\", needs a number without quotes"),
+                  .find("swell_from is \"2e3\", expected a number without quotes"),
               std::string::npos);
-    EXPECT_NE(invalid_value_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
-    EXPECT_NE(invalid_value_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
+    EXPECT_NE(invalid_value_of("change = 3\n").find("expected lines [[change]]"), std::string::npos);
+    EXPECT_NE(invalid_value_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("expected one of the two"),
               std::string::npos);
 }
 

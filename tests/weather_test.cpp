@@ -71,29 +71,29 @@ TEST(Forecast, RefusesInOneLineWhatCascadesCannotShow) {
     };
     EXPECT_EQ(check(calm_to_storm()), "");
     EXPECT_EQ(refused([](Forecast& f) { f.first.wind_speed_mps = -3; }),
-              "first sea: wind_speed_mps is -3, needs (0, 60]");
+              "first sea: wind_speed_mps -3 is out of range (0, 60]");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.choppiness = 2; }),
-              "sea of change 1: choppiness is 2, needs [0, 1]");
+              "change 1: choppiness 2 is out of range [0, 1]");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.depth_m = 20; }),
-              "depth_m of change 1 is 20, needs 4000 as the first sea has it");
+              "change 1: depth_m is 20, expected 4000 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.seed = 7; }),
-              "seed of change 1 is 7, needs 1 as the first sea has it");
+              "change 1: seed is 7, expected 1 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.loop_period_s = 100; }),
-              "loop_period_s of change 1 is 100, needs 200 as the first sea has it");
+              "change 1: loop_period_s is 100, expected 200 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.resolution = 128; }),
-              "resolution of change 1 is 128, needs 64 as the first sea has it");
+              "change 1: resolution is 128, expected 64 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.cascades = 3; }),
-              "cascades of change 1 is 3, needs 4 as the first sea has it");
+              "change 1: cascades is 3, expected 4 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.patch_size_m = 250; }),
-              "patch_size_m of change 1 is 250, needs 0 as the first sea has it");
+              "change 1: patch_size_m is 250, expected 0 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.spectrum = SpectrumModel::phillips_paper; }),
-              "spectrum of change 1 is phillips-paper, needs a physical one as the first sea has it");
-    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].over_s = 0; }), "over_s of change 1 is 0, needs (0, 1e9]");
+              "change 1: spectrum is phillips-paper, expected a physical one as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].over_s = 0; }), "change 1: over_s 0 is out of range (0, 1e9]");
     EXPECT_EQ(refused([](Forecast& f) { f.changes.push_back({.sea = calm, .from_s = 29, .over_s = 1}); }),
-              "from_s of change 2 is 29, needs at least 30, when the change before is over");
+              "change 2: from_s is 29, expected at least 30, when the change before is over");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].from_s = std::nan(""); }),
-              "from_s of change 1 is nan, needs [-1e12, 1e12]");
-    EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33), "peak_wavelength_m of change 1 is ");
+              "change 1: from_s nan is out of range [-1e12, 1e12]");
+    EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33), "change 1: peak_wavelength_m is ");
 }
 
 TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
@@ -544,7 +544,7 @@ TEST(Weather, ALiveOceanWithoutRoomRefusesALongerPeak) {
         ocean.schedule_sea(storm, 10, 20);
         FAIL() << "the storm's peak is longer than the cascades are laid out for";
     } catch (const std::invalid_argument& error) {
-        EXPECT_EQ(std::string(error.what()).substr(0, 29), "peak_wavelength_m of change 1");
+        EXPECT_EQ(std::string(error.what()).substr(0, 27), "change 1: peak_wavelength_m");
     }
     EXPECT_EQ(hash_of(ocean.frame_at(12)), hash_of(Ocean(calm, serial()).frame_at(12)));
 }

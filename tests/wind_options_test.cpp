@@ -103,11 +103,12 @@ TEST(Swell, IsTakenFromFlagsAndFiles) {
 
 TEST(Wind, ThatSaysTooLittleIsRefused) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-             {{"info", "--wind-direction", "NW"}, "--wind-direction is NW, needs from-NW or to-NW"},
+             {{"info", "--wind-direction", "NW"}, "--wind-direction is NW, expected from-NW or to-NW"},
              {{"info", "--wind-direction", "north"}, "from-NW or to-SE"},
-             {{"info", "--wind-speed", "20leagues"}, "--wind-speed is 20leagues, needs (0, 60] m/s, or with a unit"},
-             {{"info", "--wind-speed", "200kn"}, "--wind-speed is 200kn, needs (0, 60] m/s"},
-             {{"info", "--fetch", "100km"}, "--fetch is 100km, needs (0, 2e6]"}}) {
+             {{"info", "--wind-speed", "20leagues"},
+              "--wind-speed 20leagues is out of range (0, 60] m/s, or with a unit"},
+             {{"info", "--wind-speed", "200kn"}, "--wind-speed 200kn is out of range (0, 60] m/s"},
+             {{"info", "--fetch", "100km"}, "--fetch 100km is out of range (0, 2e6]"}}) {
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << says;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

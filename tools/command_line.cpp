@@ -63,7 +63,7 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const CLI::Option* option = used.get_option_no_throw(words[i]);
         if (option && option->get_items_expected_min() > 0 && used.get_option_no_throw(words[i + 1]))
-            return InputError(words[i] + " has no value, needs one");
+            return InputError(words[i] + " requires a value");
     }
     // CLI11 reports an unknown option before it checks the values of other options.
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
@@ -71,11 +71,11 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::string word = extras.empty() ? "" : extras.front();
         const std::string name = word.substr(0, word.find('='));
         if (commands.empty())
-            return InputError((name.starts_with('-') ? "unknown option " : "unknown command ") + word + ", needs " +
-                              command_names());
+            return InputError((name.starts_with('-') ? "unknown option " : "unknown command ") + word +
+                              ", expected " + command_names());
         const std::string help = "; pelagic " + used.get_name() + " --help lists all";
         if (!name.starts_with('-'))
-            return InputError("unexpected word " + word + ", needs options such as " + options.back() + help);
+            return InputError("unexpected word " + word + ", expected options such as " + options.back() + help);
         const auto nearest = near_name(name, options);
         return InputError("unknown option " + name + (nearest ? ", the nearest known one is " + *nearest : "") +
                           help);
@@ -88,10 +88,8 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         });
         const std::string what = error.what();
         if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
-        if (times > 1)
-            return InputError(option + " is given " + number_text(times) + " times, needs to be given once");
-        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
-            return InputError(option + " has no value, needs one");
+        if (times > 1) return InputError(option + " is given " + number_text(times) + " times; give it once");
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return InputError(option + " requires a value");
     }
     std::string line = error.what();
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -109,8 +107,8 @@ class AbsentCommand final : public Command {
         app.allow_extras();
     }
     void run() override {
-        throw InputError(std::string(entry_.name) + " is not in this build, needs one configured with -D" +
-                         entry_.option + "=ON");
+        throw InputError(std::string(entry_.name) + " is not in this build: configure with -D" + entry_.option +
+                         "=ON");
     }
 
    private:
@@ -162,7 +160,7 @@ int run(int argc, const char* const* argv) {
     }
     const auto used =
         std::find_if(parsers.begin(), parsers.end(), [](const auto& each) { return each.first->parsed(); });
-    if (used == parsers.end()) throw InputError("no command, needs " + command_names() + "; see pelagic --help");
+    if (used == parsers.end()) throw InputError("no command, expected " + command_names() + "; see pelagic --help");
     used->second->run();
     check_standard_output();
     return 0;

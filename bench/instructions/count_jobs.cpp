@@ -29,7 +29,7 @@ Cascades cascades_of(const std::string& sea) {
     Cascades cascades{};
     char rest = 0;
     if (std::sscanf(sea.c_str(), "%dx%d%c", &cascades.count, &cascades.resolution, &rest) != 2)
-        throw std::invalid_argument("SEA is " + sea + ", needs cascades and their resolution, as in 3x128");
+        throw std::invalid_argument("SEA is " + sea + ", expected cascades and their resolution, as in 3x128");
     return cascades;
 }
 

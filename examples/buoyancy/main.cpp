@@ -48,15 +48,16 @@ struct Options {
 
 /// Empty if they can be understood, else what is wrong.
 std::string parse(int argc, char** argv, Options& options) {
-    if (argc > 1 && argv[1][0] == '-') return "unknown option " + std::string(argv[1]) + ", needs [FOLDER [SECONDS]]";
-    if (argc > 3) return "unexpected argument " + std::string(argv[3]) + ", needs [FOLDER [SECONDS]]";
+    if (argc > 1 && argv[1][0] == '-')
+        return "unknown option " + std::string(argv[1]) + ", expected [FOLDER [SECONDS]]";
+    if (argc > 3) return "unexpected argument " + std::string(argv[3]) + ", expected [FOLDER [SECONDS]]";
     if (argc > 1) options.folder = argv[1];
-    if (options.folder.empty()) return "FOLDER is empty, needs the name of a folder";
+    if (options.folder.empty()) return "FOLDER is empty, expected the name of a folder";
     if (argc > 2) {
         char* end = nullptr;
         options.seconds = std::strtod(argv[2], &end);
         if (end == argv[2] || *end != 0 || !(options.seconds >= 1 && options.seconds <= 3600))
-            return "SECONDS is " + std::string(argv[2]) + ", needs a number from 1 to 3600";
+            return "SECONDS is " + std::string(argv[2]) + ", expected a number from 1 to 3600";
     }
     return {};
 }

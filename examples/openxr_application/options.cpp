@@ -17,7 +17,7 @@ int whole_number(std::string_view option, std::string_view text, int min) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size() || number < min)
         throw std::invalid_argument(std::string(option) + " is " + std::string(text) +
-                                    ", needs a whole number from " + std::to_string(min));
+                                    ", expected a whole number from " + std::to_string(min));
     return number;
 }
 
@@ -28,13 +28,13 @@ Preset one_named(std::string_view option, std::string_view name, std::span<const
         if (preset.name == name) return preset;
         names += (names.empty() ? "" : ", ") + std::string(preset.name);
     }
-    throw std::invalid_argument(std::string(option) + " is " + std::string(name) + ", needs one of " + names);
+    throw std::invalid_argument(std::string(option) + " is " + std::string(name) + ", expected one of " + names);
 }
 
 std::filesystem::path folder(std::string_view option, std::string_view name) {
     if (!std::filesystem::is_directory(name))
         throw std::invalid_argument(std::string(option) + " is " + std::string(name) +
-                                    ", needs a folder that is there");
+                                    ", expected a folder that is there");
     return name;
 }
 
@@ -43,7 +43,7 @@ std::filesystem::path file(std::string_view option, std::string_view name) {
     const bool has_folder = !file.has_parent_path() || std::filesystem::is_directory(file.parent_path());
     if (!file.has_filename() || !has_folder || std::filesystem::is_directory(file))
         throw std::invalid_argument(std::string(option) + " is " + std::string(name) +
-                                    ", needs the name of a file in a folder that is there");
+                                    ", expected the name of a file in a folder that is there");
     return file;
 }
 

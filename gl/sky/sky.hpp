@@ -30,7 +30,7 @@ struct SkyOptions {
 std::span<const NumericField<SkyOptions>> sky_fields();
 
 /// Returns an empty text if the options are valid, else a message about the first invalid field:
-/// "cloud_cover is 2, needs [0, 1]".
+/// "cloud_cover 2 is out of range [0, 1]".
 std::string check(const SkyOptions& options);
 
 /// Returns the direction to the sun: a unit vector, +y up.

@@ -16,7 +16,7 @@
 namespace pelagic::gl {
 
 /// Returns an empty string if the grid can be uploaded or is absent, else the reason, for example
-/// "Frame::dynamic_waves.height_m.size() is 3, needs resolution^2, 65536".
+/// "Frame::dynamic_waves.height_m.size() is 3, expected resolution^2, 65536".
 /// \param largest_side  GL_MAX_TEXTURE_SIZE of the driver
 std::string check(const DynamicWavesView& water, int largest_side);
 

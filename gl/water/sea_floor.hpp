@@ -35,7 +35,7 @@ struct SeaFloor {
 };
 
 /// Returns an empty string if the floor is valid, else a message about the first invalid field:
-/// "columns is 1, needs 2 to 4096, or 0 for an even floor".
+/// "columns is 1, expected 2 to 4096, or 0 for an even floor".
 std::string check(const SeaFloor& floor);
 
 /// Returns the floor of a shore, as sand.

@@ -59,7 +59,7 @@ Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
 const RendererOptions& checked(const RendererOptions& options) {
     if (options.cascades < 1 || options.cascades > max_cascades)
         throw std::invalid_argument("RendererOptions::cascades is " + std::to_string(options.cascades) +
-                                    ", needs 1 to " + std::to_string(max_cascades));
+                                    ", expected 1 to " + std::to_string(max_cascades));
     return options;
 }
 

@@ -155,7 +155,7 @@ std::string check(const FlowMap& map) {
     const std::size_t bytes = std::size_t{2} * map.side * map.side;
     if (map.velocities.size() != bytes)
         return "velocities has " + std::to_string(map.velocities.size()) +
-               " bytes, needs 2 side^2 = " + std::to_string(bytes);
+               " bytes, expected 2 side^2 = " + std::to_string(bytes);
     return {};
 }
 

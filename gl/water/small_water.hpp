@@ -41,7 +41,7 @@ struct FlowMap {
 };
 
 /// Returns an empty string if the map is valid, else a message about the first invalid field:
-/// "side is 0, needs 1 to 4096".
+/// "side is 0, expected 1 to 4096".
 std::string check(const FlowMap& map);
 
 /// Returns a winding channel along x. The flow is fastest in the middle and on the outside of

@@ -125,7 +125,7 @@ WaterOptics water_optics(std::string_view jerlov_type) {
     const auto type = std::find_if(types.begin(), types.end(), is_it);
     if (type == types.end())
         throw std::invalid_argument("water type is " + std::string(jerlov_type) +
-                                    ", needs one of I, IA, IB, II, III, 1C, 3C, 5C, 7C, 9C");
+                                    ", expected one of I, IA, IB, II, III, 1C, 3C, 5C, 7C, 9C");
     WaterOptics water;
     for (int c = 0; c < 3; ++c) {
         const float nm = channels_nm[static_cast<std::size_t>(c)];

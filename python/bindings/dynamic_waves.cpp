@@ -20,7 +20,7 @@ namespace pelagic::python {
 namespace {
 
 constexpr const char* no_waves =
-    "has no dynamic waves, needs an ocean with dynamic_waves=pelagic.DynamicWavesOptions()";
+    "has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()";
 
 /// DynamicWaves::set_rain() checks the ranges, which depend on the grid.
 constexpr std::array rain_fields = {

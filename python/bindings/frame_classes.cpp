@@ -17,7 +17,7 @@ namespace pelagic::python {
 
 void need_foam(const Frame& frame) {
     if (frame.cascades.front().foam_r8.empty())
-        throw std::invalid_argument("the frame has no foam, needs an ocean with foam=True");
+        throw std::invalid_argument("the frame has no foam: create the ocean with foam=True");
 }
 
 py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape, const void* data) {
@@ -43,7 +43,7 @@ py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const
     const auto reader = handle.of->read();
     const PlaneView& from = handle.cascade().*plane;
     if (!from.data)
-        throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
+        throw std::invalid_argument(std::string("the frame does not have it: create the ocean with ") + option);
     const py::ssize_t side = from.resolution;
     py::array_t<float> array({side, side});
     float* const out = array.mutable_data();
@@ -61,7 +61,7 @@ py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::
     const auto reader = handle.of->read();
     const Cascade& cascade = handle.cascade();
     if ((cascade.*chain).empty())
-        throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
+        throw std::invalid_argument(std::string("the frame does not have it: create the ocean with ") + option);
     if (level < 0 || level >= mip_levels(cascade.resolution()))
         throw std::invalid_argument(
             invalid_value_message("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));

@@ -77,7 +77,7 @@ constexpr double farthest_m = 1e9;  // at which doubles tell micrometres apart
 py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
     const auto reader = handle.read();
     if (points.ndim() != 2 || points.shape(1) != 2)
-        throw std::invalid_argument("points has another shape, needs (n, 2): x and z of each point");
+        throw std::invalid_argument("points has another shape, expected (n, 2): x and z of each point");
     const py::ssize_t count = points.shape(0);
     const Cascade& first = handle.frame.cascades.front();
     const bool has_velocities = first.velocity_x.data != nullptr, has_foam = !first.foam_r8.empty();

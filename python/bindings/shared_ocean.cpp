@@ -24,7 +24,7 @@ SharedOcean::SharedOcean(const Forecast& forecast, const OceanOptions& options)
       has_dynamic_waves_(options.dynamic_waves.has_value()) {}
 
 void SharedOcean::need_open_now() const {
-    if (is_closed_) throw std::invalid_argument("the ocean is closed, needs one that is open");
+    if (is_closed_) throw std::invalid_argument("the ocean is closed");
 }
 
 Ocean& SharedOcean::opened() const {
@@ -36,7 +36,7 @@ void SharedOcean::begin(double time_s) {
     {
         std::unique_lock lock(state_);
         need_open_now();
-        if (in_flight_) throw WrongOrder("a frame is in flight, needs complete() first");
+        if (in_flight_) throw WrongOrder("a frame is in flight; call complete() first");
         need_finite(time_s);
         const std::uint64_t next = scheduled_ + 1;
         Use& use = use_of(next);
@@ -61,7 +61,7 @@ NumberedFrame SharedOcean::end() {
     {
         const std::lock_guard lock(state_);
         need_open_now();
-        if (!in_flight_) throw WrongOrder("no frame is in flight, needs schedule() first");
+        if (!in_flight_) throw WrongOrder("no frame is in flight; call schedule() first");
         in_flight_ = false;  // whatever comes
     }
     return {ocean_->complete(), scheduled_};
@@ -119,7 +119,7 @@ void SharedOcean::use_dynamic_waves(const std::function<void(DynamicWaves&)>& us
 void SharedOcean::use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use) {
     const std::lock_guard turn(turn_);
     need_open_now();
-    if (in_flight_) throw WrongOrder("a frame is in flight, needs complete() first");
+    if (in_flight_) throw WrongOrder("a frame is in flight; call complete() first");
     use(opened().dynamic_waves());
 }
 

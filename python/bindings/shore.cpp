@@ -66,7 +66,7 @@ struct ShoreHandle {
 ShoreHandle shore_of(const std::shared_ptr<FrameHandle>& frame) {
     if (!frame->frame.shore)
         throw std::invalid_argument(
-            "the frame has no shore, needs an ocean with shore=pelagic.ShoreOptions(heights_m)");
+            "the frame has no shore: create the ocean with shore=pelagic.ShoreOptions(heights_m)");
     return {frame};
 }
 

@@ -82,7 +82,7 @@ TakenInputs::TakenInputs(py::handle inputs) {
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i]->is_taken || std::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]) !=
                                     all.begin() + static_cast<std::ptrdiff_t>(i))
-            throw std::invalid_argument("inputs[" + number_text(i) + "] is in use, needs an input of its own");
+            throw std::invalid_argument("inputs[" + number_text(i) + "] is in use, expected an input of its own");
     for (const auto& one : all) one->is_taken = true;
     handles_ = std::move(all);
 }

@@ -41,4 +41,4 @@ def preset(name: str) -> Sea:
         return presets[name]
     except KeyError:
         hint = _nearest_hint(str(name), presets)
-        raise ValueError(f"preset is {name}, needs {', '.join(list(presets)[:-1])} or {list(presets)[-1]}{hint}") from None
+        raise ValueError(f"preset is {name}, expected {', '.join(list(presets)[:-1])} or {list(presets)[-1]}{hint}") from None

@@ -48,7 +48,7 @@ std::string name_of_input(std::size_t number) { return "inputs[" + std::to_strin
 WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocities)
     : slots_(slots), kernels_(kernels_for(isa)), inputs_(std::move(inputs)), has_velocities_(has_velocities) {
     for (std::size_t i = 0; i < inputs_.size(); ++i)
-        if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, needs an input");
+        if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, expected an input");
     if (inputs_.empty()) return;
     for (const Pass pass : {Pass::tick, Pass::frame}) {
         grids_[pass].resize(slots.cascade_count());

@@ -322,7 +322,7 @@ void DynamicWaves::restore_state(std::span<const std::uint8_t> saved) {
             invalid_value_message("the saved state", number_text(saved.size()) + " bytes", "more"));
     std::memcpy(&clock, saved.data(), sizeof clock);
     if (clock.options != digest_of(options()))
-        throw std::invalid_argument("the saved state has other options, needs those of these dynamic waves");
+        throw std::invalid_argument("the saved state has other options, expected those of these dynamic waves");
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
         throw std::invalid_argument(
             invalid_value_message("the saved state's clock", clock.last_tick, "a tick within 2^50"));

@@ -40,9 +40,10 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
     for (const Field& field : fields) {
         if (field.size == 0) continue;
         if (!field.is_there)
-            return std::string(field.name) + " is wanted, needs an ocean with " + std::string(field.part);
+            return std::string(field.name) + " is requested, but the ocean was created without " +
+                   std::string(field.part);
         if (field.size != field.needed)
-            return std::string(field.name) + " has " + number_text(field.size) + " elements, needs " +
+            return std::string(field.name) + " has " + number_text(field.size) + " elements, expected " +
                    number_text(field.needed);
     }
     return {};
@@ -53,7 +54,7 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
 std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
     if (cascades.size() != cascade_count)
-        return "there are buffers of " + number_text(cascades.size()) + " cascades, needs " +
+        return "there are buffers of " + number_text(cascades.size()) + " cascades, expected " +
                number_text(cascade_count);
     for (const FrameBuffers& buffers : cascades)
         if (std::string reason = check_cascade(buffers, resolution, contents); !reason.empty()) return reason;

@@ -196,12 +196,13 @@ struct Ocean::State {
         shore->end_bake();
     }
     void require_constant_sea() const {
-        if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
+        if (shore) throw std::invalid_argument("the sea of an ocean with a shore cannot change");
     }
 
     DynamicWaves& needed_dynamic_waves() {
         if (!dynamic_waves)
-            throw std::invalid_argument("the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
+            throw std::invalid_argument(
+                "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
         return *dynamic_waves;
     }
 

@@ -18,11 +18,11 @@ std::string check_chain(std::string_view name, const TextureTargets::Chain& chai
     bool is_wanted = false;
     for (const std::uint32_t* level : chain) is_wanted |= level != nullptr;
     if (!is_wanted) return {};
-    if (!is_there) return std::string(name) + " is wanted, needs an ocean with " + std::string(part);
+    if (!is_there) return std::string(name) + " is requested, but the ocean was created without " + std::string(part);
     for (int level = 0; level < levels; ++level) {
         const std::uint32_t* texels = chain[static_cast<std::size_t>(level)];
         if (!texels)
-            return std::string(name) + " lacks level " + number_text(level) + ", needs " + number_text(levels) +
+            return std::string(name) + " lacks level " + number_text(level) + ", expected " + number_text(levels) +
                    " levels";
         if (!is_multiple_of(alignof(std::uint32_t), texels))
             return "level " + number_text(level) + " of " + std::string(name) + " is " +
@@ -62,7 +62,7 @@ TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution) {
 std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
     if (cascades.size() != cascade_count)
-        return "there are targets of " + number_text(cascades.size()) + " cascades, needs " +
+        return "there are targets of " + number_text(cascades.size()) + " cascades, expected " +
                number_text(cascade_count);
     for (const TextureTargets& targets : cascades)
         if (std::string reason = check_cascade(targets, resolution, contents); !reason.empty()) return reason;

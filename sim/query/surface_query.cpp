@@ -74,7 +74,8 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
     const bool is_one = frame.cascades.size() == 1;
     for (const Cascade& cascade : frame.cascades)
         if (is_one ? cascade.folds.empty() : cascade.contraction.empty())
-            throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
+            throw std::invalid_argument(
+                "the frame cannot be queried: the ocean was created without OceanOptions::queries");
 }
 
 SurfaceQuery SurfaceQuery::with(Interpolation interpolation) const {
@@ -85,9 +86,10 @@ SurfaceQuery SurfaceQuery::with(Interpolation interpolation) const {
 
 void SurfaceQuery::check(const SurfaceSamples& wanted) const {
     if (has_velocity(wanted) && !has_velocities())
-        throw std::invalid_argument("the frame has no velocities, needs an ocean with OceanOptions::velocities");
+        throw std::invalid_argument(
+            "the frame has no velocities: the ocean was created without OceanOptions::velocities");
     if (!wanted.foam.empty() && !has_foam())
-        throw std::invalid_argument("the frame has no foam, needs an ocean with OceanOptions::foam");
+        throw std::invalid_argument("the frame has no foam: the ocean was created without OceanOptions::foam");
 }
 
 void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {

@@ -24,7 +24,7 @@ constexpr double max_peak_m = 1e5;
 constexpr double peak_tolerance = 1e-6;
 
 std::string of_change(std::string_view name, std::size_t number) {
-    return std::string(name) + " of change " + number_text(number);
+    return "change " + number_text(number) + ": " + std::string(name);
 }
 
 /// Returns a message about the first field that must be constant in a forecast and differs in
@@ -56,12 +56,12 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     return {};
 }
 
-std::string too_long(const std::string& whose, const SeaState& sea, double largest_peak_m) {
+std::string too_long(const std::string& place, const SeaState& sea, double largest_peak_m) {
     if (largest_peak_m == 0) return {};  // skip the search for the peak, which is expensive
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
     return invalid_value_message(
-        "peak_wavelength_m" + whose, peak_m,
+        place + "peak_wavelength_m", peak_m,
         "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
@@ -120,15 +120,15 @@ std::string check(const Forecast& forecast) {
     const double largest_m = forecast.largest_peak_m;
     if (!(largest_m >= 0 && largest_m <= max_peak_m))
         return invalid_value_message("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
-    if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
+    if (std::string reason = too_long("first sea: ", forecast.first, largest_m); !reason.empty()) return reason;
     double over_s = -max_time_s;  // end of the previous change
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
         const SeaChange& change = forecast.changes[i];
         const std::size_t number = i + 1;
         if (const std::string reason = check(change.sea); !reason.empty())
-            return "sea of change " + number_text(number) + ": " + reason;
+            return "change " + number_text(number) + ": " + reason;
         if (std::string reason = difference(forecast.first, change.sea, number); !reason.empty()) return reason;
-        if (std::string reason = too_long(" of change " + number_text(number), change.sea, largest_m);
+        if (std::string reason = too_long("change " + number_text(number) + ": ", change.sea, largest_m);
             !reason.empty())
             return reason;
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))

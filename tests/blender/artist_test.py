@@ -87,7 +87,7 @@ scene.frame_set(40)
 kept = bits("Ocean")
 first.pelagic.cascade_side = 250
 first.pelagic.cascades = 3
-assert first.pelagic.error == "cascades is 3, needs 1 where the side of the cascade is given", first.pelagic.error
+assert first.pelagic.error == "cascades is 3, expected 1 where the side of the cascade is given", first.pelagic.error
 one_cascade = bits("Ocean")
 scene.frame_set(41)
 assert bits("Ocean") == one_cascade != kept, "the mesh of a sea that can't be is not the last one"
@@ -100,7 +100,7 @@ for operator in (bpy.ops.pelagic.add_ocean, bpy.ops.pelagic.preset):
         operator(preset="strom")
         assert False, "took a preset that is none"
     except RuntimeError as error:
-        assert "Preset is strom, needs one of" in str(error) and len(str(error).strip().splitlines()) == 1, error
+        assert "Preset is strom, expected one of" in str(error) and len(str(error).strip().splitlines()) == 1, error
 
 # Duplicates: one with a mesh of its own, and one that shares it until it becomes another sea.
 for linked in (False, True):

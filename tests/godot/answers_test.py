@@ -22,18 +22,18 @@ seas += [{"name": "preset-" + name, "values": {"preset": name}} for name in ("ca
 seas += [{"name": "jonswap-64", "values": {"resolution": 64, "patch_size_m": 250}},
          {"name": "shallow-64", "values": {"resolution": 64, "patch_size_m": 250, "depth_m": 8}}]
 refused = [
-    ("wind_speed_mps", -3, "wind_speed_mps is -3, needs (0, 60]"),
-    ("wind_speed_mps", "calm", "wind_speed_mps is calm, needs (0, 60]"),
-    ("wind_direction_deg", 361, "wind_direction_deg is 361, needs [-360, 360]"),
-    ("depth_m", 0, "depth_m is 0, needs [0.01, 11000]"),
-    ("choppiness", 2, "choppiness is 2, needs [0, 1]"),
-    ("seed", 1.5, "seed is 1.5, needs a whole number from 0 to 4294967295"),
-    ("resolution", 100, "resolution is 100, needs a power of two from 16 to 2048, or 0: chosen"),
-    ("loop_period_s", 0, "loop_period_s is 0, needs [0.1, 86400]"),
-    ("threads", -1, "threads is -1, needs a whole number from 0 to 1024"),
-    ("time_s", 1e12, "time_s is 1000000000000, needs [-1e9, 1e9]"),
-    ("size_m", 10, "size_m is 10, needs [256, 8192]"),
-    ("quality", "best", "quality is best, needs one of low,medium,high,ultra"),
+    ("wind_speed_mps", -3, "wind_speed_mps -3 is out of range (0, 60]"),
+    ("wind_speed_mps", "calm", "wind_speed_mps calm is out of range (0, 60]"),
+    ("wind_direction_deg", 361, "wind_direction_deg 361 is out of range [-360, 360]"),
+    ("depth_m", 0, "depth_m 0 is out of range [0.01, 11000]"),
+    ("choppiness", 2, "choppiness 2 is out of range [0, 1]"),
+    ("seed", 1.5, "seed is 1.5, expected a whole number from 0 to 4294967295"),
+    ("resolution", 100, "resolution is 100, expected a power of two from 16 to 2048, or 0: chosen"),
+    ("loop_period_s", 0, "loop_period_s 0 is out of range [0.1, 86400]"),
+    ("threads", -1, "threads is -1, expected a whole number from 0 to 1024"),
+    ("time_s", 1e12, "time_s 1000000000000 is out of range [-1e9, 1e9]"),
+    ("size_m", 10, "size_m 10 is out of range [256, 8192]"),
+    ("quality", "best", "quality is best, expected one of low,medium,high,ultra"),
     ("preset", "gale", None),
 ]
 properties = ["preset", "wind_speed_mps", "wind_direction_deg", "fetch_m", "depth_m", "choppiness", "swell_height_m",
@@ -92,7 +92,7 @@ with tempfile.TemporaryDirectory() as work:
     assert says["nothing"] == ["True"] * 3
     assert single(says, "stays") == "True"
     same, why = single(says, "together").split(" ", 1)
-    assert same == "True" and json.loads(why)[-1] == "cascades is 4, needs 1 where the side of the cascade is given", why
+    assert same == "True" and json.loads(why)[-1] == "cascades is 4, expected 1 where the side of the cascade is given", why
 
     for runs in (run_headless, run_drawing):
         frames = runs(project, here / "frames.gd", work, {}, fps=60)

@@ -25,7 +25,7 @@ while read -r line; do
   case $line in
     *--preview)
       frames=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames -of csv=p=0 sea/preview.mp4)
-      [ "$frames" = 96 ] || { echo "preview.mp4 has $frames frames, needs 96"; exit 1; }
+      [ "$frames" = 96 ] || { echo "preview.mp4 has $frames frames, expected 96"; exit 1; }
       ! ls sea/*.ktx2 2>/dev/null
       ;;
     node*) cp last_output drawn ;;

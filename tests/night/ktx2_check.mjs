@@ -20,5 +20,5 @@ for (const name of readdirSync(ktx2_folder).filter((name) => name.endsWith(".ktx
   ++count;
 }
 const wanted = ["displacement 97 2", "foam 9 2", "gradient 37 2"];  // VkFormat, Zstandard
-if ([...seen].sort().join() !== wanted.join()) throw new Error(`found ${[...seen]}, needs ${wanted}`);
+if ([...seen].sort().join() !== wanted.join()) throw new Error(`found ${[...seen]}, expected ${wanted}`);
 console.log(`ktx-parse read ${count} files, and their levels are those of the DDS files`);

@@ -152,7 +152,7 @@ def test_a_frame_between_two_seas_tells_of_both():
         between = ocean.frame_at(14).sea
         assert 8 < between.wind_speed_mps < 10 and 0 < between.swell_height_m < 2
         assert between.spectrum == "jonswap" and ocean.frame_at(30).sea == then
-    with pelagic.Ocean(first) as ocean, pytest.raises(ValueError, match=r"^peak_wavelength_m of change 1 is .* largest_peak_m"):
+    with pelagic.Ocean(first) as ocean, pytest.raises(ValueError, match=r"^change 1: peak_wavelength_m is .* largest_peak_m"):
         ocean.schedule_sea(then, from_s=10, over_s=10)
 
 
@@ -178,9 +178,9 @@ def test_a_series_is_queries_of_frames():
         with pytest.raises(BufferError):
             ocean.series(points, times)
         del view
-        with pytest.raises(ValueError, match=r"times.shape is \(\), needs \(n,\): seconds"):
+        with pytest.raises(ValueError, match=r"times.shape is \(\), expected \(n,\): seconds"):
             ocean.series(points, 3.0)
-        with pytest.raises(ValueError, match="times is nan, needs finite numbers of seconds"):
+        with pytest.raises(ValueError, match="times is nan, expected finite numbers of seconds"):
             ocean.series(points, [0, np.nan])
         assert ocean.frame_at(2).hash
     with pelagic.Ocean(pelagic.Sea(resolution=64)) as still, pytest.raises(ValueError, match="velocities"):

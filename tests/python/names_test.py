@@ -83,23 +83,23 @@ def test_the_package_is_typed_and_has_the_projects_version():
 
 
 @pytest.mark.parametrize("bad, kind, line", [
-    ({"wind_speed_mps": -3}, ValueError, "wind_speed_mps is -3, needs (0, 60]"),
-    ({"wind_speed_mps": float("nan")}, ValueError, "wind_speed_mps is nan, needs (0, 60]"),
-    ({"wind_speed_mps": float("inf")}, ValueError, "wind_speed_mps is inf, needs (0, 60]"),
-    ({"wind_speed_mps": "9"}, TypeError, "wind_speed_mps is '9', needs a number"),
-    ({"wind_speed_mps": None}, TypeError, "wind_speed_mps is None, needs a number"),
-    ({"wind_speed_mps": True}, TypeError, "wind_speed_mps is True, needs a number"),
-    ({"resolution": 100}, ValueError, "resolution is 100, needs a power of two from 16 to 2048, or 0: chosen"),
-    ({"resolution": 64.5}, TypeError, "resolution is 64.5, needs a whole number"),
-    ({"resolution": 64.0}, TypeError, "resolution is 64.0, needs a whole number"),
-    ({"seed": -1}, ValueError, "seed is -1, needs a whole number from 0 to 4294967295"),
-    ({"seed": 2**32}, ValueError, "seed is 4294967296, needs a whole number from 0 to 4294967295"),
+    ({"wind_speed_mps": -3}, ValueError, "wind_speed_mps -3 is out of range (0, 60]"),
+    ({"wind_speed_mps": float("nan")}, ValueError, "wind_speed_mps nan is out of range (0, 60]"),
+    ({"wind_speed_mps": float("inf")}, ValueError, "wind_speed_mps inf is out of range (0, 60]"),
+    ({"wind_speed_mps": "9"}, TypeError, "wind_speed_mps is '9', expected a number"),
+    ({"wind_speed_mps": None}, TypeError, "wind_speed_mps is None, expected a number"),
+    ({"wind_speed_mps": True}, TypeError, "wind_speed_mps is True, expected a number"),
+    ({"resolution": 100}, ValueError, "resolution is 100, expected a power of two from 16 to 2048, or 0: chosen"),
+    ({"resolution": 64.5}, TypeError, "resolution is 64.5, expected a whole number"),
+    ({"resolution": 64.0}, TypeError, "resolution is 64.0, expected a whole number"),
+    ({"seed": -1}, ValueError, "seed is -1, expected a whole number from 0 to 4294967295"),
+    ({"seed": 2**32}, ValueError, "seed is 4294967296, expected a whole number from 0 to 4294967295"),
     ({"seed": 10**400}, ValueError, "seed is 1000"),
-    ({"spectrum": "jonswop"}, ValueError, "spectrum is jonswop, needs phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)"),
-    ({"spectrum": 3}, TypeError, "spectrum is 3, needs a name: phillips-paper, phillips, pierson-moskowitz or jonswap"),
-    ({"waves": "ponds"}, ValueError, "waves is ponds, needs spectrum, analytic or pond (the nearest is pond)"),
-    ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, needs paper, cosine-2s, hasselmann or donelan-banner"),
-    ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, needs 1 where the side of the cascade is given"),
+    ({"spectrum": "jonswop"}, ValueError, "spectrum is jonswop, expected phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)"),
+    ({"spectrum": 3}, TypeError, "spectrum is 3, expected a name: phillips-paper, phillips, pierson-moskowitz or jonswap"),
+    ({"waves": "ponds"}, ValueError, "waves is ponds, expected spectrum, analytic or pond (the nearest is pond)"),
+    ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, expected paper, cosine-2s, hasselmann or donelan-banner"),
+    ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, expected 1 where the side of the cascade is given"),
 ], ids=str)
 def test_a_bad_sea_gets_one_line(bad, kind, line):
     with pytest.raises(kind) as refused:
@@ -115,34 +115,34 @@ def test_numbers_of_numpy_are_numbers():
 
 
 def test_bad_questions_get_one_line(small):
-    with pytest.raises(ValueError, match=r"^preset is strom, needs pond, .* or beaufort-12 \(the nearest is storm\)$"):
+    with pytest.raises(ValueError, match=r"^preset is strom, expected pond, .* or beaufort-12 \(the nearest is storm\)$"):
         pelagic.preset("strom")
     with pytest.raises(ValueError, match=r" or beaufort-12$"):
         pelagic.preset("quiet night")
-    with pytest.raises(TypeError, match=r'^sea is \'rough\', needs a pelagic.Sea, such as pelagic.preset\("rough"\)$'):
+    with pytest.raises(TypeError, match=r'^sea is \'rough\', expected a pelagic.Sea, such as pelagic.preset\("rough"\)$'):
         pelagic.Ocean("rough")
-    with pytest.raises(ValueError, match=r"^threads is 2000, needs "):
+    with pytest.raises(ValueError, match=r"^threads is 2000, expected "):
         pelagic.Ocean(small, threads=2000)
-    with pytest.raises(ValueError, match=r"^isa is avx9, needs sse4.2, avx2, avx512 or neon$"):
+    with pytest.raises(ValueError, match=r"^isa is avx9, expected sse4.2, avx2, avx512 or neon$"):
         pelagic.Ocean(small, isa="avx9")
     with pelagic.Ocean(small, queries=False) as ocean, pytest.raises(ValueError, match="queries"):
         ocean.frame_at(0).query([[0, 0]])
     cases = {
-        "points.shape is (2, 3), needs (..., 2): x and z of each point": lambda frame: frame.query([[0, 0, 0], [1, 1, 1]]),
-        "points.shape is (), needs (..., 2): x and z of each point": lambda frame: frame.query(3.0),
+        "points.shape is (2, 3), expected (..., 2): x and z of each point": lambda frame: frame.query([[0, 0, 0], [1, 1, 1]]),
+        "points.shape is (), expected (..., 2): x and z of each point": lambda frame: frame.query(3.0),
         "points can't be made an array of numbers": lambda frame: frame.query([["a", "b"]]),
         "z can't be made an array of numbers": lambda frame: frame.query([1.0], "south"),
-        "fields is depth, needs height, normal, jacobian, velocity, foam, converged or error": lambda frame: frame.query([[0, 0]], fields=["depth"]),
-        "interpolation is quintic, needs linear or cubic": lambda frame: frame.query([[0, 0]], interpolation="quintic"),
-        "tolerance_m is 0, needs [1e-6, 1000]": lambda frame: frame.query([[0, 0]], tolerance_m=0),
-        "ray 1: reach_m is nan, needs ": lambda frame: frame.rays([0, 9, 0], [0, -1, 0], [1.0, np.nan]),
+        "fields is depth, expected height, normal, jacobian, velocity, foam, converged or error": lambda frame: frame.query([[0, 0]], fields=["depth"]),
+        "interpolation is quintic, expected linear or cubic": lambda frame: frame.query([[0, 0]], interpolation="quintic"),
+        "tolerance_m 0 is out of range [1e-6, 1000]": lambda frame: frame.query([[0, 0]], tolerance_m=0),
+        "ray 1: reach_m is nan, expected ": lambda frame: frame.rays([0, 9, 0], [0, -1, 0], [1.0, np.nan]),
         "ray 0: ": lambda frame: frame.rays([0, 9, 0], [0, 0, 0], 1.0),
-        "directions.shape is (2,), needs (..., 3): x, y and z of each ray": lambda frame: frame.rays([0, 9, 0], [0, 0], 1.0),
-        "point 1: a coordinate is nan, needs [-1e9, 1e9]": lambda frame: frame.displaced([[0, 0], [np.nan, 0]]),
-        "the frame has no foam, needs an ocean with foam=True": lambda frame: frame.foam_hash,
-        "level is 7, needs 0 to 6": lambda frame: frame.cascades[0].gradient_level(7),
-        "the frame has none of that, needs an ocean with velocities=True": lambda frame: frame.cascades[0].velocity_y,
-        "the frame has none of that, needs an ocean with slopes=True": lambda frame: frame.cascades[0].slopes,
+        "directions.shape is (2,), expected (..., 3): x, y and z of each ray": lambda frame: frame.rays([0, 9, 0], [0, 0], 1.0),
+        "point 1: a coordinate nan is out of range [-1e9, 1e9]": lambda frame: frame.displaced([[0, 0], [np.nan, 0]]),
+        "the frame has no foam: create the ocean with foam=True": lambda frame: frame.foam_hash,
+        "level is 7, expected 0 to 6": lambda frame: frame.cascades[0].gradient_level(7),
+        "the frame does not have it: create the ocean with velocities=True": lambda frame: frame.cascades[0].velocity_y,
+        "the frame does not have it: create the ocean with slopes=True": lambda frame: frame.cascades[0].slopes,
     }
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(0)
@@ -153,9 +153,9 @@ def test_bad_questions_get_one_line(small):
         for name in ("velocity", "foam"):
             with pytest.raises(ValueError, match=name.rstrip("y")):
                 frame.query([[0, 0]], fields=[name])
-        with pytest.raises(TypeError, match=r"^fields is 'height', needs a list of names$"):
+        with pytest.raises(TypeError, match=r"^fields is 'height', expected a list of names$"):
             frame.query([[0, 0]], fields="height")
-        with pytest.raises(ValueError, match="time_s is nan, needs a finite number"):
+        with pytest.raises(ValueError, match="time_s is nan, expected a finite number"):
             ocean.frame_at(float("nan"))
         with pytest.raises(ValueError, match="over_s"):
             ocean.schedule_sea(small, 10, 0)

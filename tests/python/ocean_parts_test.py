@@ -140,7 +140,7 @@ def test_sources_rain_and_saved_states_continue_bit_for_bit():
 
         ocean.schedule(2)
         for ask in (waves.save_state, lambda: waves.restore_state(saved)):
-            with pytest.raises(RuntimeError, match=r"^a frame is in flight, needs complete\(\) first$"):
+            with pytest.raises(RuntimeError, match=r"^a frame is in flight, expected complete\(\) first$"):
                 ask()
         waves.add_impulse(STONE)  # for the next frame
         ocean.complete()
@@ -208,7 +208,7 @@ def test_shores_have_the_commands_answers(tmp_path):
         assert ocean.frame_at(12.34 + SEA.loop_period_s).shore.hash == hash_ != ocean.frame_at(13).shore.hash
         with pytest.raises(pelagic.StaleFrame):
             shore.hash
-        with pytest.raises(ValueError, match="the sea can't change, needs an ocean without a shore"):
+        with pytest.raises(ValueError, match="the sea of an ocean with a shore cannot change"):
             ocean.schedule_sea(SEA, 20, 1)
 
 
@@ -233,7 +233,7 @@ def test_wave_inputs_add_their_waves(small):
         rings.set(pelagic.Ripple())
         assert ocean.frame_at(0).hash == hash_
         for input_ in (waves, rings):
-            with pytest.raises(ValueError, match=r"^inputs\[0\] is in use, needs an input of its own$"):
+            with pytest.raises(ValueError, match=r"^inputs\[0\] is in use, expected an input of its own$"):
                 pelagic.Ocean(small, inputs=[input_])
     waves.set([pelagic.AnalyticWave()])  # of a closed ocean
     again = [pelagic.GerstnerInput([pelagic.AnalyticWave(**flat, direction_rad=np.pi / 2)], choppiness=0),
@@ -247,50 +247,50 @@ def test_wave_inputs_add_their_waves(small):
 def test_wrong_values_get_one_line(small):
     heights = np.zeros((4, 4))
     cases = {
-        "radius_m is 0, needs [0.001, 1000]": (ValueError, lambda: pelagic.Disturbance(radius_m=0)),
-        "radius_m is 'wide', needs a number": (TypeError, lambda: pelagic.Disturbance(radius_m="wide")),
-        "mode is pull, needs pressure, relaxation or impulse": (ValueError, lambda: pelagic.Disturbance(mode="pull")),
-        "shape is 3, needs a name: gauss or hull": (TypeError, lambda: pelagic.Disturbance(shape=3)),
+        "radius_m 0 is out of range [0.001, 1000]": (ValueError, lambda: pelagic.Disturbance(radius_m=0)),
+        "radius_m is 'wide', expected a number": (TypeError, lambda: pelagic.Disturbance(radius_m="wide")),
+        "mode is pull, expected pressure, relaxation or impulse": (ValueError, lambda: pelagic.Disturbance(mode="pull")),
+        "shape is 3, expected a name: gauss or hull": (TypeError, lambda: pelagic.Disturbance(shape=3)),
         "Disturbance() has no argument radius (the nearest is radius_m)": (TypeError, lambda: pelagic.Disturbance(radius=3)),
-        "resolution is 100, needs 64, 128, 256, 512 or 1024": (ValueError, lambda: pelagic.DynamicWavesOptions(resolution=100)),
-        "border_m is 20, needs at most a quarter of side_m, 16": (ValueError, lambda: pelagic.DynamicWavesOptions(border_m=20)),
-        "step is euler, needs spectral or verlet": (ValueError, lambda: pelagic.DynamicWavesOptions(step="euler")),
-        "seed is -1, needs a whole number from 0 to 4294967295": (ValueError, lambda: pelagic.Rain(seed=-1)),
-        "metres_a_sample is 0, needs [0.001, 10000]": (ValueError, lambda: pelagic.ShoreOptions(heights, metres_a_sample=0)),
-        "rows is 1, needs 2 to 4096": (ValueError, lambda: pelagic.ShoreOptions(heights[:1])),
-        "heights_m.ndim is 1, needs 2: an array of (rows, columns)": (ValueError, lambda: pelagic.ShoreOptions(heights[0])),
-        "heights_m is nan, needs [-11000, 9000]": (ValueError, lambda: pelagic.ShoreOptions(heights + np.nan)),
+        "resolution is 100, expected 64, 128, 256, 512 or 1024": (ValueError, lambda: pelagic.DynamicWavesOptions(resolution=100)),
+        "border_m is 20, expected at most a quarter of side_m, 16": (ValueError, lambda: pelagic.DynamicWavesOptions(border_m=20)),
+        "step is euler, expected spectral or verlet": (ValueError, lambda: pelagic.DynamicWavesOptions(step="euler")),
+        "seed is -1, expected a whole number from 0 to 4294967295": (ValueError, lambda: pelagic.Rain(seed=-1)),
+        "metres_a_sample 0 is out of range [0.001, 10000]": (ValueError, lambda: pelagic.ShoreOptions(heights, metres_a_sample=0)),
+        "rows is 1, expected 2 to 4096": (ValueError, lambda: pelagic.ShoreOptions(heights[:1])),
+        "heights_m.ndim is 1, expected 2: an array of (rows, columns)": (ValueError, lambda: pelagic.ShoreOptions(heights[0])),
+        "heights_m nan is out of range [-11000, 9000]": (ValueError, lambda: pelagic.ShoreOptions(heights + np.nan)),
         "heights_m can't be made an array of numbers": (ValueError, lambda: pelagic.ShoreOptions("flat")),
-        "wavelength_m is -1, needs [0.01, 1000]": (ValueError, lambda: pelagic.AnalyticWave(wavelength_m=-1)),
-        "amplitude_m is 1, needs at most wavelength_m / (2 pi), ": (ValueError, lambda: pelagic.Ripple(amplitude_m=1)),
+        "wavelength_m -1 is out of range [0.01, 1000]": (ValueError, lambda: pelagic.AnalyticWave(wavelength_m=-1)),
+        "amplitude_m is 1, expected at most wavelength_m / (2 pi), ": (ValueError, lambda: pelagic.Ripple(amplitude_m=1)),
         "steepness is ": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave(amplitude_m=5)])),
-        "choppiness is 2, needs ": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave()], 2)),
-        "waves[1] is 3, needs a pelagic.AnalyticWave": (TypeError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave(), 3])),
-        "ripple is 3, needs a pelagic.Ripple": (TypeError, lambda: pelagic.RippleInput(3)),
-        "inputs[0] is 3, needs a list of ": (TypeError, lambda: pelagic.Ocean(small, inputs=[3])),
-        "inputs is 3, needs a list of ": (TypeError, lambda: pelagic.Ocean(small, inputs=3)),
-        "dynamic_waves is True, needs a pelagic.DynamicWavesOptions": (TypeError, lambda: pelagic.Ocean(small, dynamic_waves=True)),
-        "shore is 3, needs a pelagic.ShoreOptions": (TypeError, lambda: pelagic.Ocean(small, shore=3)),
-        "cascades is 1, needs 2 to 4 where there is a shore": (ValueError, lambda: pelagic.Ocean(small, shore=pelagic.ShoreOptions(heights))),
+        "choppiness is 2, expected ": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave()], 2)),
+        "waves[1] is 3, expected a pelagic.AnalyticWave": (TypeError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave(), 3])),
+        "ripple is 3, expected a pelagic.Ripple": (TypeError, lambda: pelagic.RippleInput(3)),
+        "inputs[0] is 3, expected a list of ": (TypeError, lambda: pelagic.Ocean(small, inputs=[3])),
+        "inputs is 3, expected a list of ": (TypeError, lambda: pelagic.Ocean(small, inputs=3)),
+        "dynamic_waves is True, expected a pelagic.DynamicWavesOptions": (TypeError, lambda: pelagic.Ocean(small, dynamic_waves=True)),
+        "shore is 3, expected a pelagic.ShoreOptions": (TypeError, lambda: pelagic.Ocean(small, shore=3)),
+        "cascades is 1, expected 2 to 4 where there is a shore": (ValueError, lambda: pelagic.Ocean(small, shore=pelagic.ShoreOptions(heights))),
     }
     with pelagic.Ocean(small) as still, pelagic.Ocean(small, dynamic_waves=GRID) as ocean:
         waves, frame = ocean.dynamic_waves, still.frame_at(0)
         hash_ = ocean.frame_at(0).dynamic_waves.hash
         cases |= {
-            "the ocean has no dynamic waves, needs an ocean with dynamic_waves=pelagic.DynamicWavesOptions()": (ValueError, lambda: still.dynamic_waves),
-            "the frame has no dynamic waves, needs an ocean with ": (ValueError, lambda: frame.dynamic_waves),
-            "the frame has no shore, needs an ocean with shore=pelagic.ShoreOptions(heights_m)": (ValueError, lambda: frame.shore),
-            "disturbance is 3, needs a pelagic.Disturbance": (TypeError, lambda: waves.add_impulse(3)),
-            "source is None, needs a pelagic.Disturbance": (TypeError, lambda: waves.add_source(None)),
-            "number is -1, needs a number that add_source() returned": (ValueError, lambda: waves.set_source(-1, BOAT)),
-            "number is 'boat', needs a whole number": (TypeError, lambda: waves.remove_source("boat")),
+            "the ocean has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()": (ValueError, lambda: still.dynamic_waves),
+            "the frame has no dynamic waves, expected an ocean with ": (ValueError, lambda: frame.dynamic_waves),
+            "the frame has no shore: create the ocean with shore=pelagic.ShoreOptions(heights_m)": (ValueError, lambda: frame.shore),
+            "disturbance is 3, expected a pelagic.Disturbance": (TypeError, lambda: waves.add_impulse(3)),
+            "source is None, expected a pelagic.Disturbance": (TypeError, lambda: waves.add_source(None)),
+            "number is -1, expected a number that add_source() returned": (ValueError, lambda: waves.set_source(-1, BOAT)),
+            "number is 'boat', expected a whole number": (TypeError, lambda: waves.remove_source("boat")),
             "set_source() needs source": (TypeError, lambda: waves.set_source(1)),
-            "the centre is 1000000000, needs [-1e8, 1e8]": (ValueError, lambda: waves.set_center(1e9, 0)),
-            "the centre is nan, needs [-1e8, 1e8]": (ValueError, lambda: waves.set_center(0, np.nan)),
-            "z_m is 'far', needs a number": (TypeError, lambda: waves.set_center(0, "far")),
-            "radius_m is 9, needs [0.001, 4], to a 16th of side_m": (ValueError, lambda: waves.set_rain(pelagic.Rain(1, radius_m=9))),
-            "rain is 3, needs a pelagic.Rain": (TypeError, lambda: waves.set_rain(3)),
-            "saved is list, needs bytes that save_state() returned": (TypeError, lambda: waves.restore_state([1])),
+            "the centre 1000000000 is out of range [-1e8, 1e8]": (ValueError, lambda: waves.set_center(1e9, 0)),
+            "the centre nan is out of range [-1e8, 1e8]": (ValueError, lambda: waves.set_center(0, np.nan)),
+            "z_m is 'far', expected a number": (TypeError, lambda: waves.set_center(0, "far")),
+            "radius_m 9 is out of range [0.001, 4], to a 16th of side_m": (ValueError, lambda: waves.set_rain(pelagic.Rain(1, radius_m=9))),
+            "rain is 3, expected a pelagic.Rain": (TypeError, lambda: waves.set_rain(3)),
+            "saved is list, expected bytes that save_state() returned": (TypeError, lambda: waves.restore_state([1])),
         }
         for line, (kind, ask) in cases.items():
             with pytest.raises(kind) as refused:

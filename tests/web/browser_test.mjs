@@ -62,8 +62,8 @@ for (const [where, module, threads, expected] of [['on the page', 'index.js', un
 test('threads are refused where a page has none to give', async () => {
   const invalid_value_message = (module) => import(`/node_modules/pelagic/${module}`).then(({ createOcean }) => createOcean({ threads: 2 }))
     .then(() => 'none', (error) => `${error instanceof Error} ${error.message}`);
-  for (const [server, module, expected] of [[isolated, 'index.js', /^true threads is 2, needs 1 on a page's own thread/],
-                                            [plain, 'worker.js', /^true threads is 2, needs 1 where a page is not isolated/],
+  for (const [server, module, expected] of [[isolated, 'index.js', /^true threads is 2, expected 1 on a page's own thread/],
+                                            [plain, 'worker.js', /^true threads is 2, expected 1 where a page is not isolated/],
                                             [isolated, 'worker.js', /^none$/]]) {
     const { page } = await open(server);
     assert.match(await page.evaluate(invalid_value_message, module), expected);

@@ -135,43 +135,43 @@ test('a ray comes down on the water that a query finds there', async () => {
 
 test('what is wrong is refused by one line that says what would do', async () => {
   const cases = [
-    [{ windSpeedMps: -3 }, 'windSpeedMps is -3, needs (0, 60]'],
-    [{ windSpeedMps: NaN }, 'windSpeedMps is NaN, needs (0, 60]'],
-    [{ windSpeedMps: Infinity }, 'windSpeedMps is Infinity, needs (0, 60]'],
-    [{ windSpeedMps: '9' }, 'windSpeedMps is "9", needs a number: (0, 60]'],
-    [{ windSpeedMps: null }, 'windSpeedMps is null, needs a number: (0, 60]'],
-    [{ windSpeedMps: [9] }, 'windSpeedMps is an array, needs a number: (0, 60]'],
-    [{ resolution: 100 }, 'resolution is 100, needs a power of two from 16 to 2048, or 0: chosen'],
-    [{ cascades: 2.5 }, 'cascades is 2.5, needs 1, 2, 3 or 4, or 0: chosen'],
-    [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, needs 1 where the side of the cascade is given'],
-    [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, needs 0 where the spectrum is phillips-paper'],
-    [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, needs windSpeedMps'],
-    [{ windspeed: 9 }, 'there is no option windspeed, needs windSpeedMps'],
-    [{ waves: 'pond' }, 'waves is "pond", needs spectrum, analytic or pond (the nearest is pond)'],
-    [{ queries: 1 }, 'queries is 1, needs true or false'],
-    [{ threads: 0 }, 'threads is 0, needs a whole number from 1 to 64'],
-    [{ threads: '2' }, 'threads is "2", needs a whole number from 1 to 64'],
-    [null, 'options is null, needs an object such as {windSpeedMps: 9}'],
-    [[], 'options is an array, needs an object such as {windSpeedMps: 9}'],
+    [{ windSpeedMps: -3 }, 'windSpeedMps -3 is out of range (0, 60]'],
+    [{ windSpeedMps: NaN }, 'windSpeedMps NaN is out of range (0, 60]'],
+    [{ windSpeedMps: Infinity }, 'windSpeedMps Infinity is out of range (0, 60]'],
+    [{ windSpeedMps: '9' }, 'windSpeedMps is "9", expected a number: (0, 60]'],
+    [{ windSpeedMps: null }, 'windSpeedMps is null, expected a number: (0, 60]'],
+    [{ windSpeedMps: [9] }, 'windSpeedMps is an array, expected a number: (0, 60]'],
+    [{ resolution: 100 }, 'resolution is 100, expected a power of two from 16 to 2048, or 0: chosen'],
+    [{ cascades: 2.5 }, 'cascades is 2.5, expected 1, 2, 3 or 4, or 0: chosen'],
+    [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, expected 1 where the side of the cascade is given'],
+    [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, expected 0 where the spectrum is phillips-paper'],
+    [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, expected windSpeedMps'],
+    [{ windspeed: 9 }, 'there is no option windspeed, expected windSpeedMps'],
+    [{ waves: 'pond' }, 'waves is "pond", expected spectrum, analytic or pond (the nearest is pond)'],
+    [{ queries: 1 }, 'queries is 1, expected true or false'],
+    [{ threads: 0 }, 'threads is 0, expected a whole number from 1 to 64'],
+    [{ threads: '2' }, 'threads is "2", expected a whole number from 1 to 64'],
+    [null, 'options is null, expected an object such as {windSpeedMps: 9}'],
+    [[], 'options is an array, expected an object such as {windSpeedMps: 9}'],
   ];
   for (const create of [createOcean, remote.createOcean])
     for (const [options, message] of cases) await assert.rejects(create(options), { name: 'Error', message });
-  await assert.rejects(createOcean({ preset: 'ruogh' }), /^Error: preset is "ruogh", needs pond, calm.*the nearest is rough/);
-  await assert.rejects(remote.createOcean({ maps: ['depth'] }), /maps has depth, needs only displacement/);
+  await assert.rejects(createOcean({ preset: 'ruogh' }), /^Error: preset is "ruogh", expected pond, calm.*the nearest is rough/);
+  await assert.rejects(remote.createOcean({ maps: ['depth'] }), /maps has depth, expected only displacement/);
 
   const ocean = await createOcean(small);
   for (const [call, message] of [
-    [() => ocean.complete(), 'no frame is scheduled, needs schedule() first'],
-    [() => ocean.query([0, 0]), 'there is no frame yet, needs complete() first'],
-    [() => ocean.schedule(NaN), 'timeS is NaN, needs a finite number'],
-    [() => ocean.schedule('1'), 'timeS is "1", needs a finite number'],
-    [() => ocean.schedule(), 'timeS is undefined, needs a finite number'],
-    [() => { ocean.schedule(1); ocean.schedule(2); }, 'a frame is scheduled already, needs complete() first'],
-    [() => ocean.changeSea({ windSpeedMps: 5 }), 'a frame is scheduled, needs complete() first'],
-    [() => ocean.complete().query([1]), 'points has 1 numbers, needs pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres'],
+    [() => ocean.complete(), 'no frame is scheduled; call schedule() first'],
+    [() => ocean.query([0, 0]), 'there is no frame yet; call complete() first'],
+    [() => ocean.schedule(NaN), 'timeS is NaN, expected a finite number'],
+    [() => ocean.schedule('1'), 'timeS is "1", expected a finite number'],
+    [() => ocean.schedule(), 'timeS is undefined, expected a finite number'],
+    [() => { ocean.schedule(1); ocean.schedule(2); }, 'a frame is scheduled already; call complete() first'],
+    [() => ocean.changeSea({ windSpeedMps: 5 }), 'a frame is scheduled; call complete() first'],
+    [() => ocean.complete().query([1]), 'points has 1 numbers, expected pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres'],
     [() => ocean.changeSea({ resolution: 32 }), /resolution/],
-    [() => ocean.completeSea(), 'no sea is scheduled, needs scheduleSea() first'],
-    [() => ocean.turnInto({ windSpeedMps: 5 }, { fromS: 1, overS: 0 }), 'overS is 0, needs seconds in (0, 1e9]'],
+    [() => ocean.completeSea(), 'no sea is scheduled, expected scheduleSea() first'],
+    [() => ocean.turnInto({ windSpeedMps: 5 }, { fromS: 1, overS: 0 }), 'overS is 0, expected seconds in (0, 1e9]'],
   ])
     assert.throws(call, typeof message === 'string' ? { name: 'Error', message } : message);
   assert.throws(() => ocean.query([0, 0]), /queries/);
@@ -180,11 +180,11 @@ test('what is wrong is refused by one line that says what would do', async () =>
 
   const askable = await createOcean({ ...small, queries: true });
   askable.frameAt(0);
-  for (const [ray, pattern] of [[undefined, /^Error: originM is undefined, needs three numbers/], [{ originM: [0, 1, 0], direction: [0, 0, 0], reachM: 1 }, /direction's length is 0/],
-                                [{ originM: [0, 1, 0], direction: [0, -1, 0], reachM: -1 }, /reachM is -1, needs 0 to a million/]])
+  for (const [ray, pattern] of [[undefined, /^Error: originM is undefined, expected three numbers/], [{ originM: [0, 1, 0], direction: [0, 0, 0], reachM: 1 }, /direction's length is 0/],
+                                [{ originM: [0, 1, 0], direction: [0, -1, 0], reachM: -1 }, /reachM is -1, expected 0 to a million/]])
     assert.throws(() => askable.firstHit(ray), pattern);
-  assert.throws(() => askable.query([0, 0], { toleranceM: 0 }), /toleranceM is 0, needs metres above 0/);
-  assert.throws(() => askable.query([0, 0], { interpolation: 'quintic' }), /interpolation is "quintic", needs linear or cubic/);
+  assert.throws(() => askable.query([0, 0], { toleranceM: 0 }), /toleranceM is 0, expected metres above 0/);
+  assert.throws(() => askable.query([0, 0], { interpolation: 'quintic' }), /interpolation is "quintic", expected linear or cubic/);
   askable.dispose();
 });
 

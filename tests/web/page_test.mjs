@@ -108,7 +108,7 @@ test('the server follows no link out of its folder, and says in a line what it w
   const refused = (...words) => spawnSync(process.execPath, [serve, ...words]).stderr.toString();
   assert.equal(refused(), 'serve: which folder? serve.mjs FOLDER [PORT]\n');
   assert.equal(refused('/none'), 'serve: there is no folder /none\n');
-  assert.equal(refused(folder, '70000'), 'serve: PORT is 70000, needs 0 to 65535\n');
+  assert.equal(refused(folder, '70000'), 'serve: PORT is 70000, expected 0 to 65535\n');
   assert.equal(refused(folder, new URL(at).port), `serve: port ${new URL(at).port} is taken: give another one\n`);
   other.kill('SIGINT');
   assert.equal(await new Promise(resolve => other.once('exit', resolve)), 0);
@@ -221,7 +221,7 @@ test('what does not fit is said in a line, and the sea stays', async () => {
     input.value = '-5';
     input.dispatchEvent(new Event('change'));
   });
-  assert.equal(await problemLine(), 'fetchM is -5, needs (0, 2e6]');
+  assert.equal(await problemLine(), 'fetchM -5 is out of range (0, 2e6]');
   assert.equal(await shownHash(), before);
 });
 
@@ -318,24 +318,24 @@ test('a damaged link is told in one line, and the default sea stands in', async 
   const changed = await read([...Array(link.length - 9).keys()].map(at => `${link.slice(0, at + 9)}%${link.slice(at + 10)}`));
   assert.ok(changed.every(line => line));
   const told = {
-    'windSpeedMps=99': 'windSpeedMps is 99, needs (0, 60]',
-    'windSpeedMps=': 'windSpeedMps is empty, needs a number: (0, 60]',
-    'windSpeedMps=1e': 'windSpeedMps is 1e, needs a number: (0, 60]',
+    'windSpeedMps=99': 'windSpeedMps 99 is out of range (0, 60]',
+    'windSpeedMps=': 'windSpeedMps is empty, expected a number: (0, 60]',
+    'windSpeedMps=1e': 'windSpeedMps is 1e, expected a number: (0, 60]',
     'wind=9': 'the page has no option wind',
     'seed=1&seed=2': 'seed stands twice in the link',
-    'seed=1.5': 'seed is 1.5, needs a whole number from 0 to 4294967295',
-    'paused=yes': 'paused is yes, needs true or false',
-    'scale=0.1': 'scale is 0.1, needs [0.25, 1], or 0: by the frame time',
-    'cloudCover=2': 'cloudCover is 2, needs [0, 1]',
-    'light=dawn': 'light is dawn, needs one of noon, golden-hour, overcast, storm, moonlight',
+    'seed=1.5': 'seed is 1.5, expected a whole number from 0 to 4294967295',
+    'paused=yes': 'paused is yes, expected true or false',
+    'scale=0.1': 'scale 0.1 is out of range [0.25, 1], or 0: by the frame time',
+    'cloudCover=2': 'cloudCover 2 is out of range [0, 1]',
+    'light=dawn': 'light is dawn, expected one of noon, golden-hour, overcast, storm, moonlight',
     '%0A%E0%A4%A=1': 'the page has no option %0A%E0%A4%A',
   };
   assert.deepEqual(await read(Object.keys(told)), Object.values(told));
   const [unknownSea, manyCascades] = await read(['sea=gale', 'sea=pond&cascades=3']);
-  assert.match(unknownSea, /^sea is gale, needs one of pond, calm, .*beaufort-12$/);
-  assert.match(manyCascades, /^cascades is 3, needs 1 where waves is pond$/);
+  assert.match(unknownSea, /^sea is gale, expected one of pond, calm, .*beaufort-12$/);
+  assert.match(manyCascades, /^cascades is 3, expected 1 where waves is pond$/);
   await openLink('windSpeedMps=99');
-  assert.equal(await problemLine(), 'This link is damaged: windSpeedMps is 99, needs (0, 60]. Here is the default sea.');
+  assert.equal(await problemLine(), 'This link is damaged: windSpeedMps 99 is out of range (0, 60]. Here is the default sea.');
   assert.equal(await page.evaluate(() => globalThis.pelagicPage.settings.windSpeedMps), 12);
   await openLink(cheap);
   assert.equal(await problemLine(), '');

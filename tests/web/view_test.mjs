@@ -260,16 +260,16 @@ test('what is wrong is refused by one line, and the sea stays', async () => {
     return {lines, same: before === view.hash()};
   });
   assert.deepEqual(refusals.lines, [
-    'Error: windSpeedMps is -3, needs (0, 60]',
+    'Error: windSpeedMps -3 is out of range (0, 60]',
     refusals.lines[1],
-    'Error: cloudCover is 3, needs [0, 1]',
-    'Error: preset is "dusk", needs noon, golden-hour, overcast, storm or moonlight',
-    'Error: shading is "best", needs headset, medium or high',
-    'Error: eyes is 0, needs one or two',
+    'Error: cloudCover 3 is out of range [0, 1]',
+    'Error: preset is "dusk", expected noon, golden-hour, overcast, storm or moonlight',
+    'Error: shading is "best", expected headset, medium or high',
+    'Error: eyes is 0, expected one or two',
     "Error: an eye's view needs 16 numbers",
-    'Error: timeS is nan, needs a finite number',
+    'Error: timeS is nan, expected a finite number',
   ]);
-  assert.match(refusals.lines[1], /^Error: there is no option windSpeed, needs windSpeedMps/);
+  assert.match(refusals.lines[1], /^Error: there is no option windSpeed, expected windSpeedMps/);
   assert.equal(refusals.same, true);
 });
 

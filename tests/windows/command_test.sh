@@ -23,15 +23,15 @@ refused() {  # usage: refused EXIT_CODE LINE ARGUMENT...
   [ "$(tr -d '\r' <said)" = "pelagic: $2" ] && [ "$code" -eq "$1" ] || { echo "$code, not $1: ${*:3}"; cat said; exit 1; }
 }
 for command in export merge verify; do
-  refused 2 "$command is not in this build, needs one configured with -DPELAGIC_IMAGES=ON" $command --out x
+  refused 2 "$command is not in this build: configure with -DPELAGIC_IMAGES=ON" $command --out x
 done
 for command in render view; do
-  refused 2 "$command is not in this build, needs one configured with -DPELAGIC_GL=ON" $command
+  refused 2 "$command is not in this build: configure with -DPELAGIC_GL=ON" $command
 done
-refused 2 "--measure is not in this build, needs one configured with -DPELAGIC_IMAGES=ON" info --measure folder
-refused 2 "--points is folder, a folder, needs a CSV file of lines x,z (Is a directory)" query --points folder
-refused 2 "--points is none.csv, which can't be read, needs a CSV file of lines x,z (No such file or directory)" query --points none.csv
-refused 1 "can't write folder: it is a folder, needs a regular file or a free name" quadtree --svg folder
+refused 2 "--measure is not in this build: configure with -DPELAGIC_IMAGES=ON" info --measure folder
+refused 2 "--points is folder, a folder, expected a CSV file of lines x,z (Is a directory)" query --points folder
+refused 2 "--points is none.csv, which can't be read, expected a CSV file of lines x,z (No such file or directory)" query --points none.csv
+refused 1 "can't write folder: it is a folder, expected a regular file or a free name" quadtree --svg folder
 refused 1 "can't write nowhere/plan.svg: No such file or directory" quadtree --svg nowhere/plan.svg
 refused 1 "can't write plan.svg/plan.svg: Not a directory" quadtree --svg plan.svg/plan.svg
-refused 2 "--wind-speed is -3, needs (0, 60] m/s, or with a unit such as 20kn, 20knots, 40km/h, 25mph, bft6" info --wind-speed -3
+refused 2 "--wind-speed -3 is out of range (0, 60] m/s, or with a unit such as 20kn, 20knots, 40km/h, 25mph, bft6" info --wind-speed -3

@@ -256,7 +256,7 @@ void InfoCommand::add_options(CLI::App& app) {
 
 void InfoCommand::run() {
     if (measure_) return measure();
-    if (svg_) throw InputError("--svg is " + *svg_ + ", needs --measure DIR: it draws what is found there");
+    if (svg_) throw InputError("--svg is " + *svg_ + "; it requires --measure DIR");
     const Json json = info_json(sea_.resolve(), compute_.resolve());
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());
@@ -266,8 +266,9 @@ void InfoCommand::run() {
 
 void InfoCommand::measure() const {
     if (sea_.is_given())
-        throw InputError("--measure is " + *measure_ + ", needs no other sea: the export's own sea.json has it");
-    if (svg_ && svg_->empty()) throw InputError("--svg is empty, needs a file to write to");
+        throw InputError("--measure is " + *measure_ +
+                         "; no sea option is accepted beside it, the export's sea.json has the sea");
+    if (svg_ && svg_->empty()) throw InputError("--svg is empty, expected a file to write to");
     std::optional<OutputFile> svg;
     if (svg_) svg.emplace(*svg_);  // opened before measuring
 #if defined(PELAGIC_HAS_IMAGES)
@@ -278,7 +279,7 @@ void InfoCommand::measure() const {
     else
         print_measurement(json);
 #else
-    throw InputError("--measure is not in this build, needs one configured with -DPELAGIC_IMAGES=ON");
+    throw InputError("--measure is not in this build: configure with -DPELAGIC_IMAGES=ON");
 #endif
 }
 

@@ -272,7 +272,7 @@ void MergeCommand::add_options(CLI::App& app) {
 }
 
 void MergeCommand::run() {
-    if (!folder_) throw InputError("DIR is missing, needs a folder with the shards of an export");
+    if (!folder_) throw InputError("DIR is missing: expected a folder with the shards of an export");
     const ComputeOptions compute = compute_.resolve();
     const OutputFolder folder = open_export("DIR", *folder_, Sync::yes);
     std::optional<FolderLock> lock;

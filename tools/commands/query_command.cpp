@@ -164,7 +164,7 @@ void QueryCommand::add_options(CLI::App& app) {
 
 std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {
     if (times_ && time_)
-        throw InputError("--times is " + *times_ + " and --time is " + *time_ + ", needs one of the two");
+        throw InputError("--times is " + *times_ + " and --time is " + *time_ + "; give one of the two");
     if (times_) {
         const std::vector<double> times_s = series(*times_);
         require_no_repetition(*times_, times_s, sea);
@@ -193,7 +193,7 @@ void QueryCommand::run() {
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
     if (!points_ || points_->empty())
-        throw InputError("--points is missing, needs a CSV file of lines x,z, or - for standard input");
+        throw InputError("--points is missing: expected a CSV file of lines x,z, or - for standard input");
     InputFile file("--points", *points_, "a CSV file of lines x,z", true);
     PointReader reader(file.name(), [&](std::span<char> bytes) { return file.read(bytes); });
     PointBlock block;

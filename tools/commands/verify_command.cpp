@@ -56,7 +56,8 @@ class Verification {
                                                    return false;
                                                },
                                            .frame = {}});
-        if (!is_there) throw InputError(path().string() + " is missing, needs a finished export" + hint_of_shards());
+        if (!is_there)
+            throw InputError(path().string() + " is missing: expected a finished export" + hint_of_shards());
         options_.compute = compute;
     }
 
@@ -210,7 +211,7 @@ void VerifyCommand::add_options(CLI::App& app) {
 }
 
 void VerifyCommand::run() {
-    if (!folder_) throw InputError("DIR is missing, needs the folder of a finished export");
+    if (!folder_) throw InputError("DIR is missing: expected the folder of a finished export");
     std::size_t sample = default_sample;
     if (sample_ == whole_export)
         sample = SIZE_MAX;

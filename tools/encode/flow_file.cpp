@@ -45,7 +45,7 @@ gl::FlowMap read_flow_map(const std::string& option, const std::string& file) {
             for (std::size_t c = 0; c < 2; ++c)
                 map.velocities.push_back(static_cast<std::uint8_t>(std::lround(pixels[i + c] * 255)));
     } catch (const std::runtime_error& error) {
-        throw InputError(option + " is " + file + ", needs " + accepted + " (" + error.what() + ")");
+        throw InputError(option + " is " + file + ", expected " + accepted + " (" + error.what() + ")");
     }
     return map;
 }

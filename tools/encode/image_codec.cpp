@@ -69,7 +69,7 @@ const ImageCodec& opened() {
     const auto* codec = static_cast<const ImageCodec*>(::dlsym(library, "pelagic_image_codec"));
     if (!codec) reject("it holds no pelagic_image_codec");
     if (std::string_view(codec->version) != PELAGIC_VERSION)
-        reject("it is of version " + std::string(codec->version) + ", needs " PELAGIC_VERSION);
+        reject("it is of version " + std::string(codec->version) + ", expected " PELAGIC_VERSION);
     return *codec;
 }
 

@@ -93,7 +93,7 @@ std::vector<float> decode(const ImageDescription& image, std::span<const unsigne
     if (spec.width != image.width || spec.height != image.height || spec.depth != 1 ||
         spec.nchannels != image.channels)
         throw std::runtime_error("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                                 " pixels of " + std::to_string(spec.nchannels) + " channels, needs " +
+                                 " pixels of " + std::to_string(spec.nchannels) + " channels, expected " +
                                  std::to_string(image.width) + " x " + std::to_string(image.height) + " of " +
                                  std::to_string(image.channels));
     std::vector<float> pixels(static_cast<std::size_t>(image.width) * image.height * image.channels);
@@ -112,7 +112,7 @@ std::vector<float> decode_channel(const ImageDescription& image, std::span<const
         if (number < 0) continue;
         if (spec.width != image.width || spec.height != image.height || spec.depth != 1)
             throw std::runtime_error("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                                     " pixels, needs " + std::to_string(image.width) + " x " +
+                                     " pixels, expected " + std::to_string(image.width) + " x " +
                                      std::to_string(image.height));
         std::vector<float> pixels(static_cast<std::size_t>(image.width) * image.height);
         check(*input, input->read_image(part, 0, number, number + 1, TypeDesc::FLOAT, pixels.data()));

@@ -170,12 +170,13 @@ std::vector<float> ktx2_channel(std::span<const unsigned char> file, int side, s
     const std::uint32_t width = word_at(width_at), height = word_at(height_at);
     if (width != static_cast<std::uint32_t>(side) || height != width)
         throw std::runtime_error("it has " + std::to_string(width) + " x " + std::to_string(height) +
-                                 " texels, needs " + std::to_string(side) + " x " + std::to_string(side));
+                                 " texels, expected " + std::to_string(side) + " x " + std::to_string(side));
     if (format != four_halves && format != four_floats)
-        throw std::runtime_error("its Vulkan format is " + std::to_string(format) + ", needs four halves or floats");
+        throw std::runtime_error("its Vulkan format is " + std::to_string(format) +
+                                 ", expected four halves or floats");
     if (scheme != 0 && scheme != zstd_scheme)
         throw std::runtime_error("its supercompression scheme is " + std::to_string(scheme) +
-                                 ", needs none or Zstandard");
+                                 ", expected none or Zstandard");
 
     const std::size_t value_bytes = format == four_halves ? 2 : 4;
     const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);

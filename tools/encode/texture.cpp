@@ -17,12 +17,12 @@ std::size_t bytes_of_level(const Texture& texture, int level) {
 
 std::string check(const Texture& texture) {
     const auto reject = [](const std::string& what, std::size_t found, const std::string& needed) {
-        return what + " " + std::to_string(found) + ", needs " + needed;
+        return what + " " + std::to_string(found) + ", expected " + needed;
     };
-    if (texture.width < 1) return "width is " + std::to_string(texture.width) + ", needs at least 1";
-    if (texture.height < 1) return "height is " + std::to_string(texture.height) + ", needs at least 1";
+    if (texture.width < 1) return "width is " + std::to_string(texture.width) + ", expected at least 1";
+    if (texture.height < 1) return "height is " + std::to_string(texture.height) + ", expected at least 1";
     if (texture.channels != 1 && texture.channels != 2 && texture.channels != 4)
-        return "channels are " + std::to_string(texture.channels) + ", needs 1, 2 or 4";
+        return "channels are " + std::to_string(texture.channels) + ", expected 1, 2 or 4";
     const auto max =
         static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(std::max(texture.width, texture.height))));
     if (texture.levels.empty() || texture.levels.size() > max)

@@ -45,7 +45,7 @@ std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s)
         if (std::max(sources, pushes) > DynamicWaves::max_disturbances)
             throw InputError("--events has more than " + number_text(DynamicWaves::max_disturbances) +
                              " disturbances at " + number_text(static_cast<double>(tick) / rate) +
-                             " s, needs at most that many at once");
+                             " s, expected at most that many at once");
     }
     return commands;
 }

@@ -186,8 +186,8 @@ EventFile parse_events(const std::string& name, std::string_view text) {
         text.remove_prefix(std::min(line.size() + 1, text.size()));
     }
     if (file.events.empty())
-        throw InputError(name + (reader.has_header() ? " holds no events, needs rows below its first line"
-                                                     : std::string(" is empty, needs ") + a_file));
+        throw InputError(name + (reader.has_header() ? " holds no events, expected rows below its first line"
+                                                     : std::string(" is empty, expected ") + a_file));
     return file;
 }
 

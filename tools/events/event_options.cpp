@@ -76,7 +76,8 @@ void require_reachable(const EventOptions& options, double last_frame_s) {
     const double first_s = options.file->first_s();
     if (last_frame_s - first_s > longest_replay_s)
         throw InputError("--events has a first event at " + number_text(first_s) + " s and the last frame is at " +
-                         number_text(last_frame_s) + " s, needs 86400 s between them at most: each tick is computed");
+                         number_text(last_frame_s) +
+                         " s, expected 86400 s between them at most: each tick is computed");
 }
 
 void EventFlags::add_to(CLI::App& app) {
@@ -101,7 +102,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
         for (const auto& [flag, typed] :
              {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
             if (*typed)
-                throw InputError(std::string("--events-") + flag + " is " + **typed + ", needs --events with it");
+                throw InputError(std::string("--events-") + flag + " is " + **typed + "; it requires --events");
         return {};
     }
     EventOptions options;
@@ -121,7 +122,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
                          " and --events-resolution " + number_text(options.water.resolution) + ": " + reason);
     std::optional<std::array<double, 2>> at;
     if (at_) at = place_in(*at_);
-    if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
+    if (file_->empty()) throw InputError("--events is empty, expected a CSV file");
     options.file = read_events(*file_);
     event_commands(*options.file,
                    options.water.ticks_per_s);  // rejects too many at once before anything is written

@@ -101,7 +101,7 @@ int frames_of_a_loop(double loop_period_s, double fps) {
     const double frames = loop_period_s * fps, whole = std::round(frames);
     // The rounding error of the product is far smaller.
     if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > max_frames)
-        throw InputError("--frames is loop, needs a loop of whole frames, 1 to 1000000: --loop-period " +
+        throw InputError("--frames is loop, expected a loop of whole frames, 1 to 1000000: --loop-period " +
                          number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
                          number_text(frames) + "; --loop-period " + number_text(std::max(whole, 1.0) / fps) +
                          " would do");
@@ -132,7 +132,7 @@ FlipbookGrid grid_in(const std::string& text) {
 
 // The folder may be missing, but no part of its path may be a file.
 OutputPlace checked_place(const std::optional<std::string>& text) {
-    if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
+    if (!text || text->empty()) throw InputError("--out is missing: expected a folder to write to");
     constexpr const char* accepted = "a folder, or a name for a sequence such as wave.####.exr or wave.%04d.tif";
     std::error_code error;
     OutputPlace place{*text, {}};
@@ -157,7 +157,7 @@ OutputPlace checked_place(const std::optional<std::string>& text) {
 // The finished trace is renamed to its name, so it must not replace a device or a file of the
 // export.
 std::filesystem::path checked_trace(const std::string& text, const ExportOptions& options) {
-    if (text.empty()) throw InputError("--trace is empty, needs a file to write to");
+    if (text.empty()) throw InputError("--trace is empty, expected a file to write to");
     const std::filesystem::path path = text;
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
@@ -257,11 +257,11 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
     for (const std::string other : {"frames", "fps"})
         if (loop_frames && typed(other))
             throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed(other) +
-                             ", needs one of the two: a loop's frames follow from its period");
+                             "; give one of the two: a loop's frames follow from its period");
     const bool is_loop = loop_frames || frames == one_loop;
     if (is_loop && !sea.changes.empty())
         throw InputError((loop_frames ? "--loop-frames is " + *loop_frames : "--frames is loop") +
-                         ", needs a number of --frames with --weather: it is no loop");
+                         ", expected a number of --frames with --weather: it is no loop");
     if (loop_frames) {
         times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, max_frames),
                                "--loop-frames", *loop_frames);
@@ -322,7 +322,7 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
         throw bad_value("--out", *typed("out"), "a name that ends with .exr, .tif, .ktx2 or .dds");
     if (names && typed_format && *typed_format != names->extension())
         throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
-                         ", needs the same format");
+                         ", expected the same format");
     if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
     options.tiled = tiled_;
     if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
@@ -365,13 +365,13 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
         check_flipbook(options, *grid);
     }
     options.preview = preview_;
-    if (preview_ && resume_) throw InputError("--preview is given with --resume, needs an export without");
+    if (preview_ && resume_) throw InputError("--preview cannot be combined with --resume");
     if (preview_ && typed("trace"))
-        throw InputError("--preview is given with --trace " + *typed("trace") + ", needs an export without");
-    if (overwrite_ && resume_) throw InputError("--overwrite is given with --resume, needs one of the two");
+        throw InputError("--preview is given with --trace " + *typed("trace") + ", expected an export without");
+    if (overwrite_ && resume_) throw InputError("--overwrite is given with --resume; give one of the two");
     if (overwrite_ && typed("shard"))
         throw InputError("--overwrite is given with --shard " + *typed("shard") +
-                         ", needs a whole export: a shard replaces no other export");
+                         ", expected a whole export: a shard replaces no other export");
     options.resume = resume_;
     options.overwrite = overwrite_;
     options.sync = !no_sync_;

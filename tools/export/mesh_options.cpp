@@ -40,7 +40,7 @@ std::vector<MeshFormat> formats_in(const std::string& text) {
 void check_size(const char* format, std::size_t bytes, std::size_t max_bytes, std::size_t frames) {
     if (bytes > max_bytes)
         throw InputError("--mesh " + std::string(format) + " of " + number_text(frames) + " frames has " +
-                         number_text(bytes >> 20) + " MiB, needs at most " + number_text(max_bytes >> 20) +
+                         number_text(bytes >> 20) + " MiB, expected at most " + number_text(max_bytes >> 20) +
                          " MiB: fewer frames or --mesh-steps");
 }
 
@@ -85,7 +85,7 @@ void MeshFlags::add_to(CLI::App& app) {
 MeshOptions MeshFlags::resolve(const ResolvedSea& sea, const FrameTimes& times) const {
     if (!formats_) {
         for (const auto& [option, text] : {std::pair("--mesh-size", &size_), {"--mesh-steps", &steps_}})
-            if (*text) throw InputError(std::string(option) + " is " + **text + ", needs --mesh with it");
+            if (*text) throw InputError(std::string(option) + " is " + **text + "; it requires --mesh");
         return {};
     }
     const std::vector<CascadePlan> plans = plan_cascades(forecast_of(sea));

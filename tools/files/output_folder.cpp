@@ -37,7 +37,7 @@ std::optional<std::string> OutputFolder::read_text(const std::string& name, std:
 
 OutputFile::OutputFile(const std::filesystem::path& file)
     : folder_(OutputFolder::of(file)), name_(file.filename().string()) {
-    if (name_.empty()) throw FileError("can't write " + file.string() + ": it names a folder, needs a file");
+    if (name_.empty()) throw FileError("can't write " + file.string() + ": it names a folder, expected a file");
     folder_.check_writable(name_);
 }
 
@@ -50,7 +50,7 @@ void OutputFile::write(std::string_view text) const { write(std::as_bytes(std::s
 
 std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file) {
     if (!file) return {};
-    if (file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
+    if (file->empty()) throw InputError(std::string(option) + " is empty, expected a file to write to");
     return std::optional<OutputFile>(std::in_place, *file);
 }
 

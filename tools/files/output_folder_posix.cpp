@@ -42,7 +42,8 @@ const char* type_text(mode_t mode) {
 }
 
 FileError not_regular(const char* doing, const std::filesystem::path& file, mode_t mode) {
-    return file_error(doing, file, std::string("it is ") + type_text(mode) + ", needs a regular file or a free name");
+    return file_error(doing, file,
+                      std::string("it is ") + type_text(mode) + ", expected a regular file or a free name");
 }
 
 /// Throws FileError unless the open file is regular. Checks the descriptor because the name may

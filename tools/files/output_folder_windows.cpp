@@ -123,7 +123,7 @@ bool OutputFolder::has_regular_file(const std::string& name, const char* doing) 
     if (type == std::filesystem::file_type::none) throw file_error(doing, path_ / name, reason.message());
     if (type != std::filesystem::file_type::regular)
         throw file_error(doing, path_ / name,
-                         std::string("it is ") + type_text(type) + ", needs a regular file or a free name");
+                         std::string("it is ") + type_text(type) + ", expected a regular file or a free name");
     return true;
 }
 

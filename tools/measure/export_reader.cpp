@@ -39,7 +39,7 @@ Json parsed(const std::string& text, const std::string& place) {
     };
     const Json json = Json::parse(text, check_depth, false);
     if (json.is_discarded() || is_deep || !json.is_object())
-        throw InputError(place + ": malformed JSON, needs a sea.json of pelagic export");
+        throw InputError(place + ": malformed JSON, expected a sea.json of pelagic export");
     return json;
 }
 
@@ -122,7 +122,7 @@ MapOptions names_in(const Json& record) {
 OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync) {
     constexpr const char* an_export = "a folder that pelagic export has written";
     std::error_code error;
-    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
+    if (folder.empty()) throw InputError(option + " is empty, expected " + an_export);
     if (!std::filesystem::is_directory(folder, error))
         throw bad_value(option, folder.string(),
                         std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
@@ -135,7 +135,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
     const std::filesystem::path place = folder / sea_json_name;
     const std::optional<std::string> text = folder_.read_text(sea_json_name, max_record_bytes);
-    if (!text) throw InputError(place.string() + " is missing, needs a finished export");
+    if (!text) throw InputError(place.string() + " is missing: expected a finished export");
     if (text->size() > max_record_bytes)
         throw InputError(place.string() + " has more than " + number_text(max_record_bytes >> 20) + " MiB");
     const Json record = parsed(*text, place.string());
@@ -147,12 +147,12 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     is_packed_ = maps.pack != Pack::files;
     if (maps.format == ImageFormat::dds)
         throw InputError(place.string() +
-                         ": the maps are dds textures, needs an export with --format exr, tif or ktx2");
+                         ": the maps are dds textures, expected an export with --format exr, tif or ktx2");
     if (is_packed_ && value_of(value_of(record, "channels"), "displacement").is_null())
-        throw InputError(place.string() + " names no displacement, needs an export with --maps displacement");
+        throw InputError(place.string() + " names no displacement, expected an export with --maps displacement");
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
-        throw InputError(place.string() + " has no frames, needs a finished export");
+        throw InputError(place.string() + " has no frames, expected a finished export");
     frames_there_ = frames.size();
     std::vector<double> times_s;
     for (const Json& frame : frames) {
@@ -160,12 +160,12 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         const std::string where = place.string() + ": frame " + number_text(names_.size());
         const Json& time = value_of(frame, "time_s");
         if (!time.is_number() || !std::isfinite(time.get<double>()))
-            throw InputError(where + " has no time_s, needs a number");
+            throw InputError(where + " has no time_s, expected a number");
         times_s.push_back(time.get<double>());
         names_.push_back(heights_names(frame, maps, cascades_.size()));
         if (names_.size() == 1) cascades_.resize(std::min(cascades_.size(), names_[0].size()));
         if (names_.back().empty() || names_.back().size() < cascades_.size())
-            throw InputError(where + " names no displacement image, needs an export with --maps displacement");
+            throw InputError(where + " names no displacement image, expected an export with --maps displacement");
     }
     if (times_s.size() < 2) return;
     step_s_ = (times_s.back() - times_s.front()) / static_cast<double>(times_s.size() - 1);
@@ -173,7 +173,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         const double off = std::fabs(times_s[i] - times_s.front() - static_cast<double>(i) * step_s_);
         if (!(step_s_ > 0) || off > 1e-3 * step_s_)
             throw InputError(place.string() +
-                             ": frames are not equally far apart in time, needs them one after the other");
+                             ": frames are not equally far apart in time, expected them one after the other");
     }
 }
 

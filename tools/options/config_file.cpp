@@ -33,7 +33,7 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
     if (const auto* number = node.as_floating_point()) return number_text(number->get());
     std::ostringstream type;
     type << node.type();
-    throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
+    throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", expected a number or a text");
 }
 
 /// Returns the line without its comment. A line with a quote is returned whole, because a # may be
@@ -52,7 +52,7 @@ void require_few_levels(std::string_view text, const std::filesystem::path& file
     constexpr std::ptrdiff_t max_dots = 16;
     const auto reject = [&](std::size_t line, const std::string& what) {
         throw InputError(file.string() + ":" + number_text(line) + ": " + what +
-                         ", needs lines such as wind_speed = 9.0");
+                         ", expected lines such as wind_speed = 9.0");
     };
     if (text.size() > max_bytes) reject(1, "TOML of more than 1 MiB");
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -71,9 +71,9 @@ toml::table parsed(std::string_view text, const std::filesystem::path& file) {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
         throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
-                         ", needs lines such as wind_speed = 9.0");
+                         ", expected lines such as wind_speed = 9.0");
     } catch (const NotToml&) {
-        throw InputError(file.string() + ": malformed table, needs lines such as wind_speed = 9.0");
+        throw InputError(file.string() + ": malformed table, expected lines such as wind_speed = 9.0");
     }
 }
 
@@ -85,9 +85,10 @@ std::vector<ConfigEntry> entries_of(const toml::table& table, const std::filesys
         const std::string place = place_of(file, node.source());
         if (node.is_table())
             throw InputError(place + ": " + key +
-                             " is a table, needs known keys at the top level, such as wind_speed = 9.0");
+                             " is a table, expected known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + key + ", needs " + list_of(known) + nearest_hint(key, known));
+            throw InputError(place + ": unknown key " + key + ", expected " + list_of(known) +
+                             nearest_hint(key, known));
         entries.push_back({key, value_text(node, place, key), place, node.is_string()});
     }
     return entries;
@@ -114,7 +115,7 @@ WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& 
     WeatherConfig weather;
     if (const toml::node* changes = table.get(change_key)) {
         if (!changes->is_array_of_tables())
-            throw InputError(place_of(file, changes->source()) + ": change is no table, needs lines [[change]]");
+            throw InputError(place_of(file, changes->source()) + ": change is no table, expected lines [[change]]");
         std::vector<std::string> keys = change_keys();
         keys.insert(keys.end(), known.begin(), known.end());
         for (const toml::node& change : *changes->as_array())

@@ -33,7 +33,8 @@ std::pair<double, double> two_numbers(const char* option, const std::string& tex
 void require_few_channels(std::size_t channels) {
     constexpr std::size_t max = 4;
     if (channels > max)
-        throw std::runtime_error("it has " + number_text(channels) + " channels, needs at most " + number_text(max));
+        throw std::runtime_error("it has " + number_text(channels) + " channels, expected at most " +
+                                 number_text(max));
 }
 
 /// Returns the first channel of an image: 0 (black) to 1 (white) of a PNG, the stored values of an
@@ -103,14 +104,13 @@ std::string FloorFlags::typed() const {
 
 FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
     if (!file_) {
-        if (shore_) throw InputError("--shore is given, needs --floor FILE beside it: the heights that waves feel");
+        if (shore_) throw InputError("--shore requires --floor FILE, the heights of the sea floor");
         for (const auto& [option, text] : {std::pair{"--floor-size", &size_}, std::pair{"--floor-middle", &middle_},
                                            std::pair{"--floor-heights", &heights_}})
             if (*text) throw bad_value(option, **text, "--floor beside it");
         return {};
     }
-    if (shore_ && !sea.changes.empty())
-        throw InputError("--shore is given, needs a sea that never changes, without --weather");
+    if (shore_ && !sea.changes.empty()) throw InputError("--shore cannot be combined with --weather");
     FloorOptions floor{.field = read_field(), .waves_feel_it = shore_};
     // The field has been checked, so that check() can only report a field of the sea, named as its
     // flag.

@@ -74,7 +74,7 @@ RenderOptions RenderFlags::resolve() const {
     options.hdr_file = checked_file("--hdr", typed_.at("hdr"), ".exr");
     options.sky_file = checked_file("--sky", typed_.at("sky"), ".exr");
     if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty())
-        throw InputError("--out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file");
+        throw InputError("--out is missing: expected a PNG file to write; or give --hdr or --sky, an EXR file");
     if (options.hdr_file == options.sky_file && !options.sky_file.empty())
         throw bad_value("--sky", options.sky_file.string(), "another file than --hdr");
     if (wireframe_ && !options.hdr_file.empty())

@@ -47,8 +47,7 @@ void choose_surface(SceneOptions& options, const std::string& name, const std::o
     }
     options.surface = *surface;
     if (!flow_file) return;
-    if (options.surface != gl::Surface::river)
-        throw InputError("--flow is given, needs --surface river, the only water that flows");
+    if (options.surface != gl::Surface::river) throw InputError("--flow requires --surface river");
     options.flow = read_flow_map("--flow", *flow_file);
 }
 
@@ -72,7 +71,7 @@ void choose_quality(SceneOptions& options, const std::string& name) {
 gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::optional<std::string>& chlorophyll) {
     if (type && chlorophyll)
         throw InputError(
-            "--water and --chlorophyll are both given; each says what the water is made of, needs one of them");
+            "--water and --chlorophyll are both given; each says what the water is made of; give one of them");
     if (chlorophyll)
         return gl::water_optics_of_chlorophyll(
             static_cast<float>(number_in("--chlorophyll", *chlorophyll, 0.01, 30, "mg/m^3 in [0.01, 30]")));
@@ -212,8 +211,7 @@ SceneOptions SceneFlags::resolve() const {
     });
     read_camera_settings(options.settings);
     choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
-    if (options.shore && options.surface != gl::Surface::open)
-        throw InputError("--shore is given, needs --surface open: small water feels no floor");
+    if (options.shore && options.surface != gl::Surface::open) throw InputError("--shore requires --surface open");
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

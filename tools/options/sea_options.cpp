@@ -294,7 +294,7 @@ ResolvedSea SeaOptions::resolve() const {
     if (!weather_file) return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
     if (file)
         throw InputError("--config is " + *file + " and --weather is " + *weather_file +
-                         ", needs one of the two: the first sea stands in both");
+                         "; give one of the two: the first sea stands in both");
     const WeatherConfig weather = read_weather(*weather_file, config_keys());
     ResolvedSea sea = resolve_with(weather.first);
     add_changes(sea, weather, *weather_file);
@@ -340,9 +340,10 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
                 of_sea.push_back(entry);
             }
         }
-        if (!from_s) throw InputError(config.place + ": from is missing, needs when the change begins, in seconds");
+        if (!from_s)
+            throw InputError(config.place + ": from is missing: the time when the change begins, in seconds");
         if (!over_s)
-            throw InputError(config.place + ": over is missing, needs how long the change takes, in seconds");
+            throw InputError(config.place + ": over is missing, expected how long the change takes, in seconds");
         change.from_s = *from_s;
         change.over_s = *over_s;
         apply_config(change.sea, of_sea);

@@ -23,9 +23,9 @@ Json parse(std::string_view text, const std::filesystem::path& file) {
     } catch (const Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw InputError(file.string() + ":" + number_text(1 + std::count(text.begin(), end, '\n')) +
-                         ": malformed JSON, needs a sea.json of pelagic export");
+                         ": malformed JSON, expected a sea.json of pelagic export");
     } catch (const Json::exception&) {  // for instance a number that exceeds the range of double
-        throw InputError(file.string() + ": malformed JSON, needs a sea.json of pelagic export");
+        throw InputError(file.string() + ": malformed JSON, expected a sea.json of pelagic export");
     }
 }
 
@@ -34,10 +34,11 @@ std::vector<ConfigEntry> entries_of(const Json& sea, const std::string& place, s
     for (const auto& [name, value] : sea.items()) {
         const std::string key = key_without_unit(name);
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + name + ", needs " + list_of(known) +
+            throw InputError(place + ": unknown key " + name + ", expected " + list_of(known) +
                              nearest_hint(key, known));
         if (!value.is_number() && !value.is_string())
-            throw InputError(place + ": " + name + " is of type " + value.type_name() + ", needs a number or a text");
+            throw InputError(place + ": " + name + " is of type " + value.type_name() +
+                             ", expected a number or a text");
         entries.push_back(
             {key, value.is_string() ? value.get<std::string>() : value.dump(), place, value.is_string()});
     }
@@ -48,7 +49,7 @@ std::vector<ConfigEntry> sea_of(const Json& record, const std::filesystem::path&
                                 std::span<const std::string> known) {
     const auto sea = record.find("sea");
     if (sea == record.end() || !sea->is_object())
-        throw InputError(file.string() + " holds no sea, needs a sea.json of pelagic export");
+        throw InputError(file.string() + " holds no sea, expected a sea.json of pelagic export");
     return entries_of(*sea, file.string() + ": sea", known);
 }
 
@@ -66,10 +67,10 @@ WeatherConfig parse_weather_record(std::string_view text, const std::filesystem:
     const auto changes = record.find("weather");
     if (changes == record.end()) return weather;
     const std::string place = file.string() + ": weather";
-    if (!changes->is_array()) throw InputError(place + " is no list, needs a sea.json of pelagic export");
+    if (!changes->is_array()) throw InputError(place + " is no list, expected a sea.json of pelagic export");
     for (const Json& change : *changes) {
         if (!change.is_object() || !change.contains("sea") || !change["sea"].is_object())
-            throw InputError(place + " has a change without a sea, needs a sea.json of pelagic export");
+            throw InputError(place + " has a change without a sea, expected a sea.json of pelagic export");
         Json times = change;
         times.erase("sea");
         weather.changes.push_back({place, entries_of(times, place, change_keys())});

@@ -73,7 +73,7 @@ PointReader::PointReader(std::string name, std::function<std::size_t(std::span<c
 
 void PointReader::reject(std::string_view line, const std::string& needs) const {
     throw InputError(name_ + ":" + number_text(line_number_) + ": the line is " + std::string(line.substr(0, 80)) +
-                     ", needs " + needs);
+                     ", expected " + needs);
 }
 
 bool PointReader::next_line(std::string_view& line) {
@@ -84,7 +84,7 @@ bool PointReader::next_line(std::string_view& line) {
             newline ? static_cast<std::size_t>(static_cast<const char*>(newline) - buffer_.data()) : end_;
         if (stop - begin_ > max_line_length)
             throw InputError(name_ + ":" + number_text(line_number_ + 1) + ": the line has more than " +
-                             number_text(max_line_length) + " characters, needs " + a_point);
+                             number_text(max_line_length) + " characters, expected " + a_point);
         if (newline) {
             line = {buffer_.data() + begin_, stop - begin_};
             begin_ = stop + 1;
@@ -159,7 +159,7 @@ bool PointReader::read_block(PointBlock& block, std::size_t max_points) {
         take_point(line, block);
     }
     has_points_ = has_points_ || block.size() > 0;
-    if (!has_points_) throw InputError(name_ + " holds no points, needs lines " + a_point);
+    if (!has_points_) throw InputError(name_ + " holds no points, expected lines " + a_point);
     return block.size() > 0;
 }
 

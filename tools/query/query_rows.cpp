@@ -121,7 +121,7 @@ void RowWriter::begin(const PointReader& reader) {
         const std::string name = cell_value(column);
         if (!taken.insert(name).second)
             throw InputError("the points' column " + name +
-                             " has the name of another one or of an answer, needs its own");
+                             " has the name of another one or of an answer, expected its own");
         header += column + ",";
         append_json_cell(json_keys_.emplace_back(), column);
     }

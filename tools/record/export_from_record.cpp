@@ -82,7 +82,7 @@ void require_this_version(const ReadJson& options, const std::filesystem::path& 
     if (!version.is_string()) throw DamagedRecord();
     if (version == PELAGIC_VERSION) return;
     throw InputError(file.string() + " was written by pelagic " + version.get<std::string>().substr(0, 20) +
-                     ", needs one that this pelagic, " PELAGIC_VERSION ", has written");
+                     ", expected one that this pelagic, " PELAGIC_VERSION ", has written");
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void FileCheck::check(const Work& work) {
             if (!is_there)
                 report(file.name + " is missing");
             else if (digest.text() != file.xxh3)
-                report(file.name + " has other bytes than were written: XXH3 " + digest.text() + ", needs " +
+                report(file.name + " has other bytes than were written: XXH3 " + digest.text() + ", expected " +
                        file.xxh3);
         } catch (const FileError& error) {
             report(error.what());

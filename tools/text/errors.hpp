@@ -18,7 +18,7 @@ struct FileError : std::runtime_error {
     explicit FileError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
-/// Makes the error "--wind-speed is -3, needs (0, 60]".
+/// Makes the error "--wind-speed -3 is out of range (0, 60]".
 inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
     return InputError(invalid_value_message(option, value, accepted));
 }

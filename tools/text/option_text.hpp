@@ -22,16 +22,16 @@ std::optional<double> parse_number(std::string_view text);
 /// std::int64_t.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// Returns the number. Throws InputError "OPTION is TEXT, needs ACCEPTED" unless it lies in [min,
+/// Returns the number. Throws InputError "OPTION is TEXT, expected ACCEPTED" unless it lies in [min,
 /// max].
 double number_in(const std::string& option, const std::string& text, double min, double max,
                  const std::string& accepted);
 
-/// Returns the whole number. Throws InputError "OPTION is TEXT, needs a whole number from MIN to
+/// Returns the whole number. Throws InputError "OPTION is TEXT, expected a whole number from MIN to
 /// MAX" unless it lies in [min, max].
 int whole_number_in(const std::string& option, const std::string& text, int min, int max);
 
-/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, needs a, b or c" if
+/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, expected a, b or c" if
 /// there is none.
 template <class Value, std::size_t count>
 Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {

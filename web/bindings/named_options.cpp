@@ -98,7 +98,7 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
     const auto begun = std::find_if(known.begin(), known.end(), is_begun);
     const auto near = begun != known.end() && slip.size() > 3 ? *begun : near_name(slip, known);
     throw std::invalid_argument(
-        one_line("there is no option " + name + ", needs " + (near ? *near : "one of " + list_of(known))));
+        one_line("there is no option " + name + ", expected " + (near ? *near : "one of " + list_of(known))));
 }
 
 val array_of(const std::vector<std::string>& words) {

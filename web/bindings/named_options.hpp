@@ -21,10 +21,10 @@ std::string camel_case(std::string_view text);
 /// A value as somebody would write it: 9, "rough", NaN, null, [1,2]. For messages.
 std::string text_of(const emscripten::val& value);
 
-/// An option that is on or off. Throws std::invalid_argument of anything else: "queries is 1, needs true or false".
+/// An option that is on or off. Throws std::invalid_argument of anything else: "queries is 1, expected true or false".
 bool flag_of(const std::string& name, const emscripten::val& value);
 
-/// A number of which `accepts` says yes; else std::invalid_argument: "timeS is NaN, needs a finite number".
+/// A number of which `accepts` says yes; else std::invalid_argument: "timeS is NaN, expected a finite number".
 double number_of(std::string_view name, const emscripten::val& value, bool (*accepts)(double),
                  std::string_view accepted);
 

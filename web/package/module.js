@@ -21,7 +21,7 @@ export async function workerClass() {
 export function assertOptions(options) {
   if (options !== null && typeof options === 'object' && !Array.isArray(options)) return;
   const what = Array.isArray(options) ? 'an array' : String(options);
-  throw new Error(`options is ${what}, needs an object such as {windSpeedMps: 9}`);
+  throw new Error(`options is ${what}, expected an object such as {windSpeedMps: 9}`);
 }
 
 async function coresHere() {
@@ -31,12 +31,12 @@ async function coresHere() {
 /** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
 export async function threadsFor(wanted) {
   if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= maxThreads))
-    throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, needs a whole number from 1 to ${maxThreads}`);
+    throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, expected a whole number from 1 to ${maxThreads}`);
   const isShared = typeof SharedArrayBuffer !== 'undefined' && (isNode || globalThis.crossOriginIsolated === true);
   if (wanted > 1 && isPageThread)
-    throw new Error(`threads is ${wanted}, needs 1 on a page's own thread, which must not wait for others: pelagic/worker has threads`);
+    throw new Error(`threads is ${wanted}, expected 1 on a page's own thread, which must not wait for others: pelagic/worker has threads`);
   if (wanted > 1 && !isShared)
-    throw new Error(`threads is ${wanted}, needs 1 where a page is not isolated: its server sends neither or one of the headers COOP and COEP`);
+    throw new Error(`threads is ${wanted}, expected 1 where a page is not isolated: its server sends neither or one of the headers COOP and COEP`);
   if (wanted !== undefined) return wanted;
   if (isPageThread || !isShared) return 1;
   return Math.min(await coresHere(), defaultMaxThreads);

@@ -153,7 +153,7 @@ export class Ocean {
 
   schedule(timeS) {
     const native = this.#open();
-    if (this.#isInFlight) throw new Error('a frame is scheduled already, needs complete() first');
+    if (this.#isInFlight) throw new Error('a frame is scheduled already; call complete() first');
     valueOf(native.schedule(timeS));
     this.#isInFlight = true;
     ++this.#scheduled;
@@ -165,7 +165,7 @@ export class Ocean {
 
   complete() {
     const native = this.#open();
-    if (!this.#isInFlight) throw new Error('no frame is scheduled, needs schedule() first');
+    if (!this.#isInFlight) throw new Error('no frame is scheduled; call schedule() first');
     this.#isInFlight = false;
     this.#newest = new Frame(this, native, valueOf(native.complete()), this.#scheduled);
     return this.#newest;
@@ -183,7 +183,7 @@ export class Ocean {
 
   #newestFrame() {
     this.#open();
-    if (!this.#newest) throw new Error('there is no frame yet, needs complete() first');
+    if (!this.#newest) throw new Error('there is no frame yet; call complete() first');
     return this.#newest;
   }
 
@@ -197,7 +197,7 @@ export class Ocean {
 
   scheduleSea(options) {
     const native = this.#open();
-    if (this.#isBaking) throw new Error('a sea is scheduled already, needs completeSea() first');
+    if (this.#isBaking) throw new Error('a sea is scheduled already, expected completeSea() first');
     valueOf(native.scheduleSea(options));
     this.#isBaking = true;
   }
@@ -208,22 +208,22 @@ export class Ocean {
 
   completeSea() {
     const native = this.#open();
-    if (!this.#isBaking) throw new Error('no sea is scheduled, needs scheduleSea() first');
-    if (this.#isInFlight) throw new Error('a frame is scheduled, needs complete() first');
+    if (!this.#isBaking) throw new Error('no sea is scheduled, expected scheduleSea() first');
+    if (this.#isInFlight) throw new Error('a frame is scheduled; call complete() first');
     this.#isBaking = false;
     valueOf(native.completeSea());
   }
 
   changeSea(options) {
     this.#open();
-    if (this.#isInFlight) throw new Error('a frame is scheduled, needs complete() first');
+    if (this.#isInFlight) throw new Error('a frame is scheduled; call complete() first');
     this.scheduleSea(options);
     this.completeSea();
   }
 
   turnInto(options, when) {
     const native = this.#open();
-    if (this.#isBaking) throw new Error('a sea is scheduled, needs completeSea() first');
+    if (this.#isBaking) throw new Error('a sea is scheduled, expected completeSea() first');
     valueOf(native.turnInto(options, when ?? {}));
   }
 

@@ -3,7 +3,7 @@
 const accepted = 'pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres';
 
 function reject(what) {
-  throw new Error(`${what}, needs ${accepted}`);
+  throw new Error(`${what}, expected ${accepted}`);
 }
 
 /** @returns {Float64Array} a copy, two numbers a point */

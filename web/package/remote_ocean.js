@@ -108,13 +108,13 @@ export class RemoteOcean {
   }
 
   schedule(timeS) {
-    if (this.#frame) throw new Error('a frame is scheduled already, needs complete() first');
+    if (this.#frame) throw new Error('a frame is scheduled already; call complete() first');
     this.#frame = this.#line.call('frameAt', timeS);
     this.#frame.catch(() => {});  // complete() tells
   }
 
   async complete() {
-    if (!this.#frame) throw new Error('no frame is scheduled, needs schedule() first');
+    if (!this.#frame) throw new Error('no frame is scheduled; call schedule() first');
     const promise = this.#frame;
     try {
       this.#newest = new RemoteFrame(this.#line, await promise);
@@ -130,7 +130,7 @@ export class RemoteOcean {
   }
 
   #newestFrame() {
-    if (!this.#newest) throw new Error('there is no frame yet, needs complete() first');
+    if (!this.#newest) throw new Error('there is no frame yet; call complete() first');
     return this.#newest;
   }
 

@@ -36,9 +36,9 @@ function frameOf(number) {
 const methods = {
   async create({ maps = mapNames, ...options }) {
     const known = [...mapNames, ...planeNames];
-    if (!Array.isArray(maps)) throw new Error(`maps is ${String(maps)}, needs an array of ${known.join(', ')}`);
+    if (!Array.isArray(maps)) throw new Error(`maps is ${String(maps)}, expected an array of ${known.join(', ')}`);
     for (const name of maps)
-      if (!known.includes(name)) throw new Error(`maps has ${String(name)}, needs only ${known.join(', ')}`);
+      if (!known.includes(name)) throw new Error(`maps has ${String(name)}, expected only ${known.join(', ')}`);
     ocean = await createOcean(options);
     isShared = ocean.isShared;
     sent = maps;

@@ -55,7 +55,10 @@ function checkView(option, value) {
   const isFit = option.words ? option.words.includes(value)
     : typeof option.default === 'boolean' ? typeof value === 'boolean'
     : Number.isFinite(value) && ((value >= option.least && value <= option.most) || value === option.also);
-  return isFit ? '' : `${option.name} is ${value}, needs ${option.accepted}`;
+  if (isFit) return '';
+  return /^[[(]/.test(option.accepted)
+    ? `${option.name} ${value} is out of range ${option.accepted}`
+    : `${option.name} is ${value}, expected ${option.accepted}`;
 }
 
 /** Empty if the settings are usable, else one line that names the option, its value and what is accepted. */

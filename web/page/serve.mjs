@@ -33,7 +33,7 @@ const [folderText, portText = '0'] = process.argv.slice(2);
 if (!folderText) fail('which folder? serve.mjs FOLDER [PORT]');
 const folder = await realpath(resolve(folderText)).catch(() => fail(`there is no folder ${folderText}`));
 const port = Number(portText);
-if (!/^\d+$/.test(portText) || port > 65535) fail(`PORT is ${portText}, needs 0 to 65535`);
+if (!/^\d+$/.test(portText) || port > 65535) fail(`PORT is ${portText}, expected 0 to 65535`);
 
 /** Opens the regular file or folder of a path; throws outside the served folder, also through a link. Closed by the caller. */
 async function openPath(path) {

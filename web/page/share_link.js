@@ -32,7 +32,7 @@ function valueOf(option, text) {
   if (option.words) return text;
   if (typeof option.default === 'boolean') return text === 'true' ? true : text === 'false' ? false : text;
   const number = numberOf(text);
-  if (Number.isNaN(number)) throw new Error(`${option.name} is ${text || 'empty'}, needs a number: ${option.accepted}`);
+  if (Number.isNaN(number)) throw new Error(`${option.name} is ${text || 'empty'}, expected a number: ${option.accepted}`);
   return number;
 }
 
@@ -87,7 +87,7 @@ export function readLink(text, module, tables) {
   for (const [group, presets] of kinds(tables)) {
     if (!given.has(group)) continue;
     const preset = presets.find(one => one.name === given.get(group));
-    if (!preset) throw new Error(`${group} is ${shown(given.get(group))}, needs one of ${presets.map(one => one.name).join(', ')}`);
+    if (!preset) throw new Error(`${group} is ${shown(given.get(group))}, expected one of ${presets.map(one => one.name).join(', ')}`);
     settings = {...settings, ...preset[group]};
     given.delete(group);
   }

@@ -59,7 +59,7 @@ def run(object, scene):
     if library.problem:
         raise BakeError(library.problem)
     if settings.bake_end < settings.bake_start:
-        raise BakeError(f"Bake End is {settings.bake_end}, needs {settings.bake_start} or more, where it starts")
+        raise BakeError(f"Bake End is {settings.bake_end}, expected {settings.bake_start} or more, where it starts")
     reject_keys(object)
     folder = folder_of(object)
     try:

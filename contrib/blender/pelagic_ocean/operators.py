@@ -19,7 +19,7 @@ class PELAGIC_OT_add_ocean(bpy.types.Operator):
 
     def execute(self, context):
         if self.preset not in library.pelagic.presets:
-            self.report({"ERROR"}, f"Preset is {self.preset}, needs one of {', '.join(library.pelagic.presets)}")
+            self.report({"ERROR"}, f"Preset is {self.preset}, expected one of {', '.join(library.pelagic.presets)}")
             return {"CANCELLED"}
         mesh = bpy.data.meshes.new("Ocean")
         mesh.materials.append(material.water())
@@ -57,7 +57,7 @@ class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
 
     def execute(self, context):
         if self.preset not in library.pelagic.presets:
-            self.report({"ERROR"}, f"Preset is {self.preset}, needs one of {', '.join(library.pelagic.presets)}")
+            self.report({"ERROR"}, f"Preset is {self.preset}, expected one of {', '.join(library.pelagic.presets)}")
             return {"CANCELLED"}
         settings = context.object.pelagic
         with sea_object.quiet():
