@@ -19,9 +19,9 @@
 namespace pelagic {
 namespace {
 
-/// Returns the text between "NAME is " and ", needs", read by the C library.
+/// Returns the value of "NAME VALUE is out of range ...", parsed by the C library.
 double quoted_number(const std::string& message) {
-    return std::strtod(message.c_str() + message.find(" is ") + 4, nullptr);
+    return std::strtod(message.c_str() + message.find(' ') + 1, nullptr);
 }
 
 TEST(NumberText, ReadsBackAsTheSameNumber) {
@@ -54,7 +54,7 @@ TEST(NumberText, IsTheShortestNotation) {
     EXPECT_EQ(rounded_text(0, 4), "0");
 }
 
-TEST(Refusal, PrintsTheGivenNumber) {
+TEST(InvalidValueMessage, PrintsTheGivenNumber) {
     for (const double value : {8.000000000000002, -4.9e-324, -1e-300, 12345678.912345679}) {
         EXPECT_EQ(quoted_number(check(SeaState{.choppiness = value})), value);
         EXPECT_EQ(quoted_number(check(QuadtreeOptions{.size_m = value})), value);

@@ -267,15 +267,15 @@ TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {
              {"x,z\n1,2\nharbour\n", "points.csv:3: the line is harbour, expected x,z"},
              {"1\n", ":1: the line is 1, expected x,z"},
              {"1,2,3\n", ":1: the line is 1,2,3, expected x,z"},
-             {"1;2\n", ":1: the line is 1;2, needs"},
-             {",\n", ":1: the line is ,, needs"},
-             {"1,nan\n", ":1: the line is 1,nan, needs"},
-             {"1,+-1\n", ":1: the line is 1,+-1, needs"},
-             {"inf,1\n", ":1: the line is inf,1, needs"},
+             {"1;2\n", ":1: the line is 1;2, expected"},
+             {",\n", ":1: the line is ,, expected"},
+             {"1,nan\n", ":1: the line is 1,nan, expected"},
+             {"1,+-1\n", ":1: the line is 1,+-1, expected"},
+             {"inf,1\n", ":1: the line is inf,1, expected"},
              {"1e16,1\n", "[-1e15, 1e15]"},
-             {"1,2\nx,z\n", ":2: the line is x,z, needs"},
-             {"\n\n0x10,1\n", ":3: the line is 0x10,1, needs"},
-             {"1,2\x1b[2J\n", "the line is 1,2\\x1b[2J, needs"}}) {
+             {"1,2\nx,z\n", ":2: the line is x,z, expected"},
+             {"\n\n0x10,1\n", ":3: the line is 0x10,1, expected"},
+             {"1,2\x1b[2J\n", "the line is 1,2\\x1b[2J, expected"}}) {
         const Outcome outcome = query(points);
         EXPECT_EQ(outcome.exit_code, 2) << points;
         EXPECT_EQ(outcome.out, "") << points;
