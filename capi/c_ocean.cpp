@@ -216,26 +216,18 @@ class OfEachCascade {
    public:
     /// Reads the array. Throws std::invalid_argument for null and a wrong struct_size.
     OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
-        const std::size_t bytes = struct_bytes(first, name.c_str());
-        if (count_ > 1 && bytes % alignof(Theirs) != 0)
-            reject(invalid_value_message(name + ".struct_size", bytes,
-                                         number_text(sizeof *first) + ", the size of the struct"));
         // Checked before reading beyond the first struct: an application for one cascade has only
         // one.
+        struct_bytes(first, name.c_str());
         if (std::max(first->cascade_count, 1u) != count_)
             reject(invalid_value_message(name + ".cascade_count", first->cascade_count,
                                          number_text(count_) + ", with as many structs one after the other"));
-        for (std::size_t i = 0; i < count_; ++i) {
-            const std::string of_cascade = i == 0 ? name : name + "[" + number_text(i) + "]";
-            const auto* const at =
-                reinterpret_cast<const Theirs*>(reinterpret_cast<const unsigned char*>(first) + i * bytes);
-            if (at->struct_size != bytes)
-                reject(invalid_value_message(of_cascade + ".struct_size", at->struct_size,
-                                             number_text(bytes) + ", as the first's"));
-            if (i > 0 && at->cascade_count != 0)
-                reject(invalid_value_message(of_cascade + ".cascade_count", at->cascade_count, "0"));
-            cascades_[i] = ours_of(read_struct(at, of_cascade.c_str()));
-        }
+        std::size_t read = 0;
+        read_structs(first, count_, name, [&](const Theirs& cascade, const std::string& element) {
+            if (read > 0 && cascade.cascade_count != 0)
+                reject(invalid_value_message(element + ".cascade_count", cascade.cascade_count, "0"));
+            cascades_[read++] = ours_of(cascade);
+        });
     }
     std::span<const Ours> all() const { return {cascades_.data(), count_}; }
 

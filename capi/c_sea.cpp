@@ -1,11 +1,8 @@
 #include "pelagic/capi/c_sea.hpp"
 
-#include <cstddef>
-
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::capi {
@@ -22,9 +19,6 @@ static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper)
 static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
 static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
-
-/// Replaces 0, the value of a missing field, by the default, for options whose range excludes 0.
-double or_default(double value, double SeaState::*member) { return value == 0 ? SeaState{}.*member : value; }
 
 pelagic_sea c_sea_of(const SeaState& from) {
     pelagic_sea to{};
@@ -57,29 +51,6 @@ pelagic_sea c_sea_of(const SeaState& from) {
     return to;
 }
 
-/// Returns whether the struct has the field `cascades`; without it the application draws one
-/// cascade.
-bool knows_cascades(const pelagic_sea& sea) {
-    return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
-}
-
-/// Returns whether the struct has the fields of other wave models; without them a sea must be a
-/// spectrum.
-bool knows_waves(const pelagic_sea& sea) {
-    return sea.struct_size >= offsetof(pelagic_sea, wave_drag) + sizeof sea.wave_drag;
-}
-
-/// Returns the sea with one cascade of 256 texels, for a struct without `cascades`.
-SeaState one_cascade(SeaState sea, double side_m) {
-    sea.resolution = 256;
-    sea.patch_size_m = side_m;
-    return sea;
-}
-
-/// Returns the side of a single cascade: about four peak wavelengths instead of sixteen, because it
-/// must also resolve short waves.
-double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().grid.side_m / 4; }
-
 std::string preset_names() {
     std::string names;
     for (const SeaPreset& preset : sea_presets())
@@ -94,7 +65,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     return {.waves = static_cast<WaveModel>(sea.waves),
             .spectrum = static_cast<SpectrumModel>(sea.spectrum),
             .spreading = static_cast<SpreadingModel>(sea.spreading),
-            .cascades = knows_cascades(*pointer) ? sea.cascades : 1,
+            .cascades = sea.cascades,
             .resolution = sea.resolution,
             .patch_size_m = sea.patch_size_m,
             .wind_speed_mps = sea.wind_speed_mps,
@@ -106,9 +77,9 @@ SeaState sea_of(const pelagic_sea* pointer) {
             .short_wave_cutoff = sea.short_wave_cutoff,
             .wind_alignment = sea.wind_alignment,
             .swell_height_m = sea.swell_height_m,
-            .swell_period_s = or_default(sea.swell_period_s, &SeaState::swell_period_s),
+            .swell_period_s = sea.swell_period_s,
             .swell_direction_rad = sea.swell_direction_rad,
-            .swell_spread_rad = or_default(sea.swell_spread_rad, &SeaState::swell_spread_rad),
+            .swell_spread_rad = sea.swell_spread_rad,
             .loop_period_s = sea.loop_period_s,
             .seed = sea.seed,
             .wave_count = sea.wave_count,
@@ -127,8 +98,7 @@ using namespace pelagic::capi;
 pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
     return guarded([&] {
         struct_bytes(sea, "sea");
-        constexpr double side_m = 250;
-        write_struct(c_sea_of(knows_cascades(*sea) ? SeaState{} : one_cascade({}, side_m)), sea);
+        write_struct(c_sea_of({}), sea);
     });
 }
 
@@ -138,11 +108,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         struct_bytes(sea, "sea");
         const SeaPreset* const preset = sea_preset_named(wanted);
         if (!preset) reject(invalid_value_message("preset", wanted, "one of " + preset_names()));
-        const SeaState& state = preset->sea;
-        if (state.waves != WaveModel::spectrum && !knows_waves(*sea))
-            reject(
-                invalid_value_message("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
-        write_struct(c_sea_of(knows_cascades(*sea) ? state : one_cascade(state, lone_side_m(state))), sea);
+        write_struct(c_sea_of(preset->sea), sea);
     });
 }
 

@@ -11,10 +11,7 @@
 namespace pelagic::capi {
 namespace {
 
-/// Converts a change. Throws std::invalid_argument for null and a wrong struct_size. check() checks
-/// the values.
-SeaChange change_of(const pelagic_change* pointer, const char* name) {
-    const pelagic_change change = read_struct(pointer, name);
+SeaChange change_of(const pelagic_change& change) {
     return {.sea = sea_of(change.sea),
             .from_s = change.from_s,
             .over_s = change.over_s,
@@ -24,20 +21,9 @@ SeaChange change_of(const pelagic_change* pointer, const char* name) {
 Forecast forecast_of(const pelagic_forecast* pointer) {
     const pelagic_forecast from = read_struct(pointer, "forecast");
     Forecast forecast{.first = sea_of(from.first), .largest_peak_m = from.largest_peak_m};
-    if (from.change_count == 0) return forecast;
-    const std::size_t bytes = struct_bytes(from.changes, "changes");
-    if (bytes % alignof(pelagic_change) != 0)
-        reject(invalid_value_message("changes.struct_size", bytes,
-                                     number_text(sizeof(pelagic_change)) + ", the size of the struct"));
-    for (std::size_t i = 0; i < from.change_count; ++i) {
-        const auto* const at =
-            reinterpret_cast<const pelagic_change*>(reinterpret_cast<const unsigned char*>(from.changes) + i * bytes);
-        const std::string name = "changes[" + number_text(i) + "]";
-        if (at->struct_size != bytes)
-            reject(invalid_value_message(name + ".struct_size", at->struct_size,
-                                         number_text(bytes) + ", as the first's"));
-        forecast.changes.push_back(change_of(at, name.c_str()));
-    }
+    if (from.change_count > 0)
+        read_structs(from.changes, from.change_count, "changes",
+                     [&](const pelagic_change& change, auto&) { forecast.changes.push_back(change_of(change)); });
     return forecast;
 }
 
@@ -60,6 +46,6 @@ pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic
     return guarded([&] {
         if (needed(ocean, "ocean").sea_in_flight)
             throw WrongOrder("a sea is being baked; call pelagic_ocean_complete_sea first");
-        ocean->ocean.schedule_sea(change_of(change, "change"));
+        ocean->ocean.schedule_sea(change_of(read_struct(change, "change")));
     });
 }

@@ -33,13 +33,12 @@
  * functions do not repeat these errors. A destroyed handle, or a pointer to less memory than
  * stated, cannot be detected: the behaviour is undefined.
  *
- * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later
- * versions add fields at the end only, never into padding. Sizes from that of the struct's first
- * version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT.
- *   If the struct is smaller than the library's (an older application), missing fields count as 0
- *   and are not written.
- *   If it is larger (a newer application), the library does not define the last fields. They must
- *   be 0 in structs that the library reads, and it sets them to 0 in structs that it writes.
+ * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Sizes
+ * from that of this header's struct to 4096 bytes are accepted; any other size gives
+ * PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with a newer header, the
+ * library does not define the last fields. They must be 0 in structs that the library reads, and it
+ * sets them to 0 in structs that it writes. Until version 1.0, applications are built with the
+ * header of the library that they load.
  * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
  * Threads. Each function's comment names one of two rules:
@@ -175,13 +174,13 @@ typedef struct pelagic_sea {
     int32_t spreading;          /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
     uint32_t reserved;          /* 0 */
     double swell_height_m;      /* significant wave height of the swell; 0: no swell; [0, 30] */
-    double swell_period_s;      /* peak period of the swell; 0: 12, else [1, 40] */
+    double swell_period_s;      /* peak period of the swell; [1, 40] */
     double swell_direction_rad; /* direction the swell runs towards, as wind_direction_rad */
-    /* Standard deviation of its directions; 0: 15 degrees, else [pi/180, 4 pi/9]. */
+    /* Standard deviation of its directions; [pi/180, 4 pi/9]. */
     double swell_spread_rad;
     /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
      * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
-     * patch_size_m. If struct_size ends before this field, the sea has one cascade. */
+     * patch_size_m. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
     /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
@@ -198,8 +197,7 @@ typedef struct pelagic_sea {
 
 /* Sets every field but struct_size to its default.
  *
- * sea: resolution, patch_size_m and cascades become 0, which means a derived value. If struct_size
- *   ends before `cascades`, the sea has one cascade of 256 texels and 250 m.
+ * sea: resolution, patch_size_m and cascades become 0, which means a derived value.
  *
  * Threads: any. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
@@ -208,8 +206,6 @@ PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
  *
  * name: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a wind force,
  *   "beaufort-0" to "beaufort-12".
- * sea: if struct_size ends before `cascades`, the one cascade has 256 texels, and a quarter of the
- *   side of the coarsest cascade that the preset would have.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown name.
  * Threads: any. */

@@ -536,7 +536,6 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     const std::string odd = std::to_string(sizeof(pelagic_frame_buffers) - 1);
     expect_line("buffers[1].struct_size is 0, expected " + size + ", as the first's",
                 [](auto* buffers) { buffers[1].struct_size = 0; });
-    // A struct of the first version, whose size is not checked unless a second struct follows it.
     expect_line("buffers.struct_size is " + odd + ", expected " + size + ", the size of the struct",
                 [](auto* buffers) { buffers[0].struct_size -= 1; });
     expect_line("buffers[1].cascade_count is 2, expected 0", [](auto* buffers) { buffers[1].cascade_count = 2; });

@@ -157,56 +157,24 @@ TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
     EXPECT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_INVALID_ARGUMENT);
 }
 
-/// The sea of an application whose struct ends before `cascades`.
-pelagic_sea older_application() {
-    pelagic_sea sea{};
-    sea.struct_size = offsetof(pelagic_sea, cascades);
-    return sea;
-}
-
-TEST(CInterfaceInside, AnOlderApplicationGetsOneCascadeOfAQuarterOfTheCoarsestSide) {
+TEST(CInterfaceInside, PresetsAreThoseOfTheLibrary) {
     for (const SeaPreset& preset : sea_presets()) {
-        pelagic_sea older = older_application(), today{};
-        today.struct_size = sizeof today;
-        ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &today), PELAGIC_OK);
-        if (preset.sea.waves != WaveModel::spectrum) {
-            EXPECT_EQ(today.waves, static_cast<int>(preset.sea.waves));
-            EXPECT_EQ(today.wave_strength, preset.sea.wave_strength);
-            EXPECT_EQ(hash_of(Ocean(sea_of(&today)).frame_at(1)), hash_of(Ocean(preset.sea).frame_at(1)));
-            EXPECT_EQ(pelagic_sea_preset(preset.name.data(), &older), PELAGIC_INVALID_ARGUMENT);
-            EXPECT_EQ(std::string(pelagic_last_error()),
-                      "preset is " + std::string(preset.name) +
-                          ", expected a struct pelagic_sea that has waves, as later versions do");
-            continue;
-        }
-        ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &older), PELAGIC_OK);
-        EXPECT_EQ(today.resolution, 0);
-        EXPECT_EQ(today.patch_size_m, 0);
-        EXPECT_EQ(today.cascades, 0);
-        EXPECT_EQ(older.resolution, 256);
-        EXPECT_EQ(older.patch_size_m, plan_cascades(preset.sea).front().grid.side_m / 4) << preset.name;
-        EXPECT_EQ(older.wind_speed_mps, today.wind_speed_mps);
-        EXPECT_EQ(older.swell_height_m, today.swell_height_m);
-
-        const SeaState read = sea_of(&older);
-        EXPECT_EQ(read.cascades, 1);
-        EXPECT_EQ(plan_cascades(read).size(), 1u);
-        EXPECT_EQ(sea_of(&today).cascades, 0);
-        EXPECT_EQ(plan_cascades(sea_of(&today)).size(), static_cast<std::size_t>(default_cascades)) << preset.name;
+        pelagic_sea sea{};
+        sea.struct_size = sizeof sea;
+        ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &sea), PELAGIC_OK);
+        EXPECT_EQ(hash_of(Ocean(sea_of(&sea)).frame_at(1)), hash_of(Ocean(preset.sea).frame_at(1))) << preset.name;
     }
 }
 
-// Bit-identical to SurfaceQuery with the given interpolation; the older struct selects linear
-// interpolation.
+// Bit-identical to SurfaceQuery with the given interpolation.
 TEST(CInterfaceInside, QueriesUseTheGivenInterpolation) {
     const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
     auto frame = sized<pelagic_frame>();
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 5), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
     const std::vector<double> x = {1.25, -30.5, 77}, z = {2.75, 14, -3.5};
-    const auto heights_by = [&](std::int32_t interpolation, std::size_t bytes) {
-        pelagic_points points{};
-        points.struct_size = static_cast<std::uint32_t>(bytes);
+    const auto heights_by = [&](std::int32_t interpolation) {
+        auto points = sized<pelagic_points>();
         points.count = x.size(), points.x = x.data(), points.z = z.data();
         points.interpolation = interpolation;
         auto samples = sized<pelagic_samples>();
@@ -223,9 +191,8 @@ TEST(CInterfaceInside, QueriesUseTheGivenInterpolation) {
     };
     const std::vector<float> linear = expected(Interpolation::linear), cubic = expected(Interpolation::cubic);
     EXPECT_NE(linear, cubic);
-    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_LINEAR, sizeof(pelagic_points)), linear);
-    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC, sizeof(pelagic_points)), cubic);
-    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC, offsetof(pelagic_points, interpolation)), linear);
+    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_LINEAR), linear);
+    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC), cubic);
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
     points.interpolation = 2;
