@@ -18,7 +18,7 @@ Descriptor locked(const OutputFolder& folder, const std::string& option, const s
     int reason = 0;
     do reason = ::flock(file.get(), how | LOCK_NB) == 0 ? 0 : errno;
     while (reason == EINTR);
-    if (reason == EWOULDBLOCK) throw bad_value(option, folder.path().string(), expected + " and holds " + name);
+    if (reason == EWOULDBLOCK) throw bad_value(option, folder.path().string(), needs + " and holds " + name);
     if (reason != 0)
         throw bad_value(option, folder.path().string(),
                         "a file system with locks (" + std::string(std::strerror(reason)) +
