@@ -1,4 +1,5 @@
-// Rain: as many drops as it says, each of its shape, none of which brings water, and the same ones wherever the grid is.
+// Rain has the requested number of drops, each of the documented shape. Drops add no volume and do
+// not depend on the position of the grid.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Water that is too slow to move: what falls stays where it fell.
+/// Waves too slow to move: drops stay where they fell.
 const DynamicWavesOptions stiff{.step = DynamicWavesStep::verlet,
                                 .resolution = 64,
                                 .side_m = 16,
@@ -25,10 +26,11 @@ const DynamicWavesOptions stiff{.step = DynamicWavesStep::verlet,
                                 .wave_speed_mps = 1e-6,
                                 .decay_per_s = 0};
 constexpr double texel = 0.25;
-/// Twice as wide as texels, so that sums over texels are integrals, to 1e-8. A drop reaches six texels and one more to either side.
+/// The radius is two texels, so sums over texels equal integrals to 1e-8. A drop reaches six texels
+/// and one more on either side.
 const Rain wide{.drops_per_m2_s = 1, .radius_m = 2 * texel, .height_m = 0.03, .seed = 7};
 constexpr std::int64_t reach = 6;
-/// Where drops of that width fall whole in a grid of 64 texels.
+/// The area on which drops of this radius fall completely inside a grid of 64 texels.
 constexpr double fallen_on_m2 = (64 - 2 * reach - 1) * (64 - 2 * reach - 1) * texel * texel;
 
 std::vector<double> heights(const DynamicWaveGrid& grid) {
@@ -39,7 +41,8 @@ std::vector<double> heights(const DynamicWaveGrid& grid) {
     return all;
 }
 
-/// What each of so many ticks added, in stiff water.
+/// Calls `of_tick` with the heights that each of `ticks` ticks added, on a grid without wave
+/// motion.
 template <class OfTick>
 void for_ticks(const Rain& rain, int ticks, OfTick of_tick) {
     DynamicWavePool pool(stiff);
@@ -58,7 +61,8 @@ struct Crater {
     std::int64_t x, z;
 };
 
-/// Texels that lie deeper than all around them, and than 0.6 of a drop: its deepest texel has 0.77 of its height or more.
+/// Returns the texels that are lower than all neighbours and lower than -0.6 of a drop's height. A
+/// drop's deepest texel has 0.77 of its height or more.
 std::vector<Crater> craters(const std::vector<double>& added, double height_m) {
     std::vector<Crater> found;
     const auto at = [&](std::int64_t x, std::int64_t z) { return added[static_cast<std::size_t>(z * 64 + x)]; };
@@ -72,9 +76,9 @@ std::vector<Crater> craters(const std::vector<double>& added, double height_m) {
     return found;
 }
 
-TEST(RainDrops, HasAsManyDropsAsItSays) {
+TEST(RainDrops, HasTheRequestedNumberOfDrops) {
     constexpr int ticks = 1000;
-    constexpr double mean = 3;  // of a tick
+    constexpr double mean = 3;  // drops a tick
     Rain sparse = wide;
     sparse.drops_per_m2_s = mean * stiff.ticks_per_s / fallen_on_m2;
     std::vector<double> counts;
@@ -86,17 +90,18 @@ TEST(RainDrops, HasAsManyDropsAsItSays) {
     });
     double sum = 0, squares = 0;
     for (const double count : counts) sum += count, squares += (count - mean) * (count - mean);
-    // Poisson: mean and variance are one. Within four standard deviations, and 2 % for drops that fall into one another: a pair in a
-    // hundred is closer than the three texels in which craters are told apart, and there are 1.5 pairs a drop.
+    // Poisson distribution: mean and variance are equal. Bounds: four standard deviations, and 2 %
+    // for overlapping drops. Craters closer than three texels are not distinguished; one pair in a
+    // hundred is closer, and there are 1.5 pairs a drop.
     EXPECT_GT(sum / ticks, mean * (1 - 4 / std::sqrt(mean * ticks) - 0.02));
     EXPECT_LT(sum / ticks, mean * (1 + 4 / std::sqrt(mean * ticks)));
     EXPECT_NEAR(squares / ticks / mean, 1, 4 * std::sqrt(2.0 / ticks) + 0.04);
     for (const double quarter : quarters) EXPECT_NEAR(quarter, sum / 4, 4 * std::sqrt(sum * 3 / 16));
 }
 
-// Campbell's theorem: drops of mean zero that know nothing of one another have as much energy as all of them alone. The square of
-// height_m (q - 1) e^-q has the integral height_m^2 pi radius_m^2 / 4.
-TEST(RainDrops, BringsTheEnergyOfItsDrops) {
+// Campbell's theorem: independent drops of mean zero have the summed energy of the single drops.
+// The square of height_m (q - 1) e^-q has the integral height_m^2 pi radius_m^2 / 4.
+TEST(RainDrops, HasTheEnergyOfIndependentDrops) {
     for (const double drops : {1.0, 20.0}) {
         Rain rain = wide;
         rain.drops_per_m2_s = drops;
@@ -107,12 +112,13 @@ TEST(RainDrops, BringsTheEnergyOfItsDrops) {
         });
         const double fallen = drops * fallen_on_m2 * ticks / stiff.ticks_per_s;
         const double expected = fallen * rain.height_m * rain.height_m * pi * rain.radius_m * rain.radius_m / 4;
-        // Four standard deviations: of the number of drops, and of how those of a tick meet, which counts less than their number does.
+        // Four standard deviations of the number of drops. The variation by overlaps in one tick is
+        // smaller than that of the number.
         EXPECT_NEAR(sum / expected, 1, 4 * std::sqrt(2 / fallen)) << drops;
     }
 }
 
-TEST(RainDrops, HasDropsOfItsShape) {
+TEST(RainDrops, HasDropsOfTheDocumentedShape) {
     Rain sparse = wide;
     sparse.drops_per_m2_s = 0.3;
     double seen = 0, same = 0, parts = 0;
@@ -122,7 +128,8 @@ TEST(RainDrops, HasDropsOfItsShape) {
         const Crater deepest = fallen.front();
         double min = std::numeric_limits<double>::infinity();
         std::int64_t best_x = 0, best_z = 0;
-        for (std::int64_t part = 0; part < 17 * 17; ++part) {  // its middle is within a texel, at an eighth of one
+        // The centre is within one texel of the deepest texel, at a multiple of 1/8 texel.
+        for (std::int64_t part = 0; part < 17 * 17; ++part) {
             const std::int64_t eighths_x = 8 * deepest.x + part % 17 - 8, eighths_z = 8 * deepest.z + part / 17 - 8;
             double largest = 0;
             for (std::int64_t i = 0; i < 17 * 17; ++i) {
@@ -139,27 +146,29 @@ TEST(RainDrops, HasDropsOfItsShape) {
             min = largest;
             best_x = eighths_x, best_z = eighths_z;
         }
-        // It ends where it is 9 e^-9 of its height.
+        // The drop is cut off where it is 9 e^-9 of its height.
         EXPECT_LT(min, 1.2e-3 * sparse.height_m);
         for (const std::int64_t at : {best_x, best_z})
             ++seen, same += (at & 7) == (at >> 3 & 7), parts += static_cast<double>(at & 7);
     });
-    // Which texel of eight says nothing of which eighth of it: they are the same for one drop in eight. Four standard deviations.
+    // The texel index modulo 8 and the eighth within the texel are independent: they are equal for
+    // one drop in eight. Bounds are four standard deviations.
     EXPECT_GT(seen, 300);
     EXPECT_NEAR(same / seen, 1.0 / 8, 4 * std::sqrt(7.0 / 64 / seen));
     EXPECT_NEAR(parts / seen, 3.5, 4 * std::sqrt(63.0 / 12 / seen));
 }
 
-TEST(RainDrops, HasDropsOfNoVolume) {
+TEST(RainDrops, DropsHaveNoVolume) {
     for (const double texels :
-         {1.0, 5.0 / 3, 2.0, 8.0 / 3, 4.0}) {  // reaching up to 12 of them, over rows of several jobs
+         // Up to 12 texels of reach, over rows of several jobs.
+         {1.0, 5.0 / 3, 2.0, 8.0 / 3, 4.0}) {
         Rain rain = wide;
         rain.radius_m = texels * texel;
         for_ticks(rain, 200, [&](const std::vector<double>& added) {
             double volume = 0, moved = 0;
             for (const double height : added) volume += height, moved += std::fabs(height);
             if (moved < rain.height_m) return;                     // no drop fell
-            EXPECT_LE(std::fabs(volume), 3e-6 * moved) << texels;  // floats' rounding
+            EXPECT_LE(std::fabs(volume), 3e-6 * moved) << texels;  // rounding of floats
         });
     }
 }
@@ -176,12 +185,13 @@ TEST(RainDrops, AddsNoWater) {
             for (const double height : heights(pool.grid)) sum += height, squares += height * height;
             const double rms = std::sqrt(squares / 4096);
             EXPECT_GT(rms, 1e-4);
-            // Floats' rounding: 1e-7 of the waves in each of 300 ticks. Drops cut off where they end would be 1e-3.
+            // Rounding of floats: 1e-7 of the waves in each of 300 ticks. Truncated drops would
+            // give 1e-3.
             EXPECT_LT(std::fabs(sum / 4096), 3e-5 * rms) << radius_m;
         }
 }
 
-/// Texels that both grids have, `margin` or more from their edges.
+/// Compares the texels that both grids have, `margin` texels or more from their edges.
 void expect_same_inside(const DynamicWaveGrid& a, const DynamicWaveGrid& b, std::int64_t margin) {
     std::int64_t compared = 0, wet = 0;
     const auto end = [](std::int64_t first, const DynamicWaveGrid& grid) {
@@ -200,8 +210,9 @@ void expect_same_inside(const DynamicWaveGrid& a, const DynamicWaveGrid& b, std:
     EXPECT_GT(wet, compared / 4);
 }
 
-TEST(RainDrops, FallsTheSameWhereverTheWindowIs) {
-    constexpr std::int64_t margin = 2 * reach + 2;  // of a drop that one grid has whole and the other doesn't
+TEST(RainDrops, DoesNotDependOnTheGridPosition) {
+    // the reach of a drop that only one grid holds completely
+    constexpr std::int64_t margin = 2 * reach + 2;
     DynamicWavesOptions large = stiff;
     large.resolution = 128;
     large.side_m = 32;
@@ -210,13 +221,14 @@ TEST(RainDrops, FallsTheSameWhereverTheWindowIs) {
     larger.grid.set_center(-4, 5.2);
     for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
     for (int tick = 0; tick < 40; ++tick) {
-        goes.grid.set_center(0.05 * tick, -0.04 * tick);  // eight texels and six in all
+        // eight texels along x and six along z in all
+        goes.grid.set_center(0.05 * tick, -0.04 * tick);
         for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->tick();
     }
     expect_same_inside(here.grid, there.grid, margin);
     expect_same_inside(here.grid, larger.grid, margin);
     expect_same_inside(here.grid, goes.grid, margin);
-    // Far away, too, where cells have large numbers below 0.
+    // The drops also agree far away, where cell numbers are large and negative.
     there.grid.set_center(-9e7, 9e7);
     larger.grid.set_center(-9e7 + 2, 9e7 - 1);
     DynamicWavePool fresh(large);
@@ -226,7 +238,7 @@ TEST(RainDrops, FallsTheSameWhereverTheWindowIs) {
     larger.tick(40);
     there.tick(40);
     expect_same_inside(there.grid, larger.grid, margin);
-    bool differs = false;  // of other ticks, other drops
+    bool differs = false;  // Other ticks have other drops.
     for (std::int64_t i = 0; i < 64; ++i)
         differs |= fresh.grid.height_m(fresh.grid.first_x() + i + 32, fresh.grid.first_z() + 64) !=
                    there.grid.height_m(fresh.grid.first_x() + i + 32, fresh.grid.first_z() + 64);
@@ -244,7 +256,7 @@ void rain_and_pan(DynamicWavePool& pool, int from, int to) {
     }
 }
 
-TEST(RainDrops, HasTheSameBitsEverywhere) {
+TEST(RainDrops, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
     const auto hash_on = [](Isa isa, std::shared_ptr<Executor> executor) {
         DynamicWavePool pool(small, isa, std::move(executor));
         pool.grid.set_rain(pours);
@@ -257,7 +269,7 @@ TEST(RainDrops, HasTheSameBitsEverywhere) {
         EXPECT_EQ(hash_on(choose_isa(), kind.make(kind.threads)), expected) << kind.name;
 }
 
-TEST(RainDrops, GoesOnWhereItWasSaved) {
+TEST(RainDrops, RestoredStateContinuesBitIdentically) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         DynamicWavesOptions options = small;
         options.step = step;
@@ -271,7 +283,7 @@ TEST(RainDrops, GoesOnWhereItWasSaved) {
     }
 }
 
-TEST(RainDrops, OfNoDropsIsNone) {
+TEST(RainDrops, RateZeroDisablesRain) {
     DynamicWavePool dry(small), over(small), other(small), same(small);
     over.grid.set_rain(pours);
     over.grid.set_rain({.drops_per_m2_s = 0, .radius_m = 1e9, .height_m = std::numeric_limits<double>::quiet_NaN()});
@@ -286,8 +298,9 @@ TEST(RainDrops, OfNoDropsIsNone) {
     EXPECT_NE(same.grid.hash(), other.grid.hash());
 }
 
-// A drop half as wide as a texel is a texel wide and a quarter as high: factors of two are exact.
-TEST(RainDrops, NarrowerThanATexelIsFlatterInstead) {
+// A drop with a radius of half a texel becomes one texel wide and a quarter as high. Factors of two
+// are exact.
+TEST(RainDrops, DropsNarrowerThanATexelAreWidenedAndFlattened) {
     DynamicWavePool wider(stiff), narrow(stiff);
     Rain rain{.drops_per_m2_s = 3, .radius_m = texel, .height_m = 0.04};
     wider.grid.set_rain(rain);
@@ -300,8 +313,8 @@ TEST(RainDrops, NarrowerThanATexelIsFlatterInstead) {
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(b[i], a[i] / 4);
 }
 
-TEST(RainDrops, RefusesWhatCantFall) {
-    const DynamicWavesOptions water;  // 64 m
+TEST(RainDrops, InvalidOptionsAreRejected) {
+    const DynamicWavesOptions water;  // side_m is 64
     Rain rain{.drops_per_m2_s = 1};
     EXPECT_EQ(check(rain, water), "");
     rain.radius_m = 4.1;
@@ -310,7 +323,8 @@ TEST(RainDrops, RefusesWhatCantFall) {
     EXPECT_EQ(check(rain, water), "radius_m 0 is out of range [0.001, 4], to a 16th of side_m");
     rain = {.drops_per_m2_s = 1, .height_m = std::numeric_limits<double>::quiet_NaN()};
     EXPECT_NE(check(rain, water), "");
-    // Drops of eight texels by eight, 2 m by 2 m, 16 of which are on a texel in each of 60 ticks a second.
+    // A drop covers eight by eight texels, 2 m by 2 m; 16 drops cover a texel in each of 60 ticks a
+    // second.
     rain = {.drops_per_m2_s = 16.0 * 60 / 4};
     EXPECT_EQ(check(rain, water), "");
     rain.drops_per_m2_s = 250;
@@ -322,7 +336,7 @@ TEST(RainDrops, RefusesWhatCantFall) {
     EXPECT_NE(check(rain, water), "");
     EXPECT_THROW(DynamicWaves(water).set_rain(rain), std::invalid_argument);
     DynamicWavePool pool(water);
-    // A saved rain that can't be is refused, and nothing has changed.
+    // A saved state with invalid rain is rejected, and the grid is unchanged.
     pool.grid.set_rain({.drops_per_m2_s = 2});
     const std::vector<std::uint8_t> saved = pool.grid.saved();
     std::vector<std::uint8_t> wrong = saved;

@@ -24,7 +24,7 @@ ReadImage read_exr(const std::filesystem::path& file) {
         if (list.findChannel(name)) names.emplace_back(name);
     image.channels = static_cast<int>(names.size());
     const auto texels = static_cast<std::size_t>(image.width * image.height), count = names.size();
-    std::vector<float> floats(texels * count);  // a float has every half
+    std::vector<float> floats(texels * count);  // A float represents every half exactly.
     Imf::FrameBuffer buffer;
     const std::size_t pixel_bytes = count * sizeof(float);
     for (std::size_t c = 0; c < count; ++c) {
@@ -64,7 +64,8 @@ ReadImage read_png(const std::filesystem::path& file) {
 
 ReadImage read_tiff(const std::filesystem::path& file) {
     OIIO::ImageSpec as_it_is;
-    as_it_is.attribute("oiio:UnassociatedAlpha", 1);  // or the reader would multiply normals by smoothness
+    // Otherwise the reader multiplies normals by smoothness.
+    as_it_is.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(file.string(), &as_it_is);
     EXPECT_TRUE(input) << file;
     if (!input) return {};

@@ -1,4 +1,5 @@
-// Images as programs read them that know nothing of Pelagic: OpenEXR, libpng without its conversions, OpenImageIO for TIFF.
+// Reads images with independent libraries: OpenEXR, libpng without its conversions, and OpenImageIO
+// for TIFF.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +10,17 @@ namespace pelagic {
 
 struct ReadImage {
     int width = 0, height = 0, channels = 0;
-    std::string type;            ///< "uint8", "uint16", "half", "float"
-    std::vector<double> pixels;  ///< rows from the top, interleaved; whole numbers as parts of 255 or 65535
+    std::string type;  ///< "uint8", "uint16", "half", "float"
+    /// Interleaved rows, the top row first; integers are divided by 255 or 65535.
+    std::vector<double> pixels;
 
     double at(int column, int row, int channel) const {
         return pixels[static_cast<std::size_t>((row * width + column) * channels + channel)];
     }
 };
 
-/// By the name's extension. Channels come in the order R, G, B, A, or Y alone. Fails the test and gives none if it can't be read.
+/// Reads an image; the format follows from the name's extension. Channels are in the order R, G, B,
+/// A, or Y alone. If the file cannot be read, the test fails and the image is empty.
 ReadImage read_image(const std::filesystem::path& file);
 
 }  // namespace pelagic

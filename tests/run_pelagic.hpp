@@ -1,4 +1,4 @@
-// Runs the real `pelagic` as a user's shell would, and looks at what it leaves.
+// Runs the `pelagic` command as a shell would, and reads the files that it writes.
 #pragma once
 
 #include <sys/types.h>
@@ -16,20 +16,21 @@ struct Outcome {
     std::string out, err;
 };
 
-/// Starts it with stdout and stderr in files, runs `in_child` before exec (limits, users), returns its process.
+/// Starts `pelagic` with stdout and stderr redirected to files and returns its process. Before
+/// exec, the child calls `in_child` (limits, users).
 pid_t start_pelagic(const std::vector<std::string>& arguments, const std::filesystem::path& out,
                     const std::filesystem::path& err, const std::function<void()>& in_child = {});
 
-/// 0 to 255, or 128 + signal.
+/// Returns the exit code, 0 to 255, or 128 + signal.
 int wait_for(pid_t process);
 
 Outcome run_pelagic(const std::vector<std::string>& arguments, const std::function<void()>& in_child = {});
 
-/// For `in_child`: root gives up what lets it pass over permissions, for good. It stays root, so that it reaches its own
-/// folders wherever they are, which another user might not.
+/// For `in_child`: permanently drops root's capabilities to bypass file permissions. The process
+/// stays root, because another user might not reach the temporary folders.
 void obey_permissions();
 
-/// A folder that is empty at first and gone at the end.
+/// A folder that is empty at first and is removed by the destructor.
 class TemporaryFolder {
    public:
     TemporaryFolder();
@@ -46,7 +47,7 @@ class TemporaryFolder {
 std::string read_file(const std::filesystem::path& file);
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-/// Every file in a folder, hidden ones too, and its bytes.
+/// Returns every file of a folder, including hidden files, and its bytes.
 std::map<std::string, std::string> files_in(const std::filesystem::path& folder);
 
 }  // namespace pelagic

@@ -1,5 +1,5 @@
-// Whether a sanitizer watches, under which large tests take a smaller number of points: ten to fifty times as slow, and
-// nothing more to find.
+// True under a sanitizer. Large tests then use fewer points: they are ten to fifty times as slow,
+// and more points detect nothing more.
 #pragma once
 
 namespace pelagic {

@@ -1,5 +1,5 @@
-// Too little stack, memory or threads: the program works, or says in one line what is missing and exits 1. It is never ended
-// by a signal, or by the C++ library.
+// With too little stack, memory or threads the program works, or prints one line about the missing
+// resource and exits with 1. No signal and no C++ terminate ends it.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -34,11 +34,12 @@ class ScarceResources : public testing::Test {
     }
 };
 
-// A job of N = 2048 takes 0.4 to 0.8 MiB.
-TEST_F(ScarceResources, ASmallStackIsEnoughForAnyFrame) {
+// A job of N = 2048 needs 0.4 to 0.8 MiB of stack.
+TEST_F(ScarceResources, ASmallStackSufficesForEveryFrame) {
     for (const std::string resolution : {"256", "2048"}) {
         for (const std::string threads : {"1", "2"}) {
-            if (resolution == "2048" && threads == "1") continue;  // a small frame tells the one thread's stack
+            // The small frame tests the stack of a single thread.
+            if (resolution == "2048" && threads == "1") continue;
             std::vector<std::string> hashes;
             for (const std::size_t stack : {64 * kib, 8 * mib}) {
                 const TemporaryFolder folder;
@@ -54,8 +55,8 @@ TEST_F(ScarceResources, ASmallStackIsEnoughForAnyFrame) {
     }
 }
 
-// From too little to load the program's libraries to enough.
-TEST_F(ScarceResources, TooLittleMemoryIsALine) {
+// From too little memory to load the program's libraries to enough.
+TEST_F(ScarceResources, TooLittleMemoryIsReportedInOneLine) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "x,z\n1,2\n");
     std::size_t refused = 0, worked = 0;
@@ -79,9 +80,9 @@ TEST_F(ScarceResources, TooLittleMemoryIsALine) {
     EXPECT_GT(worked, 0u);
 }
 
-// The image library's dependencies start threads when they are loaded, and crash or hang where the system refuses one. Their
-// stacks are as large as the limit, and none so large fits.
-TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryIsALineAndNothingIsWritten) {
+// The image library's dependencies start threads when they are loaded, and crash or hang if the
+// system cannot start one. Their stacks are as large as the limit, and no stack of this size fits.
+TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryAreReportedAndNothingIsWritten) {
     constexpr std::size_t too_large = 64 * 1024 * mib;
     rlimit limit{};
     getrlimit(RLIMIT_STACK, &limit);
@@ -98,8 +99,8 @@ TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryIsALineAndNothingIsWritte
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-// As above; between too little and enough the dependencies have several ways to crash.
-TEST_F(ScarceResources, TooLittleMemoryForTheImageLibraryIsALine) {
+// Between too little memory and enough, the dependencies crash in several ways.
+TEST_F(ScarceResources, TooLittleMemoryForTheImageLibraryIsReportedInOneLine) {
     std::size_t refused = 0, worked = 0;
     const std::size_t step = of_sweep(64, 16) * mib;
     for (std::size_t room = 320 * mib; room <= 1024 * mib; room += room < 512 * mib ? step : 256 * mib) {

@@ -1,4 +1,4 @@
-// What the sea does: heights, directions, crests, and what survives a change of the grid.
+// Physical properties of the sea: heights, directions, crests, and invariance to the grid.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,8 @@ double correlation(const oracle::Plane& a, const oracle::Plane& b) {
     return both / static_cast<double>(a.size()) / std::sqrt(variance_of(a) * variance_of(b));
 }
 
-/// Hs over `seeds` seeds and `moments` times, from the mean variance: one sea's variance scatters by 1/sqrt(waves).
+/// Returns Hs from the mean variance over `seeds` seeds and `moments` times. The variance of one
+/// sea varies by 1/sqrt(waves).
 double mean_significant_height(SeaState sea, int seeds, int moments = 4) {
     double variance = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -53,7 +54,8 @@ double mean_significant_height(SeaState sea, int seeds, int moments = 4) {
     return 4 * std::sqrt(variance);
 }
 
-/// 4 sqrt(integral of the model's spectrum): Simpson's rule over log omega, by the oracle's own formula.
+/// Returns 4 sqrt(integral of the model's spectrum) by Simpson's rule over log omega, with the
+/// oracle's formula.
 double integrated_height(const SeaState& sea) {
     const double first = std::log(0.05), last = std::log(60.0);
     constexpr int steps = 20000;
@@ -66,7 +68,7 @@ double integrated_height(const SeaState& sea) {
     return 4 * std::sqrt(sum * (last - first) / steps / 3);
 }
 
-/// Simpson's rule in log k, around the peak of the wind's waves.
+/// Integrates by Simpson's rule in log k, around the peak of the wind sea.
 double integral_over_wave_numbers(const WaveSpectrum& spectrum, const SeaState& sea) {
     const double first = std::log(1e-2 * peak_of(spectrum, sea).k), last = first + std::log(1e7);
     constexpr int steps = 8000;
@@ -78,11 +80,11 @@ double integral_over_wave_numbers(const WaveSpectrum& spectrum, const SeaState& 
     return sum * (last - first) / steps / 3;
 }
 
-// A wide patch with a short peak wave, so that many waves share the energy: 16 seeds then scatter by about 1 %, and the
-// grid holds all but 1 % of the height.
+// A wide patch with a short peak wave, so that many waves share the energy. 16 seeds then vary by
+// about 1 %, and the grid resolves all but 1 % of the height.
 constexpr SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .wind_alignment = 0.2};
 
-TEST(WaveHeight, IsWithinThreePercentOfTheSpectrumsIntegralOver16Seeds) {
+TEST(WaveHeight, IsWithin3PercentOfTheSpectrumsIntegralOver16Seeds) {
     for (const SpectrumModel model : {SpectrumModel::jonswap, SpectrumModel::pierson_moskowitz}) {
         SeaState sea = many_waves;
         sea.spectrum = model;
@@ -95,8 +97,9 @@ TEST(WaveHeight, IsWithinThreePercentOfTheSpectrumsIntegralOver16Seeds) {
     }
 }
 
-// Hs = 0.21 V^2/g for the fully developed sea (Pierson and Moskowitz 1964): 2 sqrt(0.0081/0.74) = 0.2092.
-TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
+// Hs = 0.21 V^2/g for the fully developed sea (Pierson and Moskowitz 1964): 2 sqrt(0.0081/0.74) =
+// 0.2092.
+TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedValue) {
     for (const double speed : {5.0, 10.0, 20.0}) {
         const double unit = speed * speed / oracle::gravity;
         const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz,
@@ -110,8 +113,9 @@ TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
     }
 }
 
-// In closed form: the integral of alpha/2 k^-3 exp(-1/(kL)^2) is alpha L^2/4, so Hs = 2 sqrt(0.0081) V^2/g.
-TEST(WaveHeight, OfPhillipsIsItsClosedForm) {
+// Closed form: the integral of alpha/2 k^-3 exp(-1/(kL)^2) is alpha L^2/4, so Hs = 2 sqrt(0.0081)
+// V^2/g.
+TEST(WaveHeight, OfPhillipsMatchesTheClosedForm) {
     const double unit = 8 * 8 / oracle::gravity;
     const SeaState sea{
         .spectrum = SpectrumModel::phillips, .patch_size_m = 30 * unit, .wind_speed_mps = 8, .wind_alignment = 0.2};
@@ -119,10 +123,11 @@ TEST(WaveHeight, OfPhillipsIsItsClosedForm) {
     EXPECT_NEAR(mean_significant_height(sea, 16), 0.18 * unit, 0.03 * 0.18 * unit);
 }
 
-// The published fetch law Hs = 0.0016 V sqrt(F/g) and the published spectrum of the same paper (Hasselmann et al. 1973)
-// part ways: the spectrum's integral grows as F^1.113, the law's square as F. Over the fetches that were measured, gF/V^2
-// from 100 to 10,000, the spectrum is above by 1 to 33 %. We keep the spectrum; it must stay in that known spread.
-TEST(WaveHeight, OfJonswapIsAboveItsFetchLawByItsKnownSpread) {
+// Hasselmann et al. 1973 publish the fetch law Hs = 0.0016 V sqrt(F/g) and a spectrum that
+// disagree: the spectrum's integral grows as F^1.113, the law's square as F. Over the measured
+// fetches, gF/V^2 from 100 to 10,000, the spectrum is higher by 1 to 33 %. Pelagic uses the
+// spectrum; the ratio must stay in that range.
+TEST(WaveHeight, OfJonswapExceedsItsFetchLawByTheKnownRatio) {
     for (const double fetch : {1.5e3, 15e3, 147e3}) {
         const SeaState sea{.wind_speed_mps = 12, .fetch_m = fetch};
         const double law = 0.0016 * 12 * std::sqrt(fetch / oracle::gravity);
@@ -132,8 +137,9 @@ TEST(WaveHeight, OfJonswapIsAboveItsFetchLawByItsKnownSpread) {
     }
 }
 
-// JONSWAP's laws end at a fully developed sea. With nu = 0.8556 and alpha = 0.00892 at g F / V^2 = 17,000 the integral of the
-// spectrum is alpha / (5 nu^4) (V^2 / g)^2 times what gamma = 3.3 adds, 1.52: Hs = 0.285 V^2 / g.
+// JONSWAP's laws end at a fully developed sea. With nu = 0.8556 and alpha = 0.00892 at g F / V^2 =
+// 17,000, the integral of the spectrum is alpha / (5 nu^4) (V^2 / g)^2 times 1.52, the factor of
+// gamma = 3.3. So Hs = 0.285 V^2 / g.
 TEST(WaveHeight, OfJonswapEndsAtAFullyDevelopedSea) {
     for (const double speed : {1.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 60.0}) {
         const double unit = speed * speed / oracle::gravity, limit_m = 17000 * unit;
@@ -146,13 +152,13 @@ TEST(WaveHeight, OfJonswapEndsAtAFullyDevelopedSea) {
             if (fetch < limit_m) continue;
             EXPECT_NEAR(height, 0.285 * unit, 0.002 * 0.285 * unit) << speed << " m/s, " << fetch << " m";
             EXPECT_NEAR(peak_of(spectrum, sea).omega * speed / oracle::gravity, 0.855, 0.001);
-            // The same bits as at the limit: more fetch adds nothing.
+            // Bit-identical to the sea at the limit: more fetch adds nothing.
             SeaState at_limit = sea;
             at_limit.fetch_m = effective_fetch_m(sea);
             EXPECT_EQ(WaveSpectrum(at_limit, {.grid = {.side_m = 1000}, .resolution = 16}).variance(),
                       spectrum.variance());
         }
-        // TMA: a depth takes from the same sea.
+        // TMA: a finite depth reduces the height of this sea.
         const SeaState deep{.wind_speed_mps = speed, .fetch_m = 2e6, .depth_m = 11000};
         SeaState shallow = deep;
         shallow.depth_m = 3 * unit;
@@ -170,17 +176,18 @@ TEST(WaveHeight, DependsOnNeitherResolutionNorPatch) {
         heights.push_back(expected_waves({.resolution = 512, .patch_size_m = patch, .wind_speed_mps = 10})
                               .significant_wave_height_m);
     const auto [min, max] = std::minmax_element(heights.begin(), heights.end());
-    // What the coarsest grid (4.7 m) and the smallest patch (three peak waves) miss.
+    // The bound allows for what the coarsest grid (4.7 m) and the smallest patch (three peak waves)
+    // do not resolve.
     EXPECT_LT(*max / *min, 1.03);
-    // And so do the waves themselves, of the same seeds.
+    // The drawn waves of the same seeds also agree.
     const double coarse = mean_significant_height({.resolution = 64, .patch_size_m = 300, .wind_speed_mps = 10}, 4);
     const double fine = mean_significant_height({.resolution = 512, .patch_size_m = 300, .wind_speed_mps = 10}, 4);
     EXPECT_NEAR(fine / coarse, 1, 0.02);
 }
 
-// The errata's row on equations 4 and 5: N^(-1/4) from 64 to 512 is 0.595; the fine grid holds more small waves, so a
-// little more stays.
-TEST(WaveHeight, OfThePapersScalingFallsWithTheResolution) {
+// The errata's row on equations 4 and 5: N^(-1/4) from 64 to 512 is 0.595. The fine grid resolves
+// more short waves, so the ratio is slightly larger.
+TEST(WaveHeight, OfThePapersScalingDecreasesWithTheResolution) {
     const auto height = [](int n) {
         return expected_waves({.spectrum = SpectrumModel::phillips_paper,
                                .resolution = n,
@@ -191,8 +198,9 @@ TEST(WaveHeight, OfThePapersScalingFallsWithTheResolution) {
     EXPECT_NEAR(height(512) / height(64), std::pow(8.0, -0.25), 0.03);
 }
 
-// A storm on half of the patch that it needs: this seed is higher than the model, and the mean of many is lower.
-TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
+// A storm on half of the patch that it needs: the height of this seed is above the model's, and the
+// mean of many seeds is below.
+TEST(Warnings, PrintTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
     SeaState sea = sea_preset_named("storm")->sea;
     sea.patch_size_m = 400;
     sea.resolution = 64;
@@ -203,7 +211,7 @@ TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
     ASSERT_NE(at, std::string::npos) << warnings[0];
     ASSERT_EQ(std::sscanf(warnings[0].c_str() + at, "Hs %lf m, where this wind makes %lf m", &patch, &wind), 2);
     EXPECT_NEAR(wind, integrated_height(sea), 0.005 * wind) << "three digits";
-    // One seed's height scatters by about 12 % here, so the mean of 64 by 1.5 %.
+    // The height of one seed varies by about 12 % here, so the mean of 64 by 1.5 %.
     EXPECT_NEAR(mean_significant_height(sea, 64), patch, 0.06 * patch);
     EXPECT_LT(patch, wind);
     EXPECT_EQ(warnings[0].find("is lower"), std::string::npos) << warnings[0];
@@ -212,17 +220,18 @@ TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
 TEST(PeakPeriod, MeasuredIsNearExpected) {
     for (const SeaPreset& preset : sea_presets()) {
         const double expected = expected_waves(preset.sea).peak_period_s;
-        // Few waves lie near the peak, so one seed's estimate scatters by several percent.
+        // Few waves are near the peak, so the estimate of one seed varies by several percent.
         EXPECT_NEAR(measured_peak_period_s(preset.sea) / expected, 1, 0.15) << preset.name;
     }
-    // In closed form: omega_p = (4 0.74/5)^(1/4) g/V for Pierson-Moskowitz.
+    // Closed form: omega_p = (4 0.74/5)^(1/4) g/V for Pierson-Moskowitz.
     const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .wind_speed_mps = 10};
     EXPECT_NEAR(expected_waves(sea).peak_period_s, 2 * pi / (std::pow(0.8 * 0.74, 0.25) * oracle::gravity / 10),
                 1e-4);
 }
 
-// Drawn by wave vector, the sea is real, Nyquist included; drawn by index its imaginary part would be as large.
-TEST(Symmetry, TheSeaOfTheLibrarysDrawsIsReal) {
+// Drawn by wave vector, the sea is real, Nyquist included. Drawn by index, its imaginary part would
+// be as large as the real part.
+TEST(Symmetry, TheDrawnSeaIsReal) {
     for (const int n : {16, 64}) {
         const oracle::Fields fields = oracle::fields_at({.resolution = n, .patch_size_m = 250, .choppiness = 1}, 3.3);
         for (const oracle::ComplexField* field : {&fields.height, &fields.dx, &fields.dz}) {
@@ -236,19 +245,20 @@ TEST(Symmetry, TheSeaOfTheLibrarysDrawsIsReal) {
     }
 }
 
-TEST(Symmetry, EnergyInSpaceIsEnergyInTheSpectrum) {
+TEST(Symmetry, EnergyInSpaceEqualsEnergyInTheSpectrum) {
     const SeaState sea{.resolution = 128, .patch_size_m = 250};
     Ocean ocean = ocean_of(sea);
     const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(4.5));
     double space = 0, waves = 0;
     for (const double h : surface.height) space += h * h / static_cast<double>(surface.height.size());
     for (const oracle::Complex& wave : oracle::spectrum_at(sea, 4.5)) waves += std::norm(wave);
-    EXPECT_NEAR(space / waves, 1, 1e-5);  // Parseval
+    EXPECT_NEAR(space / waves, 1, 1e-5);  // Parseval's theorem
 }
 
-// Two frames a moment apart: a wave that travels along its k turns its amplitude backwards, so the energy-weighted
-// mean of k over the waves whose phase falls points where the sea goes.
-TEST(Direction, WavesRunDownTheWind) {
+// Two frames a short time apart: the amplitude of a wave that travels along its k rotates
+// backwards. So the energy-weighted mean of k over the waves with falling phase has the sea's
+// direction.
+TEST(Direction, WavesTravelDownwind) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const double direction = eighth * pi / 4;
         const SeaState sea{
@@ -264,7 +274,8 @@ TEST(Direction, WavesRunDownTheWind) {
             for (std::size_t i = 0; i < 64; ++i) {
                 const double kx = oracle::wave_number(i, 64), kz = oracle::wave_number(j, 64);
                 if (kx == 0 && kz == 0) continue;
-                // Im(after conj(before)) is -|h|^2 sin(w dt) for a wave along k, and + for one against it.
+                // Im(after conj(before)) is -|h|^2 sin(w dt) for a wave along k, and + for a wave
+                // against it.
                 const double forwards = -std::imag(after[j * 64 + i] * std::conj(before[j * 64 + i]));
                 const double length = std::hypot(kx, kz);
                 along += forwards * (kx * std::cos(direction) + kz * std::sin(direction)) / length;
@@ -277,7 +288,7 @@ TEST(Direction, WavesRunDownTheWind) {
     }
 }
 
-TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
+TEST(Crests, AreSharpAndHaveTheLowestJacobian) {
     for (const SpectrumModel model : spectrum_models()) {
         const SeaState sea{.spectrum = model, .resolution = 256, .patch_size_m = 250, .choppiness = 1};
         Ocean ocean = ocean_of(sea);
@@ -287,8 +298,8 @@ TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
         RecordProperty(std::string(name_of(model)), std::to_string(together));
         EXPECT_LT(together, -0.5) << name_of(model);
 
-        // The thousandth of the texels with the least Jacobian: three deviations down, so by the correlation alone they
-        // should stand 1.5 deviations up.
+        // The thousandth of the texels with the lowest Jacobian is three deviations below the mean.
+        // By the correlation alone these texels should be 1.5 deviations high.
         std::vector<std::size_t> order(jacobian.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::sort(order.begin(), order.end(), [&](auto a, auto b) { return jacobian[a] < jacobian[b]; });
@@ -299,7 +310,7 @@ TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
     }
 }
 
-TEST(Crests, WithoutChoppinessNothingMovesHorizontal) {
+TEST(Crests, WithoutChoppinessThereIsNoHorizontalDisplacement) {
     Ocean ocean = ocean_of({.resolution = 64, .patch_size_m = 250, .choppiness = 0});
     const Frame& frame = ocean.frame_at(1.7);
     for (int j = 0; j < 64; ++j) {
@@ -310,7 +321,7 @@ TEST(Crests, WithoutChoppinessNothingMovesHorizontal) {
     }
 }
 
-TEST(Resolution, TwiceAsFineAGridKeepsTheSea) {
+TEST(Resolution, DoublingTheResolutionKeepsTheSea) {
     for (const int n : {16, 64, 128}) {
         SeaState sea{.resolution = n, .patch_size_m = 250, .choppiness = 1};
         Ocean coarse_ocean = ocean_of(sea);
@@ -335,7 +346,8 @@ TEST(Resolution, TwiceAsFineAGridKeepsTheSea) {
     }
 }
 
-/// The part of the heights' variance in each frequency 1/T, 2/T, ... of a loop: a Fourier sum over time at every texel.
+/// Returns the fraction of the heights' variance in each frequency 1/T, 2/T, ... of a loop, by a
+/// Fourier sum over time at every texel.
 std::vector<double> measured_shares(const SeaState& sea, int frames) {
     Ocean ocean = ocean_of(sea);
     const std::size_t texels = static_cast<std::size_t>(sea.resolution) * static_cast<std::size_t>(sea.resolution);
@@ -359,8 +371,9 @@ std::vector<double> measured_shares(const SeaState& sea, int frames) {
     return shares;
 }
 
-// The shortest wave, along the diagonal of the grid, makes at most 12 periods in each loop: 32 frames hold them all.
-TEST(LoopFrequencies, AreThoseOfItsFrames) {
+// The shortest wave, along the diagonal of the grid, has at most 12 periods in each loop. 32 frames
+// resolve them all.
+TEST(LoopFrequencies, MatchTheFrames) {
     for (const char* name : {"calm", "moderate", "rough", "storm"}) {
         SeaState sea = sea_preset_named(name)->sea;
         sea.resolution = 32;
@@ -390,12 +403,13 @@ TEST(LoopFrequencies, AStormOfTwelveSecondsIsNearlyOneWave) {
     };
     EXPECT_NE(says(storm).find("a loop of 12.8 s is short for this sea: 2 of its frequencies"), std::string::npos)
         << says(storm);
-    // Not of a grid too coarse for the waves, in a loop of 80 peak periods: it has a note of its own.
+    // No warning for a grid that is too coarse for the waves, in a loop of 80 peak periods: it has
+    // a warning of its own.
     SeaState coarse{.resolution = 16, .patch_size_m = 200, .wind_speed_mps = 3};
     EXPECT_LT(loop_frequencies(coarse).for_90_percent, fewest_loop_frequencies);
     EXPECT_EQ(says(coarse).find("a loop of"), std::string::npos) << says(coarse);
     EXPECT_NE(says(coarse).find("raise the resolution"), std::string::npos) << says(coarse);
-    // The advice is heard: ten peak periods, and the loops that presets have by themselves.
+    // The advice works: no warning for loops of ten peak periods, nor for the presets' own loops.
     for (const SeaPreset& preset : sea_presets()) {
         SeaState sea = preset.sea;
         EXPECT_EQ(says(sea), "") << preset.name;

@@ -1,5 +1,5 @@
-// Whatever check() takes makes a whole frame of finite numbers: every option at the edges of its range, alone, in pairs and
-// all together.
+// Every sea that check() accepts gives complete frames of finite numbers: each option at the edges
+// of its range, alone, in pairs and all together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,9 +21,11 @@ namespace {
 
 using Edges = std::vector<double>;
 
-/// Least, most, and what lies next to them inside; a range that is open below begins with the smallest number there is.
+/// Returns minimum, maximum and the neighbouring values inside. A range that is open below begins
+/// with the smallest positive number.
 Edges edges_of(const SeaStateField& field) {
-    if (field.name == "resolution") return {16, 32};  // a frame of 2048 is no more at an edge than one of 32
+    // A frame of 2048 tests no more edges than one of 32.
+    if (field.name == "resolution") return {16, 32};
     if (std::holds_alternative<std::uint32_t SeaState::*>(field.member)) return {field.min, 1, field.max};
     const auto inside = [](double edge, double towards) { return std::nextafter(edge, towards); };
     Edges edges = {inside(field.min, field.max), inside(field.max, field.min), field.max};
@@ -41,7 +43,7 @@ std::string text_of(const SeaState& sea) {
 
 bool is_finite_half(std::uint16_t half) { return (half & 0x7C00) != 0x7C00; }
 
-/// Empty, or what is wrong with the cascade.
+/// Returns an empty string, or the error in the cascade.
 std::string fault_of(const Cascade& cascade) {
     float min = std::numeric_limits<float>::infinity(), max = -min, max_dx = 0, max_dz = 0;
     for (int j = 0; j < cascade.resolution(); ++j) {
@@ -65,7 +67,7 @@ std::string fault_of(const Cascade& cascade) {
     return {};
 }
 
-/// Empty, or what is wrong with the frame.
+/// Returns an empty string, or the error in the frame.
 std::string fault_of(const Frame& frame) {
     for (const Cascade& cascade : frame.cascades)
         if (const std::string fault = fault_of(cascade); !fault.empty()) return fault;
@@ -95,7 +97,7 @@ std::string fault_of_answers(const SurfaceQuery& query, double patch_size_m) {
     for (std::size_t i = 0; i < count; ++i) {
         for (const auto& each : values)
             if (!std::isfinite(each[i])) return "an answer is not finite";
-        // Bilinear between texels, in float.
+        // Heights are interpolated bilinearly between texels, in float.
         const double slack =
             1e-6 * (1 + std::fabs(query.bounds().height_max_m) + std::fabs(query.bounds().height_min_m));
         if (values[0][i] < query.bounds().height_min_m - slack || values[0][i] > query.bounds().height_max_m + slack)
@@ -107,7 +109,7 @@ std::string fault_of_answers(const SurfaceQuery& query, double patch_size_m) {
 }
 
 void expect_finite(SeaState sea) {
-    // What others rule out gives way.
+    // Options that other options exclude are reset.
     if (sea.spectrum == SpectrumModel::phillips_paper) sea.swell_height_m = 0;
     if (check(sea).starts_with("cascades")) sea.cascades = 0;
     ASSERT_EQ(check(sea), "") << text_of(sea);
@@ -128,7 +130,8 @@ INSTANTIATE_TEST_SUITE_P(Models, SeaRange, testing::ValuesIn(spectrum_models().b
                              return name;
                          });
 
-// Each pair of options with every model at night; in the gate with one or two of the four, others for the next pair.
+// At night: each pair of options with every model. In the quick run: each pair with one or two of
+// the four models, with others for the next pair.
 TEST_P(SeaRange, PairsOfEdgesGiveFiniteFrames) {
     const auto fields = sea_state_fields();
     const std::size_t step = of_sweep(3, 1);
@@ -148,7 +151,7 @@ TEST_P(SeaRange, PairsOfEdgesGiveFiniteFrames) {
     }
 }
 
-TEST_P(SeaRange, AllAtAnEdgeAtOnceGiveFiniteFramesAndFigures) {
+TEST_P(SeaRange, AllOptionsAtEdgesGiveFiniteFramesAndStatistics) {
     std::mt19937 random(11);
     for (int n = 0; n < of_sweep(100, 300); ++n) {
         SeaState sea{.spectrum = GetParam()};
@@ -172,8 +175,8 @@ TEST_P(SeaRange, AllAtAnEdgeAtOnceGiveFiniteFramesAndFigures) {
     }
 }
 
-// Outside of them, or no number, is an error.
-TEST(SeaRange, WhatLiesBeyondAnEdgeIsRefused) {
+// Values outside of the range, infinities and NaN are rejected.
+TEST(SeaRange, ValuesBeyondAnEdgeAreRejected) {
     for (const SeaStateField& field : sea_state_fields()) {
         const double infinity = std::numeric_limits<double>::infinity();
         EXPECT_FALSE(field.accepts(std::nextafter(field.min, -infinity))) << field.name;

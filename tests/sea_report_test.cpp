@@ -1,4 +1,5 @@
-// Directions, spreads and slopes of a sea, held against closed forms and sums over the oracle's own waves.
+// Directions, spreads and slopes of a sea, compared with closed forms and sums over the oracle's
+// waves.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,24 +19,26 @@ namespace {
 
 using std::numbers::pi;
 
-/// Integral of cos^p over the half circle around 0.
+/// Returns the integral of cos^p over the half circle around 0.
 double cosine_integral(double p) { return std::sqrt(pi) * std::tgamma((p + 1) / 2) / std::tgamma(p / 2 + 1); }
 
-/// How far b is from a on the circle.
+/// Returns the distance of a and b on the circle.
 double apart(double a, double b) { return std::fabs(std::remainder(a - b, 2 * pi)); }
 
-// |cos|^s, and sigma of it against the wind, have the first moment (1 - sigma) / (1 + sigma) times that of cos^s.
-TEST(SeaReport, SpreadIsThatOfTheCosinesPower) {
+// |cos|^s, with a weight of sigma against the wind, has the first moment (1 - sigma) / (1 + sigma)
+// times that of cos^s.
+TEST(SeaReport, SpreadFollowsFromTheCosinePower) {
     for (const double alignment : {0.0, 0.3, 0.5, 1.0}) {
         const double s = 1 + 5 * alignment * alignment, sigma = 0.01 + 0.49 * (1 - alignment) * (1 - alignment);
         const double first = (1 - sigma) / (1 + sigma) * cosine_integral(s + 1) / cosine_integral(s);
-        // Sixteen peak waves a side: the grid's few directions at the peak are averaged out to less than a degree.
+        // The side has sixteen peak wavelengths, so the grid's few directions at the peak average
+        // out to less than a degree.
         const SeaReport report = report_on({.resolution = 128, .patch_size_m = 1000, .wind_alignment = alignment});
         EXPECT_NEAR(report.expected_directions.spread_rad, std::sqrt(2 * (1 - first)), 0.01) << alignment;
     }
 }
 
-TEST(SeaReport, MeanDirectionIsTheWinds) {
+TEST(SeaReport, MeanDirectionIsTheWindDirection) {
     for (int twelfth = -12; twelfth <= 12; ++twelfth) {
         const double wind = twelfth * pi / 6 + 0.01;
         const SeaReport report = report_on({.resolution = 64, .patch_size_m = 500, .wind_direction_rad = wind});
@@ -44,8 +47,8 @@ TEST(SeaReport, MeanDirectionIsTheWinds) {
     }
 }
 
-// The same waves by the oracle, over the full plane and by libm.
-TEST(SeaReport, DrawnDirectionsAreThoseOfTheDrawnWaves) {
+// The same waves from the oracle, over the full plane and with libm.
+TEST(SeaReport, DrawnDirectionsMatchTheDrawnWaves) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         const SeaState sea{.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2, .seed = seed};
         double all = 0, x = 0, z = 0;
@@ -64,7 +67,7 @@ TEST(SeaReport, DrawnDirectionsAreThoseOfTheDrawnWaves) {
     }
 }
 
-TEST(SeaReport, SlopesAreTheSumOfTheirWaves) {
+TEST(SeaReport, SlopesAreTheSumOverTheWaves) {
     const SeaState sea{.resolution = 64, .patch_size_m = 120, .wind_speed_mps = 7, .wind_direction_rad = 0.8};
     const double spacing = 2 * pi / sea.patch_size_m;
     double along = 0, across = 0;
@@ -85,15 +88,15 @@ TEST(SeaReport, SlopesAreTheSumOfTheirWaves) {
     EXPECT_NEAR(report.cascades[0].slopes.crosswind / across, 1, 1e-6);
 }
 
-// Cox and Munk's own example of a clean sea: 10 m/s gives 0.003 + 0.0512.
-TEST(SeaReport, SlopesOfCoxAndMunkAreThePublishedOnes) {
+// Cox and Munk's example of a clean sea: 10 m/s gives 0.003 + 0.0512.
+TEST(SeaReport, SlopesOfCoxAndMunkAreThePublishedValues) {
     EXPECT_NEAR(measured_slopes(10).total(), 0.003 + 5.12e-3 * 10, 2e-4 * 10) << "their sum is rounded by itself";
     EXPECT_NEAR(measured_slopes(10).upwind, 0.0316, 1e-12);
     EXPECT_NEAR(measured_slopes(10).crosswind, 0.0222, 1e-12);
 }
 
-// One pass gives what each question gives by itself.
-TEST(SeaReport, AgreesWithTheSingleFigures) {
+// The report of one pass equals the results of the single functions.
+TEST(SeaReport, AgreesWithTheSingleStatistics) {
     const SeaState sea{.resolution = 64, .patch_size_m = 250, .loop_period_s = 12.8, .seed = 5};
     const SeaReport report = report_on(sea);
     EXPECT_EQ(report.expected.significant_wave_height_m, expected_waves(sea).significant_wave_height_m);
@@ -110,7 +113,8 @@ TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
     EXPECT_EQ(report.loop_frequencies.for_90_percent, 0);
 }
 
-/// Correlation of a sea's heights with those `lag_m` further along x, over 64 x 64 points of the coarsest cascade.
+/// Returns the correlation of a sea's heights with those `lag_m` further along x, over 64 x 64
+/// points of the coarsest cascade.
 double correlation_of_heights(const SeaState& sea, double lag_m) {
     Ocean ocean(sea, {.queries = true});
     const SurfaceQuery water(ocean.frame_at(0));
@@ -141,7 +145,7 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
     EXPECT_EQ(repeat_length_m(calm), 140)
         << "16 waves of the peak, 2 pi 3.2^2 / (0.8556^2 g) = 8.96 m, to two digits";
 
-    calm.choppiness = 0;  // heights at fixed points
+    calm.choppiness = 0;  // so that heights are at fixed points
     const double length_m = repeat_length_m(calm);
     EXPECT_GT(correlation_of_heights(calm, length_m), 0.8) << "the coarsest cascade's part of the variance";
     EXPECT_LT(std::fabs(correlation_of_heights(calm, 0.4 * length_m)), 0.5);
@@ -151,9 +155,10 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
     EXPECT_GT(correlation_of_heights(one, repeat_length_m(one)), 1 - 1e-6) << "one cascade repeats exactly";
 }
 
-// In closed form for any depth: Ochi and Hubble's swell, S = 4 m0 u^3 e^-u / (2 omega), u = 13/4 (omega_p / omega)^4, has the moments
-// of omega^n m0 (13/4)^(n/4) Gamma(3 - n/4) / Gamma(3) omega_p^n.
-TEST(SeaReport, MeanPeriodsOfASwellAreTheirClosedForms) {
+// Closed form for any depth: Ochi and Hubble's swell, S = 4 m0 u^3 e^-u / (2 omega), u = 13/4
+// (omega_p / omega)^4, has the moments of omega^n m0 (13/4)^(n/4) Gamma(3 - n/4) / Gamma(3)
+// omega_p^n.
+TEST(SeaReport, MeanPeriodsOfASwellMatchTheClosedForm) {
     const SeaState sea{.resolution = 256,
                        .patch_size_m = 3000,
                        .wind_speed_mps = 0.1,
@@ -164,34 +169,36 @@ TEST(SeaReport, MeanPeriodsOfASwellAreTheirClosedForms) {
         return std::pow(3.25, n / 4) * std::tgamma(3 - n / 4) / std::tgamma(3);
     };
     const SeaReport report = report_on(sea);
-    // The grid's shortest wave of 23 m leaves out 0.2 % of m2.
+    // The grid's shortest wave, 23 m, omits 0.2 % of m2.
     EXPECT_NEAR(report.expected_periods.tm01_s, 11 / moment(1), 0.005 * 11);
     EXPECT_NEAR(report.expected_periods.tm02_s, 11 / std::sqrt(moment(2)), 0.005 * 11);
     EXPECT_NEAR(report.drawn_periods.tm01_s / report.expected_periods.tm01_s, 1, 0.02);
     EXPECT_NEAR(report.drawn_periods.tm02_s / report.expected_periods.tm02_s, 1, 0.02);
 }
 
-// Moments of JONSWAP's own frequency spectrum, up to the shortest wave that the cascades hold, by Simpson's rule.
-TEST(SeaReport, MeanPeriodsOfJonswapAreItsIntegrals) {
+// Integrates the moments of JONSWAP's frequency spectrum up to the shortest wave of the cascades by
+// Simpson's rule.
+TEST(SeaReport, MeanPeriodsOfJonswapMatchItsIntegrals) {
     const SeaState sea{.wind_speed_mps = 10, .loop_period_s = 2000};
     const double last = std::sqrt(oracle::gravity * plan_cascades(sea).back().max_k), first = last / 100;
     double m0 = 0, m1 = 0, m2 = 0;
     constexpr int steps = 20000;
     for (int i = 0; i <= steps; ++i) {
         const double omega = first * std::pow(last / first, static_cast<double>(i) / steps);
-        const double weight = (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * omega;  // d log omega
+        // d log omega
+        const double weight = (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * omega;
         const double density = weight * oracle::frequency_density(sea, omega);
         m0 += density, m1 += density * omega, m2 += density * omega * omega;
     }
     const SeaReport report = report_on(sea);
     EXPECT_NEAR(report.expected_periods.tm01_s / (2 * pi * m0 / m1), 1,
-                0.005);  // cells of the grid are wide at the peak
+                0.005);  // The grid's cells are wide at the peak.
     EXPECT_NEAR(report.expected_periods.tm02_s / (2 * pi * std::sqrt(m0 / m2)), 1,
-                0.01);  // and capillaries are faster
+                0.01);  // Capillary waves are faster as well.
 }
 
-// The sea of issue 29: its peak was 9.56 s, between the two, where nothing peaks.
-TEST(SeaReport, PeaksOfWindSeaAndSwellAreApart) {
+// The sea of issue 29: the old peak of 9.56 s was between the two, at no peak of the spectrum.
+TEST(SeaReport, PeaksOfWindSeaAndSwellAreSeparate) {
     const SeaState sea{.spreading = SpreadingModel::hasselmann,
                        .wind_speed_mps = 14,
                        .wind_direction_rad = -130 * pi / 180,
@@ -206,7 +213,8 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreApart) {
     wind.swell_height_m = 0;
     const SeaReport of_wind = report_on(wind);
     EXPECT_EQ(report.wind_sea->peak_period_s, of_wind.expected.peak_period_s);
-    // Few waves of the grid make the swell's peak, so a seed's is within an eighth of the model's, and the mean of eight closer.
+    // Few waves of the grid form the swell's peak. So one seed's peak is within an eighth of the
+    // model's, and the mean of eight seeds is closer.
     double swell_s = 0, wind_s = 0;
     for (std::uint32_t seed = 60; seed < 68; ++seed) {
         SeaState drawn = sea;
@@ -229,7 +237,7 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreApart) {
     EXPECT_FALSE(of_wind.wind_sea || of_wind.swell) << "one part alone is the sea";
 }
 
-TEST(SeaReport, FetchThatCountsEndsAtAFullyDevelopedSea) {
+TEST(SeaReport, EffectiveFetchEndsAtAFullyDevelopedSea) {
     EXPECT_EQ(report_on({.resolution = 16, .patch_size_m = 250}).effective_fetch_m, 100e3);
     EXPECT_NEAR(report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 3}).effective_fetch_m,
                 17000 * 9 / oracle::gravity, 1e-6);
@@ -237,12 +245,13 @@ TEST(SeaReport, FetchThatCountsEndsAtAFullyDevelopedSea) {
         report_on({.spectrum = SpectrumModel::phillips, .resolution = 16, .patch_size_m = 250}).effective_fetch_m, 0);
 }
 
-// The square of a draw, alone, is that of the draw.
-TEST(WaveNoise, SquareOfADrawIsItsOwn) {
+// The function that returns only the square agrees with the square of the full draw.
+TEST(WaveNoise, SquareMatchesTheFullDraw) {
     for (int m = -20; m < 20; ++m) {
         const GaussianPair draw = gaussian_pair(7, 2, m, 3 - m);
         const double square = draw.re * draw.re + draw.im * draw.im;
-        EXPECT_NEAR(gaussian_pair_square(7, 2, m, 3 - m) / square, 1, 1e-14);  // the sine and cosine's own rounding
+        // rounding of sine and cosine
+        EXPECT_NEAR(gaussian_pair_square(7, 2, m, 3 - m) / square, 1, 1e-14);
     }
 }
 

@@ -1,4 +1,5 @@
-// `pelagic query --shore`: the library's answers on a floor from an image, and what is refused.
+// `pelagic query --shore` gives the library's results on a sea floor from an image; invalid input
+// is rejected.
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -22,7 +23,8 @@ namespace {
 
 constexpr double sample_m = 25, middle_x = 1e6, middle_z = -3e5;
 
-/// A beach along x, as the command places an image of 24 x 20 pixels that is 600 m wide.
+/// Returns a beach along x, placed as the command places an image of 24 x 20 pixels that is 600 m
+/// wide.
 ShoreOptions beach_of_image() {
     ShoreOptions shore = shore_of(24, 20, sample_m, [](double x, double z) { return -14 + x * 0.03 + z * 0.01; });
     shore.corner_x_m = middle_x - 0.5 * sample_m * 23;
@@ -44,7 +46,7 @@ Outcome query(const TemporaryFolder& folder, const std::string& points, std::vec
     return run_pelagic(more);
 }
 
-TEST(ShoreCommand, QueriesTellTheLibrarysAnswersToTheLastBit) {
+TEST(ShoreCommand, QueriesAreBitIdenticalToTheLibrary) {
     const TemporaryFolder folder;
     const ShoreOptions shore = beach_of_image();
     write_image(folder / "floor.exr", shore);
@@ -83,18 +85,19 @@ TEST(ShoreCommand, QueriesTellTheLibrarysAnswersToTheLastBit) {
         for (double& number : numbers) at = std::from_chars(at, line.data() + line.size(), number).ptr + 1;
         EXPECT_EQ(static_cast<float>(numbers[2]), height[i]) << line;
         EXPECT_EQ(static_cast<float>(numbers[3]), normal_x[i]) << line;
-        // The floor falls 0.03 along x and 0.01 along z from -14 m in its corner; outside it continues as its corner.
+        // The floor rises by 0.03 along x and by 0.01 along z from -14 m in its corner. Outside,
+        // the depth continues with the value at the edge.
         const std::size_t depth_at = line.rfind(',', line.rfind(',') - 1);
         double depth_m = 0;
         std::from_chars(line.data() + depth_at + 1, line.data() + line.size(), depth_m);
         const double from_x = std::max(0.0, x[i] - shore.corner_x_m), from_z = std::max(0.0, z[i] - shore.corner_z_m);
         EXPECT_NEAR(depth_m, 14 - from_x * 0.03 - from_z * 0.01, 1e-4) << line;
-        // Only the last point is outside, where it is deep enough for the open sea.
+        // Only the last point is outside, where the water is deep enough for the open sea.
         EXPECT_EQ(line.substr(0, depth_at) == open_line.substr(0, open_line.rfind(',')), i + 1 == x.size()) << line;
     }
 }
 
-TEST(ShoreCommand, NotesTexelsThatAreCoarse) {
+TEST(ShoreCommand, WarnsOfCoarseTexels) {
     const TemporaryFolder folder;
     write_image(folder / "floor.exr", beach_of_image());
     const std::vector<std::string> on = {
@@ -111,7 +114,7 @@ TEST(ShoreCommand, NotesTexelsThatAreCoarse) {
     EXPECT_NE(outcome.err.find("; --floor-size sets them\n"), std::string::npos) << outcome.err;
 }
 
-TEST(ShoreCommand, NamesWhatAShoreNeeds) {
+TEST(ShoreCommand, InvalidOptionsAreNamed) {
     const TemporaryFolder folder;
     write_image(folder / "floor.exr", beach_of_image());
     const std::string file = (folder / "floor.exr").string();
@@ -144,7 +147,8 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
     EXPECT_EQ(weather.err, "pelagic: --shore cannot be combined with --weather\n");
 }
 
-/// The bytes of an EXR file by its specification, with no pixels: all that is read before they are asked for.
+/// The bytes of an EXR file by its specification, without pixels: everything that is read before
+/// the pixels.
 class ExrBytes {
    public:
     ExrBytes() { number(20000630).number(2); }
@@ -159,7 +163,8 @@ class ExrBytes {
         text_ += value;
         return *this;
     }
-    /// Float channels c1000, c1001, ... and all else that a header needs, for 4096 x 4096 pixels.
+    /// Float channels c1000, c1001, ... and everything else that a header needs, for 4096 x 4096
+    /// pixels.
     ExrBytes& usual(int channels) {
         const auto numbers = [](std::initializer_list<std::uint32_t> values) {
             ExrBytes bytes;
@@ -180,7 +185,7 @@ class ExrBytes {
             .attribute("screenWindowCenter", "v2f", numbers({0, 0}))
             .attribute("screenWindowWidth", "float", numbers({0x3F800000}));
     }
-    /// The null byte, and where 256 blocks of 16 lines would be.
+    /// The null byte, and the offsets of 256 blocks of 16 lines.
     std::string whole() const { return text_ + std::string(1 + 256 * 8, '\0'); }
     std::string torn() const { return text_; }
 
@@ -188,7 +193,7 @@ class ExrBytes {
     std::string text_;
 };
 
-TEST(ShoreCommand, RefusesHeadersThatAskForMuch) {
+TEST(ShoreCommand, RejectsHeadersThatNeedTooMuchMemory) {
     ExrBytes attributes, long_attribute;
     for (int i = 0; i < 100'000; ++i) attributes.attribute("a" + std::to_string(i), "int", std::string(4, '\0'));
     std::string two_gigabytes =
@@ -209,7 +214,8 @@ TEST(ShoreCommand, RefusesHeadersThatAskForMuch) {
         const Outcome run = run_pelagic({"query", "--points", (folder / "points.csv").string(), "--floor",
                                          (folder / "floor.exr").string(), "--shore"},
                                         [] {
-                                            // The channels would be 67 GB, the attributes 100,000 squared comparisons.
+                                            // The channels would be 67 GB, the attributes 100,000
+                                            // squared comparisons.
                                             const rlimit memory{rlim_t{2} << 30, rlim_t{2} << 30}, seconds{10, 10};
                                             if (!is_sanitized) ::setrlimit(RLIMIT_AS, &memory);
                                             ::setrlimit(RLIMIT_CPU, &seconds);

@@ -1,4 +1,4 @@
-// Shores in an ocean: what frames, queries and rays tell of them, and that bits are everywhere the same.
+// Shores in an ocean: their frames, queries and rays, and reproducibility.
 #include "pelagic/sim/shore.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ namespace {
 
 const SeaState breeze{.cascades = 3, .resolution = 32, .wind_speed_mps = 8, .loop_period_s = 40};
 
-/// A beach with an island before it.
+/// Returns a beach with an island in front of it.
 ShoreOptions bay() {
     ShoreOptions shore = shore_of(81, 61, 5, [](double x, double z) {
         const double from_x = x - 150, from_z = z - 120, squared = (from_x * from_x + from_z * from_z) / 1600;
@@ -42,14 +42,14 @@ OceanOptions with_bay(Isa isa = choose_isa(), std::shared_ptr<Executor> executor
     return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .shore = bay()};
 }
 
-TEST(Shore, LeavesTheCascadesAsTheyAre) {
+TEST(Shore, DoesNotChangeTheCascades) {
     Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor()});
     EXPECT_EQ(hash_of(with.frame_at(3.5)), hash_of(without.frame_at(3.5)));
     EXPECT_NE(shore_hash_of(with.frame_at(3.5)), 0U);
     EXPECT_EQ(shore_hash_of(without.frame_at(3.5)), 0U);
 }
 
-TEST(Shore, HasTheSameBitsEverywhere) {
+TEST(Shore, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
     Ocean first(breeze, with_bay(isas_here().front()));
     const std::uint64_t expected = shore_hash_of(first.frame_at(7.3));
     for (const Isa isa : isas_here()) {
@@ -63,8 +63,8 @@ TEST(Shore, HasTheSameBitsEverywhere) {
     }
 }
 
-// tests/golden/shore.txt: what another compiler, processor or version has to find as well.
-TEST(Shore, HasTheGoldenBits) {
+// tests/golden/shore.txt holds hashes that every compiler, processor and version must reproduce.
+TEST(Shore, MatchesTheGoldenHashes) {
     std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/shore.txt");
     Ocean ocean(breeze, with_bay());
     int lines = 0;
@@ -76,7 +76,7 @@ TEST(Shore, HasTheGoldenBits) {
     EXPECT_EQ(lines, 2);
 }
 
-TEST(Shore, LoopsAsTheSeaDoes) {
+TEST(Shore, RepeatsWithTheLoop) {
     Ocean ocean(breeze, with_bay());
     for (const double t : {0.0, 11.7}) {
         const std::uint64_t expected = shore_hash_of(ocean.frame_at(t));
@@ -85,8 +85,8 @@ TEST(Shore, LoopsAsTheSeaDoes) {
     }
 }
 
-// Two slots: a frame's views hold while the next is computed.
-TEST(Shore, KeepsTheFrameThatIsDrawn) {
+// There are two slots, so the views of a frame stay valid while the next frame is computed.
+TEST(Shore, KeepsTheFrameWhileTheNextIsComputed) {
     Ocean ocean(breeze, with_bay());
     const Frame first = ocean.frame_at(1);
     const std::uint64_t expected = shore_hash_of(first);
@@ -94,8 +94,8 @@ TEST(Shore, KeepsTheFrameThatIsDrawn) {
     EXPECT_EQ(shore_hash_of(first), expected);
 }
 
-// Where the edge is deep; where it is dry there is no water beyond it either.
-TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
+// Holds at edges in deep water. Beyond a dry edge there is no water.
+TEST(Shore, ContinuesOutsideItsRectangleWithTheValuesAtItsEdge) {
     Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = with.frame_at(9);
     const ShoreSurface& shore = frame.shore;
@@ -115,14 +115,14 @@ TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
     SurfaceQuery(without.frame_at(9)).sample({x, z}, {.height_m = expected});
     EXPECT_EQ(found, expected);
 
-    // The bay's ground rises to 2 m at the right edge, which no swash reaches.
+    // The bay's ground rises to 2 m at the right edge, above all swash.
     const std::vector<double> dry_x = {right_m - 0.01, right_m, right_m + 0.01, 1e7}, dry_z = {3, -40, 3, -1e6};
     query.sample({dry_x, dry_z}, {.height_m = found});
     EXPECT_EQ(found, std::vector<float>(4, 0.f));
     EXPECT_NEAR(sample(shore, 1e7, 3).depth_m, sample(shore, right_m, 3).depth_m, 1e-9);
     EXPECT_LT(sample(shore, 1e7, 3).depth_m, -1);
 
-    // Nowhere on the way round is there a step.
+    // The height has no step anywhere on the rectangle's edge.
     std::vector<double> in_x, in_z, out_x, out_z;
     for (int i = 0; i < 400; ++i) {
         const double along = (i + 0.5) / 400, width = right_m - shore.x_m, length = bottom_m - top_m;
@@ -139,12 +139,12 @@ TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
     query.sample({in_x, in_z}, {.height_m = inside});
     query.sample({out_x, out_z}, {.height_m = outside});
     for (std::size_t i = 0; i < inside.size(); ++i) {
-        // A slope of 1 over the distance, and the tolerance of a query.
+        // The bound is a slope of 1 over the distance, plus the tolerance of a query.
         EXPECT_NEAR(inside[i], outside[i], 5e-4f) << in_x[i] << " " << in_z[i];
     }
 }
 
-/// Bilinear in a cascade, by its definition.
+/// Interpolates a cascade bilinearly, by the definition.
 double cascade_at(const Cascade& cascade, const PlaneView& plane, double x, double z) {
     const auto [along, across] = cascade.grid.in_cascade(x, z);
     const double u = along / cascade.texel_m(), v = across / cascade.texel_m(), i = std::floor(u), j = std::floor(v);
@@ -158,8 +158,8 @@ double cascade_at(const Cascade& cascade, const PlaneView& plane, double x, doub
     return above + (v - j) * (below - above);
 }
 
-// The surface by its definition: reference points forward, where q + sum of part(p) D(q) = p.
-TEST(Shore, IsWhatQueriesTell) {
+// Evaluates the surface by its definition, from reference points q: q + sum of weight(p) D(q) = p.
+TEST(Shore, MatchesQueries) {
     Ocean ocean(breeze, with_bay());
     const Frame& frame = ocean.frame_at(4.2);
     const SurfaceQuery query(frame);
@@ -192,7 +192,7 @@ TEST(Shore, IsWhatQueriesTell) {
                                           .velocity_x_mps = {&found_x_mps, 1},
                                           .velocity_y_mps = {&found_vertical_velocity, 1},
                                           .velocity_z_mps = {&found_z_mps, 1}});
-        // Near a fold another sheet may be the higher one.
+        // Near a fold another intersection may be the higher one.
         if (jacobian < 0.3f) continue;
         EXPECT_NEAR(static_cast<double>(found_height), height, 2e-4) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_vertical_velocity), rise, 2e-3) << x << " " << z;
@@ -205,8 +205,9 @@ TEST(Shore, IsWhatQueriesTell) {
     EXPECT_GT(at_shore, 300);
 }
 
-// Parts of cascades are cascades of less displacement, where sheets lie over one another as well.
-TEST(Shore, CountsPartsOfFoldedCascadesToo) {
+// Cascades with weights are cascades of smaller displacement, also where the surface overlaps
+// itself.
+TEST(Shore, WeightsFoldedCascadesToo) {
     constexpr int part = 153;
     std::vector<CascadeStack::Part> all = CascadeStack::of_scales(3, 14, 1, 7, 32), less = all;
     for (std::size_t t = 0; t < all.size(); ++t) {
@@ -244,18 +245,18 @@ TEST(Shore, CountsPartsOfFoldedCascadesToo) {
     for (const Cascade& cascade : expected.frame().cascades) contracted += cascade.contraction.max();
     int differ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        // On a fold's edge a rounding decides which sheet there is.
+        // At the edge of a fold, rounding decides how many intersections there are.
         differ +=
             !(std::fabs(height[i] - expected_height[i]) < 2e-3f && std::fabs(normal[i] - expected_normal[i]) < 2e-2f);
     }
-    // Cascades that contraction away more than all may fold, so that the steps alone would prove nothing.
+    // The sum of contractions is above the fold limit; otherwise the iteration alone would pass.
     EXPECT_GT(contracted, 1.3);
     EXPECT_LE(differ, 6);
 }
 
-TEST(Shore, RisesAsItsHeightChanges) {
+TEST(Shore, VerticalVelocityIsTheDerivativeOfTheHeight) {
     Ocean ocean(breeze, with_bay());
-    // Powers of two, or heights of floats would be noise in the differences.
+    // Powers of two; otherwise the rounding of float heights would be noise in the differences.
     const double dt = 1.0 / 64;
     const auto heights = [&](double t) {
         const std::span<const float> all = ocean.frame_at(t).shore.height_m;
@@ -270,11 +271,12 @@ TEST(Shore, RisesAsItsHeightChanges) {
         squares += change * change;
         errors += error * error;
     }
-    // The third derivative's part, (omega dt)^2 / 6, of waves up to 3 rad/s, and the corner where a wave begins to break.
+    // The bound covers the third derivative, (omega dt)^2 / 6 for waves up to 3 rad/s, and the kink
+    // where a wave begins to break.
     EXPECT_LT(std::sqrt(errors / squares), 0.01);
 }
 
-TEST(Shore, HasReachesNoLowerThanItsHeights) {
+TEST(Shore, ReachesAreAtLeastTheHeights) {
     Ocean ocean(breeze, with_bay());
     const Frame& frame = ocean.frame_at(13);
     float max = 0, min = 0;
@@ -284,15 +286,16 @@ TEST(Shore, HasReachesNoLowerThanItsHeights) {
         min = std::min(min, frame.shore.height_m[i]);
     }
     EXPECT_GT(max, 0.1f);
-    // Between texels a cubic is beyond the range by 0.28125 of it at most.
+    // Between texels a cubic exceeds the range by at most 0.28125 of the range.
     EXPECT_FLOAT_EQ(frame.shore.height_max_m, max + 0.28125f * (max - min));
     EXPECT_FLOAT_EQ(frame.shore.height_min_m, min - 0.28125f * (max - min));
-    // Culling boxes hold it.
+    // Culling boxes include the heights.
     EXPECT_GE(frame.bounds.height_max_m, frame.shore.height_max_m);
     EXPECT_LE(frame.bounds.height_min_m, frame.shore.height_min_m);
 }
 
-/// A moat as wide as one texel along the diagonal near an edge, where no land shelters the cascades, in ground 5 m above the sea.
+/// A moat one texel wide along the diagonal near an edge, where no land shelters the cascades, in
+/// ground 5 m above the sea.
 ShoreOptions moat() {
     ShoreOptions shore = shore_of(64, 64, 1, [](double x, double z) { return x - z == 20 ? -60.0 : 5.0; });
     shore.resolution = 64;
@@ -300,7 +303,7 @@ ShoreOptions moat() {
     return shore;
 }
 
-TEST(Shore, BoundsHowFastPartsChange) {
+TEST(Shore, BoundsTheGradientOfTheWeights) {
     Ocean ocean(breeze, {.executor = make_serial_executor(), .shore = moat()});
     const ShoreSurface& shore = ocean.frame_at(0).shore;
     constexpr double far_m = 1e-3;
@@ -313,13 +316,14 @@ TEST(Shore, BoundsHowFastPartsChange) {
                                                           sample(shore, x + far_m, z + way).parts[cascade]) /
                                                     std::sqrt(far_m * far_m + way * way));
     EXPECT_LE(fastest, static_cast<double>(shore.parts_change_per_m));
-    // On the diagonal from a texel that has all to one that has nothing.
+    // On the diagonal from a texel of weight 1 to a texel of weight 0.
     EXPECT_GT(fastest, 0.9 * std::sqrt(2.0));
 }
 
-// The cascades' parts go from 0 to 1 and back over the moat's diagonal, so that waves stand in it as a narrow wall, which a ray that trusts too
-// small a bound of the parts' change passes. The oracle walks in double through the definition: the water moves up and down alone.
-TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
+// The cascades' weights change from 0 to 1 and back over the moat's diagonal, so the water in it is
+// a narrow wall. A ray with too small a bound of the weights' change would miss it. The oracle
+// evaluates the definition in double; the displacement is vertical only.
+TEST(Shore, RaysHitTheSurfaceWhereWeightsChangeAbruptly) {
     const SeaState sea{.waves = WaveModel::analytic,
                        .cascades = 4,
                        .resolution = 512,
@@ -347,7 +351,7 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
     for (int i = 0; i < 600; ++i) {
         if (i % 20 == 0) ocean.frame_at(crest_s + even(-1, 1));
         const Frame& frame = ocean.complete();
-        // Only then are cascades all that there is.
+        // Only then does the surface consist of the cascades alone.
         ASSERT_EQ(frame.shore.height_max_m - frame.shore.height_min_m, 0);
         const double middle_z = even(0.5, 3.5), from_m = even(2, 6), tilt = even(-0.1, 0.1);
         const double high = even(0.6, 1.1) * height_of_cascades(frame, 22, 2);
@@ -370,7 +374,8 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
             if (inside_m > 0 && expected == 0) expected = distance;
             max_inside_m = std::max(max_inside_m, inside_m);
         }
-        // What a ray only grazes, for less than half a texel of the finest cascade, it may miss.
+        // A ray may miss water that it crosses for less than about half a texel of the finest
+        // cascade.
         const double texel_m = frame.cascades.back().texel_m();
         if (max_inside_m > 0 && max_inside_m < 0.6 * texel_m) continue;
         const auto hit = first_hit(SurfaceQuery(frame), ray);
@@ -384,8 +389,8 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
     EXPECT_GT(misses, 60);
 }
 
-// A ray meets the water where small steps along it do.
-TEST(Shore, IsWhereRaysHit) {
+// The ray's hit agrees with a march in small steps.
+TEST(Shore, RaysHitTheSurface) {
     Ocean ocean(breeze, with_bay());
     const Frame& frame = ocean.frame_at(2.5);
     const SurfaceQuery query(frame);
@@ -410,7 +415,7 @@ TEST(Shore, IsWhereRaysHit) {
         while (expected < ray.reach_m && height_over(expected) > 0) expected += 0.01;
         const auto hit = first_hit(query, ray);
         ASSERT_EQ(hit.has_value(), expected < ray.reach_m);
-        // Two steps may lie on both sides of a crest that is thinner than they.
+        // Two steps may straddle a crest that is thinner than a step.
         if (hit) {
             EXPECT_NEAR(hit->distance_m, expected, 0.02 + query.texel_m());
         }
@@ -423,7 +428,7 @@ TEST(Shore, HasFoamWhereWavesBreak) {
     int white = 0;
     for (std::size_t i = 0; i < shore.foam.size(); ++i) {
         white += shore.foam[i] > 100;
-        // Hs 1.5 m doesn't break in deeper water than 4 m.
+        // Waves of Hs 1.5 m do not break in water deeper than 4 m.
         if (shore.depth_m[i] > 6) {
             EXPECT_EQ(shore.foam[i], 0);
         }
@@ -436,8 +441,8 @@ TEST(Shore, HasFoamWhereWavesBreak) {
     EXPECT_NEAR(static_cast<double>(foam[0]), sample(ocean.complete().shore, 220, 0).foam, 1e-6);
 }
 
-TEST(Shore, WarnsOfTexelsThatAreCoarseForItsWaves) {
-    // One wave of 60 m, to 2 %: its period is a part of the loop.
+TEST(Shore, WarnsOfTexelsTooCoarseForItsWaves) {
+    // One wave of 60 m, to 2 %: its period divides the loop.
     const SeaState sea{.waves = WaveModel::analytic,
                        .cascades = 2,
                        .resolution = 64,
@@ -455,7 +460,7 @@ TEST(Shore, WarnsOfTexelsThatAreCoarseForItsWaves) {
     EXPECT_EQ(warning_about(shore, sea), "");
 }
 
-TEST(Shore, RefusesWhatItCantBe) {
+TEST(Shore, InvalidOptionsAreRejected) {
     const auto refused = [](auto change) {
         ShoreOptions shore = bay();
         change(shore);

@@ -1,4 +1,5 @@
-// The physics of shores: shoaling, refraction, shelter, breaking, beside linear theory in closed form.
+// The physics of shores: shoaling, refraction, shelter and breaking, compared with linear theory in
+// closed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846, gravity = 9.80665;
 
-/// omega^2 = g k tanh(k d) by bisection.
+/// Solves omega^2 = g k tanh(k d) by bisection.
 double wave_number_at(double omega, double depth_m) {
     double low = 0, high = 1e3;
     for (int i = 0; i < 200; ++i) {
@@ -32,7 +33,7 @@ double group_velocity_at(double omega, double depth_m) {
     return omega / k * (0.5 + (kd > 300 ? 0 : kd / std::sinh(2 * kd)));
 }
 
-/// One wave of 200 m, more or less along +x, and nothing else.
+/// One wave of 200 m, approximately along +x, and nothing else.
 SeaState one_wave(double amplitude_m = 0.05) {
     return {.waves = WaveModel::analytic,
             .cascades = 2,
@@ -54,7 +55,8 @@ OpenWave wave_of(const SeaState& sea) {
     return {waves[0].omega, waves[0].amplitude_m, waves[0].along_x, waves[0].along_z};
 }
 
-// Height over time at texels along the beach beside Ks = sqrt(Cg0 / Cg), times what Snell's law makes of a wave that comes aslant, and where k d <= 0.3 beside Green's law, d^-1/4.
+// Compares amplitudes at texels along the beach with Ks = sqrt(Cg0 / Cg), times the factor of
+// Snell's law for oblique waves; for k d <= 0.3 also with Green's law, d^-1/4.
 TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
     const SeaState sea = one_wave();
     const OpenWave wave = wave_of(sea);
@@ -82,7 +84,7 @@ TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
         const double d = static_cast<double>(depth[column]);
         const double x = static_cast<double>(column) * ocean.complete().shore.texel_m;
         const double amplitude = 0.5 * static_cast<double>(highest[column] - lowest[column]);
-        // Inside of what fades, before it breaks.
+        // Inside the fade zone and before breaking.
         if (x < 60 || d < 0.45) continue;
         const double sine = wave.along_z * wave_number_at(wave.omega, 4000) / wave_number_at(wave.omega, d);
         const double spread = wave.along_x / std::sqrt(1 - sine * sine);
@@ -98,7 +100,8 @@ TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
     }
     EXPECT_GT(shoaling, 100);
     EXPECT_GT(green, 8);
-    // It was lower in between and is higher at the end, or nothing would have been told.
+    // The ratio was lower in between and is higher at the end; otherwise the test would show
+    // nothing.
     EXPECT_LT(min_ratio, 0.93);
     EXPECT_GT(max_ratio, 1.3);
 }
@@ -113,7 +116,8 @@ TEST(Shoaling, EndsWhereWavesBreak) {
         const ShoreSurface& shown = ocean.frame_at(i * (2 * pi / wave.omega) / 16).shore;
         for (std::size_t texel = 0; texel < shown.height_m.size(); ++texel) {
             const double d = static_cast<double>(shown.depth_m[texel]);
-            // 0.42 d over sqrt 8 is the deviation, sqrt 2 of which is an amplitude; at the waterline that of water as deep as the swash.
+            // The deviation is 0.42 d over sqrt 8, and an amplitude is sqrt 2 of it. At the
+            // waterline the depth is that of the swash.
             const double stands = 0.21 * std::max(d, shore.swash_m / 0.66);
             EXPECT_LE(std::fabs(static_cast<double>(shown.height_m[texel])), stands * 1.0001);
             breaks |= shown.foam[texel] > 128;
@@ -125,8 +129,8 @@ TEST(Shoaling, EndsWhereWavesBreak) {
     EXPECT_TRUE(breaks);
 }
 
-// A wave that broke on a bar stays as high as the bar let it, but for shoaling.
-TEST(Shoaling, IsRememberedBehindABar) {
+// A wave that broke on a bar keeps its reduced height, except for shoaling.
+TEST(Shoaling, HeightStaysReducedBehindABar) {
     const SeaState sea = one_wave(0.8);
     ShoreOptions shore = shore_of(201, 81, 5, [](double x, double) {
         const double from_bar = std::fabs(x - 500);
@@ -139,12 +143,12 @@ TEST(Shoaling, IsRememberedBehindABar) {
                  behind = sample(shown, 750, 200).reach_m;
     EXPECT_GT(before, 0.6);
     EXPECT_NEAR(on, 0.21, 0.005);
-    // Energy is what the bar left: 0.21 m where Cg is that of 1 m.
+    // The energy is that on the bar: 0.21 m at the Cg of 1 m depth.
     const double omega = wave_of(sea).omega;
     EXPECT_NEAR(behind, 0.21 * std::sqrt(group_velocity_at(omega, 1) / group_velocity_at(omega, 20)), 0.02);
 }
 
-/// Heights at places over a whole loop, in lines of one depth each.
+/// Heights at several places over a whole loop, in lines of one depth each.
 struct Surf {
     static constexpr int lines = 60, places = 16, times = 400;
     struct Line {
@@ -183,7 +187,7 @@ struct Surf {
     Line line_of[lines];
 };
 
-/// 1.5 m of water over it, 20 m on both sides.
+/// 1.5 m of water over the bar, 20 m on both sides.
 ShoreOptions bar() {
     return shore_of(201, 121, 5, [](double x, double) {
         const double from_bar = std::fabs(x - 500);
@@ -191,9 +195,9 @@ ShoreOptions bar() {
     });
 }
 
-// All waves together, of the shore and of the cascades: Hrms = 0.42 d (Thornton and Guza 1983), which is Hm0 = 0.594 d, and crests of 0.66 d;
-// where it is deeper than the swash.
-TEST(Breaking, LeavesWhatADepthBears) {
+// All waves together, of the shore and of the cascades: Hrms = 0.42 d (Thornton and Guza 1983),
+// which is Hm0 = 0.594 d, and crests of 0.66 d, in water deeper than the swash.
+TEST(Breaking, LimitsHeightsToTheDepth) {
     SeaState storm{.resolution = 64, .wind_speed_mps = 20};
     storm.fetch_m = 500e3f;
     const SeaState sea{.resolution = 64};
@@ -203,7 +207,7 @@ TEST(Breaking, LeavesWhatADepthBears) {
         for (const Surf::Line& line : surf.line_of) {
             ASSERT_GT(line.depth_m, 0.25 / 0.66);
             EXPECT_LE(line.hm0_m, 0.6 * line.depth_m) << line.depth_m;
-            // The cascades' share at one place varies from loop to loop.
+            // The cascades' contribution at one place varies from loop to loop.
             EXPECT_LE(line.highest_hm0_m, 0.64 * line.depth_m) << line.depth_m;
             EXPECT_LE(line.crest_m, 0.66 * line.depth_m) << line.depth_m;
             saturated += line.hm0_m > 0.5 * line.depth_m;
@@ -212,8 +216,8 @@ TEST(Breaking, LeavesWhatADepthBears) {
     }
 }
 
-// What broke on a bar does not come back: in the deep water behind it waves are lower than on it.
-TEST(Breaking, IsRememberedBehindABarByAllWaves) {
+// Broken waves do not recover: in the deep water behind the bar they are lower than on it.
+TEST(Breaking, ReducesAllWavesBehindABar) {
     const SeaState sea{.resolution = 64};
     const Surf surf(sea, bar(), 200, 800);
     const Surf::Line &before = surf.line_of[0], &on = surf.line_of[Surf::lines / 2],
@@ -226,8 +230,9 @@ TEST(Breaking, IsRememberedBehindABarByAllWaves) {
     EXPECT_LT(behind.hm0_m, on.hm0_m);
 }
 
-// The ground rises to 3.7 m at the edge of the field: no wave comes from beyond it, and the swash ends far below.
-TEST(Breaking, LeavesNothingOnDryGroundAtTheRim) {
+// The ground rises to 3.7 m at the edge of the field. No wave comes from beyond it, and the swash
+// ends far below.
+TEST(Breaking, LeavesNoWavesOnDryGroundAtTheEdge) {
     const SeaState sea{.resolution = 64};
     ShoreOptions shore =
         shore_of(101, 101, 10, [](double x, double) { return x < 600 ? -20.0 : -20 + (x - 600) / 400 * 23.7; });
@@ -245,8 +250,9 @@ TEST(Breaking, LeavesNothingOnDryGroundAtTheRim) {
     }
 }
 
-// Linear theory: u = a omega coth(k d) towards where the wave runs, in phase with its height, at any depth.
-TEST(Velocities, AreAiryWaves) {
+// Linear theory: u = a omega coth(k d) in the direction of the wave, in phase with its height, at
+// any depth.
+TEST(Velocities, MatchAiryWaves) {
     const SeaState sea = one_wave();
     const OpenWave wave = wave_of(sea);
     for (const double depth_m : {3.0, 10.0, 40.0, 300.0}) {
@@ -277,8 +283,9 @@ TEST(Velocities, AreAiryWaves) {
     }
 }
 
-// A wave of 8 texels keeps 97 % of its height in the middle of cells too, where bilinear interpolation leaves as little as 85 %.
-TEST(Shoaling, KeepsWavesOfEightTexelsBetweenThem) {
+// A wave of 8 texels keeps 97 % of its height at the centre of cells too. Bilinear interpolation
+// gives as little as 85 %.
+TEST(Shoaling, KeepsWavesOfEightTexelsBetweenTexels) {
     const SeaState sea = one_wave(0.5);
     const OpenWave wave = wave_of(sea);
     const double depth_m = 1000, k = wave_number_at(wave.omega, depth_m);
@@ -309,8 +316,9 @@ TEST(Shoaling, KeepsWavesOfEightTexelsBetweenThem) {
     EXPECT_NEAR(std::sqrt(2 * slopes) / (wave.amplitude_m * k), 1, 0.06);
 }
 
-// Over a slope the wave vector keeps its part along the contours, and rays come apart: Kr = sqrt(cos0 / cos).
-TEST(Refraction, IsSnellsOnABeach) {
+// Over a slope the component of the wave vector along the contours is constant, and rays diverge:
+// Kr = sqrt(cos0 / cos).
+TEST(Refraction, MatchesSnellsLawOnABeach) {
     ShoreOptions options = beach(1000, 600, 40, 150, 5);
     const SeaBed bed(options);
     const double omega = 2 * pi / 9, angle = 0.6, open_k = wave_number_at(omega, 4000);
@@ -330,12 +338,13 @@ TEST(Refraction, IsSnellsOnABeach) {
         ++looked;
     }
     EXPECT_GT(looked, 10);
-    // It has turned by then.
+    // The wave has turned by then.
     EXPECT_LT(open_k * std::sin(angle) / wave_number_at(omega, 1), 0.2);
 }
 
-// Over an even floor the first way round an island is the shortest: a tangent, an arc, a tangent.
-TEST(Refraction, GoesRoundAnIslandTheShortestWay) {
+// Over an even floor the first arrival behind an island takes the shortest path: a tangent, an arc,
+// a tangent.
+TEST(Refraction, TakesTheShortestPathAroundAnIsland) {
     const double side = 1000, radius = 150;
     ShoreOptions options = island(side, radius, 60, 4);
     const SeaBed bed(options);
@@ -345,22 +354,25 @@ TEST(Refraction, GoesRoundAnIslandTheShortestWay) {
         const int i = static_cast<int>(std::lround((side / 2 + behind) / bed.texel_m)), j = bed.rows / 2;
         const double x = i * bed.texel_m - side / 2;
         const double way = side / 2 + (pi / 2 - std::acos(radius / x)) * radius + std::sqrt(x * x - radius * radius);
-        // The least depth, at the island's feet, is within a texel or so of its edge; the scheme is of the first order.
+        // The minimum depth, at the foot of the island, is within about a texel of its edge. The
+        // scheme is of first order.
         EXPECT_NEAR(wave.phase()[bed.at(i, j)] / (k * way), 1, 0.02) << behind;
         EXPECT_LT(wave.height()[bed.at(i, j)], 0.35) << behind;
         EXPECT_NEAR(wave.height()[bed.at(i, 12)], 1, 0.1) << behind;
     }
 }
 
-// No more energy goes through a line behind the island than came in, and what passes it goes through.
-TEST(Refraction, LosesNoEnergyButWhereItRunsAground) {
+// The energy through a line behind the island is at most the energy that came in, and equals what
+// passes the island.
+TEST(Refraction, LosesEnergyOnlyOnLand) {
     const double side = 1000;
     const SeaBed bed(island(side, 150, 60, 4));
     const Refraction wave(bed, {.omega = 2 * pi / 7, .along_x = 1, .along_z = 0, .depth_m = 60});
     double energy = 0;
     const int i = bed.columns - 30;
     for (int j = 0; j < bed.rows; ++j) energy += wave.height()[bed.at(i, j)] * wave.height()[bed.at(i, j)];
-    // Of the line 300 m are the island's. Those who run round it run aslant, which the sum doesn't see: a tenth.
+    // 300 m of the line are the island's. Diffracted waves cross it obliquely, which the sum does
+    // not include: a tenth.
     EXPECT_NEAR(energy / bed.rows, 0.7, 0.1);
 }
 
@@ -393,7 +405,7 @@ TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestCascade) {
 }
 
 // One wave: sqrt(phi), phi = t^3 / (t + k d (1 - t^2)), until it breaks.
-TEST(ShoreWaves, AreLeftByDepthAsTheTmaSpectrumIs) {
+TEST(ShoreWaves, AreAttenuatedByDepthAsTheTmaSpectrum) {
     const SeaState sea = one_wave();
     const DepthPart part(sea, plan_cascades(sea).front());
     const double omega = wave_of(sea).omega, variance = 0.5 * wave_of(sea).amplitude_m * wave_of(sea).amplitude_m;
@@ -401,14 +413,15 @@ TEST(ShoreWaves, AreLeftByDepthAsTheTmaSpectrumIs) {
         const double kd = wave_number_at(omega, d) * d, t = std::tanh(kd);
         const double left = std::sqrt(t * t * t / (t + kd * (1 - t * t)));
         const double highest = std::min(1.0, 0.6 * d / (4 * std::sqrt(variance) * left));
-        // A shore's frequency is a whole number of the loop's, up to 1 % off.
+        // A shore's frequency is a whole number of the loop's, with an error of up to 1 %.
         EXPECT_NEAR(part.at(d), left * highest, 6e-3) << d;
     }
     EXPECT_EQ(part.at(0), 0);
     EXPECT_EQ(part.at(-3), 0);
 }
 
-// The sea behind an island is calm beside the one before it: a root mean square over places and times.
+// The sea behind an island is calm compared with the sea in front of it: a root mean square over
+// places and times.
 TEST(Islands, HaveCalmWaterBehindThem) {
     const SeaState sea{
         .spreading = SpreadingModel::donelan_banner, .cascades = 3, .resolution = 64, .wind_speed_mps = 9};
@@ -436,7 +449,7 @@ TEST(Islands, HaveCalmWaterBehindThem) {
         }
     }
     EXPECT_LT(std::sqrt(behind / before), 0.5);
-    // Open water has the sea's own height: sixteen or so peak waves by as many times scatter by a tenth.
+    // Open water has the sea's own height. About sixteen by sixteen peak waves vary by a tenth.
     const double expected = ocean.complete().statistics.significant_wave_height_m / 4;
     EXPECT_NEAR(std::sqrt(before / (400 * 40)) / expected, 1, 0.2);
     EXPECT_NEAR(std::sqrt(beside / (400 * 40)) / expected, 1, 0.2);

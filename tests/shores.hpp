@@ -1,4 +1,4 @@
-// Floors of the sea for tests, in plain arithmetic so that their bits are everywhere the same.
+// Sea floors for tests, in plain arithmetic so that they are bit-identical everywhere.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ ShoreOptions shore_of(int columns, int rows, double metres_a_sample, Height heig
     return shore;
 }
 
-/// Even at a depth, then a slope up to 2 m above the sea at the far end of x.
+/// A flat floor at `depth_m`, then a slope up to 2 m above the sea at the far end of x.
 inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double flat_m, double metres_a_sample) {
     return shore_of(static_cast<int>(long_m / metres_a_sample) + 1, static_cast<int>(wide_m / metres_a_sample) + 1,
                     metres_a_sample, [=](double x, double) {
@@ -25,7 +25,7 @@ inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double f
                     });
 }
 
-/// A round island with steep sides in water of one depth, in the middle of a square.
+/// A round island with steep sides in water of one depth, at the centre of a square.
 inline ShoreOptions island(double side_m, double radius_m, double depth_m, double metres_a_sample) {
     const int samples = static_cast<int>(side_m / metres_a_sample) + 1;
     return shore_of(samples, samples, metres_a_sample, [=](double x, double z) {

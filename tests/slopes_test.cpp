@@ -1,4 +1,5 @@
-// Slopes that add: against doubles, closed forms, and the exact surface of a sum of waves.
+// Slope maps of cascades that are summed, compared with doubles, closed forms and the exact surface
+// of a sum of waves.
 #include <half.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ using unfused::CascadePlanes;
 using unfused::CascadeSlopes;
 constexpr double pi = std::numbers::pi;
 
-/// h = Re a e^{i (kx x + kz z)}; along the world's axes, rad/m and metres.
+/// h = Re a e^{i (kx x + kz z)}, in world axes, rad/m and metres.
 struct Wave {
     double kx, kz;
     std::complex<double> amplitude;
@@ -36,7 +37,7 @@ struct Wave {
     double number() const { return std::hypot(kx, kz); }
 };
 
-/// Waves on a square grid that is turned in the world.
+/// Waves on a square grid that is rotated in the world.
 struct WaveCascade {
     int resolution;
     double side_m, angle_rad;
@@ -44,7 +45,8 @@ struct WaveCascade {
     double mean_square_slope;
 };
 
-/// Random waves of `min_steps` to N/3 steps of the grid in a side, each octave as steep as every other, from everywhere.
+/// Returns random waves of `min_steps` to N/3 grid steps of wave number, from all directions. Every
+/// octave has the same mean square slope.
 WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double min_steps,
                            double mean_square_slope, std::mt19937& random) {
     constexpr int count = 80;
@@ -58,7 +60,7 @@ WaveCascade random_cascade(int resolution, double side_m, double angle_rad, doub
         if (std::hypot(m, n) > resolution / 3.0 || std::hypot(m, n) < min_steps) continue;
         const double step = 2 * pi / side_m, c = std::cos(angle_rad), s = std::sin(angle_rad);
         Wave wave{step * (m * c - n * s), step * (m * s + n * c), {}};
-        // |a|^2/2 k^2 in the mean, of which both parts of the draw have half.
+        // The mean is |a|^2/2 k^2; each of the two draws has half of it.
         const double scale = std::sqrt(mean_square_slope / count) / wave.number();
         wave.amplitude = {scale * draw(random), scale * draw(random)};
         cascade.waves.push_back(wave);
@@ -66,7 +68,7 @@ WaveCascade random_cascade(int resolution, double side_m, double angle_rad, doub
     return cascade;
 }
 
-/// The exact derivatives of the waves' surface at a place that rests there.
+/// Returns the exact derivatives of the waves' surface at an undisplaced position.
 SurfaceSlopes exact_slopes(const WaveCascade& cascade, double choppiness, double x, double z) {
     SurfaceSlopes sum;
     for (const Wave& wave : cascade.waves) {
@@ -82,7 +84,7 @@ SurfaceSlopes exact_slopes(const WaveCascade& cascade, double choppiness, double
     return sum;
 }
 
-/// The waves' surface at the grid, by naive sums.
+/// Returns the waves' surface at the grid, by naive sums.
 CascadePlanes planes_of(const WaveCascade& cascade, double choppiness) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
     const double texel = cascade.side_m / cascade.resolution;
@@ -111,7 +113,7 @@ SurfaceSlopes texel_of(const CascadeSlopes& maps, const SlopeRanges& ranges, std
     return slopes_of_texel(maps.slopes[texel], maps.moments[texel], ranges);
 }
 
-/// What a GPU's bilinear filter shows of level 0 at a place of the world.
+/// Returns the result of a GPU's bilinear filter of level 0 at a world position.
 SurfaceSlopes filtered(const WaveCascade& cascade, const CascadeSlopes& maps, const SlopeRanges& ranges, double x,
                        double z) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
@@ -140,10 +142,10 @@ double angle_between(const SurfaceNormal& a, const SurfaceNormal& b) {
 class SlopesOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, SlopesOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-// The bounds are what is asked of the summed texture: normals within 2 degrees, J within 0.03, rms. 0.038 is how much of
-// Cox and Munk's mean square slope such a stack resolves in wind of 12 m/s (0.59 of 0.0645), evenly over the octaves
-// from the peak, 1/16 of the first side, on.
-TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
+// The bounds are the requirements for the summed texture: normals within 2 degrees, J within 0.03,
+// rms. Such a stack resolves 0.038 of Cox and Munk's mean square slope in wind of 12 m/s (0.59 of
+// 0.0645), evenly over the octaves from the peak, 1/16 of the first side.
+TEST(SlopeSum, OfRotatedCascadesIsNearTheExactSurface) {
     constexpr int n = 128;
     constexpr double sides[] = {1000, 150, 22, 3.3}, angles[] = {0, 0.5, -0.9, 1.8};
     constexpr double choppiness = 0.8, mean_square_slope = 0.038;
@@ -152,7 +154,7 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
     std::vector<WaveCascade> cascades;
     std::vector<CascadeSlopes> maps;
     for (std::size_t t = 0; t < 4; ++t) {
-        // Where the cascade before ends, which is 6 to 7 steps of this one.
+        // The band of the cascade before ends at 6 to 7 steps of this cascade.
         const double min_steps = t == 0 ? 16 : n / 3.0 * sides[t] / sides[t - 1];
         const double part = std::log(n / 3.0 / min_steps) / octaves;
         cascades.push_back(random_cascade(n, sides[t], angles[t], min_steps, part * mean_square_slope, random));
@@ -187,7 +189,7 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
     RecordProperty("jacobian_max", std::to_string(jacobian_max));
 }
 
-/// All waves that a cascade of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
+/// Returns all waves of a cascade at t = 0: h = sum of h0 e^{ikx} and its conjugate.
 WaveCascade waves_of(const SeaState& sea, const CascadePlan& plan) {
     const CascadeGrid& grid = plan.grid;
     WaveCascade cascade{plan.resolution, grid.side_m, std::atan2(grid.sine, grid.cosine), {}, 0};
@@ -204,7 +206,8 @@ WaveCascade waves_of(const SeaState& sea, const CascadePlan& plan) {
     return cascade;
 }
 
-// The same of real seas, from their own spectrum to the bytes of a frame. Their ranges come from the sea, too.
+// As above for real seas, from the sea's spectrum to the bytes of a frame. The ranges are those of
+// the sea.
 TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
     for (const int cascades : {3, 4}) {
         const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7};
@@ -249,12 +252,12 @@ TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
     }
 }
 
-/// sin^2(t/2) / (t/2)^2 and (2 + cos t) / 3: the mean over a texel of a wave that a bilinear filter reads, against the wave
-/// and against itself.
+/// sin^2(t/2) / (t/2)^2 and (2 + cos t) / 3: the mean over a texel of a bilinearly filtered wave,
+/// multiplied with the exact wave and with itself.
 double against_wave(double t) { return std::pow(std::sin(t / 2) / (t / 2), 2); }
 double against_itself(double t) { return (2 + std::cos(t)) / 3; }
 
-/// What is integrated in docs/equations.md.
+/// The integral of docs/equations.md.
 double filtered_error(double far_weight) {
     const double near_weight = 0.5 - 2 * far_weight, min = 2 * pi * 6 / 128, max = 2 * pi / 3;
     double error = 0;
@@ -278,12 +281,13 @@ TEST(SlopeStencil, IsTheBestOfItsKind) {
     EXPECT_LT(min, filtered_error(SlopesJob::far_weight - 1e-3));
     EXPECT_LT(min, filtered_error(SlopesJob::far_weight + 1e-3));
     EXPECT_NEAR(2 * SlopesJob::near_weight + 4 * SlopesJob::far_weight, 1, 1e-15) << "a constant slope";
-    // Central differences, the paper's, are a quarter of the way off.
+    // Central differences, as in the paper, have an error of a quarter.
     EXPECT_LT(min, filtered_error(0) / 6);
 }
 
-// A wave along x has a slope at texels that is known: the factor of the stencil. A byte is within one step of it.
-TEST_P(SlopesOnEachIsa, OneWaveHasTheStencilsFactor) {
+// At texels a wave along x has a known slope: the factor of the stencil. A byte is within one step
+// of it.
+TEST_P(SlopesOnEachIsa, OneWaveHasTheFactorOfTheStencil) {
     constexpr int n = 64;
     for (const int steps : {1, 5, 13, 21}) {
         WaveCascade cascade{n, 100, 0, {{2 * pi * steps / 100, 0, {0.2 / (2 * pi * steps / 100), 0}}}, 0.02};
@@ -305,10 +309,10 @@ TEST_P(SlopesOnEachIsa, OneWaveHasTheStencilsFactor) {
     }
 }
 
-/// A level in double.
+/// A level of the map in double.
 struct Level {
     int side;
-    std::vector<SurfaceSlopes> texels;  ///< mean squares in place of variances
+    std::vector<SurfaceSlopes> texels;  ///< mean squares instead of variances
 };
 
 double byte_around_zero(double value, double range) { return std::clamp(value / range, -1.0, 1.0) * 127 + 128; }
@@ -380,7 +384,7 @@ Level halved(const Level& finer) {
     return level;
 }
 
-/// Of the variance among four texels a third is in the square between them.
+/// A third of the variance among four texels is that of bilinear interpolation between them.
 Level as_shown(Level level) {
     const auto third = [](double square, double product) { return product + (square - product) / 3; };
     for (SurfaceSlopes& s : level.texels) {
@@ -391,13 +395,13 @@ Level as_shown(Level level) {
     return level;
 }
 
-// Rounding may fall on either side of a step, so one step is the best bound there is.
+// Values may round to either side of a step, so one step is the best possible bound.
 TEST_P(SlopesOnEachIsa, BytesOfEveryLevelAreWithinOneStepOfDoubles) {
     std::mt19937 random(11);
     for (const double angle : {0.0, 2.2}) {
         const WaveCascade cascade = random_cascade(64, 20, angle, 3, 0.02, random);
         const CascadePlanes planes = planes_of(cascade, 0.9);
-        // Tighter than ranges should be, so that some values stop there.
+        // Narrower than real ranges, so that some values are clamped.
         const SlopeRanges ranges{static_cast<float>(2 * std::sqrt(0.02)), 0.02f};
         const CascadeSlopes maps = slopes_by(kernels(), planes, ranges);
         Level level = base_level(planes);
@@ -410,7 +414,8 @@ TEST_P(SlopesOnEachIsa, BytesOfEveryLevelAreWithinOneStepOfDoubles) {
     }
 }
 
-/// The law of total variance: what a texel means and how it varies within, of h_x, h_z and both, over a level.
+/// The law of total variance: returns the variance of a level's means plus the mean of its
+/// variances, of h_x, h_z and both.
 std::array<double, 3> total_variance(const CascadeSlopes& maps, const SlopeRanges& ranges, int resolution,
                                      int level) {
     std::array<double, 3> total{};
@@ -425,9 +430,9 @@ std::array<double, 3> total_variance(const CascadeSlopes& maps, const SlopeRange
     return total;
 }
 
-// Half a step of a byte is what the one texel of the last level may be off, and squares of slopes rounded to bytes are
-// larger by a twelfth of a step's square, far less. Against the waves: their slopes vary by their own mean square, and the
-// shown ones keep it to a few hundredths, which is what the stencil is for.
+// The single texel of the last level may be off by half a step of a byte. Rounding slopes to bytes
+// adds only a twelfth of a step squared. Compared with the waves: the filtered slopes keep the
+// waves' mean square to a few hundredths, which is the purpose of the stencil.
 TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
     constexpr int n = 128;
     std::mt19937 random(3);
@@ -457,8 +462,9 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
     }
 }
 
-// At level 0 the filter's own surface has that variance too, so nothing gets rougher or smoother where mips begin.
-TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
+// At level 0 the filtered surface has that variance too, so the roughness does not change where
+// mips begin.
+TEST(SlopeMips, BeginWithTheFilteredVarianceOfLevel0) {
     constexpr int n = 128;
     std::mt19937 random(4);
     const WaveCascade cascade = random_cascade(n, 22, 0.4, 6, 0.01, random);
@@ -472,11 +478,12 @@ TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
         shown += (at.h_x * at.h_x + at.h_z * at.h_z) / points;
     }
     const std::array<double, 3> first = total_variance(maps, ranges, n, 1);
-    // A mean of 20000 squares of a Gaussian has a standard deviation of a hundredth; its values are not independent.
+    // The mean of 20000 squares of a Gaussian has a standard deviation of a hundredth. These values
+    // are not independent.
     EXPECT_NEAR(first[0] + first[1], shown, 0.05 * shown);
 }
 
-// Water that lies flat is exactly flat: zero has a byte.
+// Flat water is exactly flat: a byte represents zero.
 TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     const std::vector<float> zero(32 * 32);
     const CascadeSlopes maps = slopes_by(kernels(), {32, 10, 1, 0, zero, zero, zero}, slope_ranges(0, 0));
@@ -491,7 +498,8 @@ TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     EXPECT_EQ(up.z, 0);
 }
 
-/// Level 0 and the last level of the gradient chain of a 64-texel cascade, and the half floats' foam.
+/// Level 0 and the last level of the gradient chain of a 64-texel cascade, and the foam of the half
+/// floats.
 struct Gradients {
     std::vector<std::uint32_t> texels;
     std::vector<std::uint16_t> halves;
@@ -527,9 +535,10 @@ Gradients gradients_by(const Kernels& kernels, const CascadePlanes& planes, bool
             {halves.data(), halves.data() + halves.size()}};
 }
 
-// The same water on a cascade that is turned, and its displacement with it: normals turn, J and smoothness stay. Floats round
-// apart, so a byte may be a step off, and a normal of two bytes turned by as much again.
-TEST_P(SlopesOnEachIsa, GradientsOfATurnedCascadeTurnWithIt) {
+// The same water on a rotated cascade, with its displacement rotated: normals rotate, J and
+// smoothness stay. Floats round differently, so a byte may differ by one step and a normal of two
+// bytes by a corresponding angle.
+TEST_P(SlopesOnEachIsa, GradientsOfARotatedCascadeRotateWithIt) {
     std::mt19937 random(9);
     const CascadePlanes planes = planes_of(random_cascade(64, 20, 0, 3, 0.03, random), 0.8);
     CascadePlanes turned = planes;
@@ -550,7 +559,8 @@ TEST_P(SlopesOnEachIsa, GradientsOfATurnedCascadeTurnWithIt) {
         ASSERT_NEAR(byte(askew, 2), byte(straight, 2), 1) << i;
         ASSERT_NEAR(byte(askew, 3), byte(straight, 3), 1) << i;
     }
-    // A step of a byte, where J of two floats apart falls on either side of it, and half a step of a half.
+    // One step of a byte if the two values of J round to different sides, and half a step of a
+    // half.
     for (std::size_t i = 3; i < straight.halves.size(); i += 4) {
         Imath::half before, after;
         before.setBits(straight.halves[i]);
@@ -559,7 +569,7 @@ TEST_P(SlopesOnEachIsa, GradientsOfATurnedCascadeTurnWithIt) {
     }
 }
 
-TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
+TEST_P(SlopesOnEachIsa, GradientsDoNotDependOnTheHalves) {
     std::mt19937 random(10);
     const CascadePlanes planes = planes_of(random_cascade(64, 20, 0, 3, 0.03, random), 0.8);
     const Gradients with = gradients_by(kernels(), planes, true), without = gradients_by(kernels(), planes, false);
@@ -594,7 +604,7 @@ void expect_slopes(const Cascade& cascade, const CascadeSlopes& expected) {
                            expected.moments.end()));
 }
 
-TEST(SlopesOfFrames, AreThereForOneCascadeIfAskedAndChangeNoHash) {
+TEST(SlopesOfFrames, AreOptionalForOneCascadeAndChangeNoHash) {
     const SeaState sea{.resolution = 64, .patch_size_m = 60};
     Ocean plain(sea, {.executor = make_serial_executor()});
     Ocean asked(sea, {.executor = make_serial_executor(), .slopes = true});
@@ -636,8 +646,8 @@ TEST(SlopesOfFrames, AreThereForOneCascadeIfAskedAndChangeNoHash) {
     }
 }
 
-// Displacement that a test writes, in a frame of two cascades.
-TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralCascades) {
+// A frame of two cascades whose displacement the test writes.
+TEST(SlopesOfFrames, ProduceTheHalvesAndTheHashOfSeveralCascades) {
     std::mt19937 random(12);
     const Kernels& kernels = kernels_for(choose_isa());
     const FrameExtras extras{.gradients = false, .slopes = true};

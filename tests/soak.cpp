@@ -1,7 +1,8 @@
-// A long life in random orders: frames scheduled, completed, asked, cut short; seas changed; oceans made and destroyed, on
-// threads and without. Every frame is compared with a plain replay of its own, and memory must not grow.
+// A soak test with random sequences of calls: frames are scheduled, completed, queried and
+// cancelled, seas change, and oceans are created and destroyed, with and without threads. Every
+// frame is compared with a plain replay, and memory must not grow.
 //
-// usage: pelagic_soak [FRAMES]    exit code 1 and a line at the first wrong bit
+// usage: pelagic_soak [FRAMES]    exit code 1 and a line at the first difference
 #include <pelagic/pelagic.h>
 
 #include <array>
@@ -66,7 +67,8 @@ pelagic_ocean* make_ocean(int sea, std::int32_t resolution, const pelagic_execut
     return ocean;
 }
 
-/// A few buoys; the same for every ocean, so that answers can be compared.
+/// Queries a few buoys. The positions are the same for every ocean, so that results can be
+/// compared.
 struct Answers {
     std::array<float, 5> height{}, normal_y{};
     bool operator==(const Answers&) const = default;
@@ -90,7 +92,7 @@ std::uint64_t hash_of(const pelagic_ocean* ocean) {
     return hash;
 }
 
-/// The replay: one ocean a sea, no threads, one frame after the other.
+/// The replay: one ocean for each sea, no threads, one frame after the other.
 class Replay {
    public:
     explicit Replay(std::int32_t resolution) {
@@ -117,7 +119,7 @@ class Replay {
     std::array<pelagic_ocean*, seas> oceans_{};
 };
 
-/// One ocean and what it should be showing.
+/// One ocean and its expected state.
 class Subject {
    public:
     Subject(std::int32_t resolution, const std::vector<pelagic_executor*>& executors, Replay& replay, unsigned seed)
@@ -128,7 +130,7 @@ class Subject {
     Subject(const Subject&) = delete;
     Subject& operator=(const Subject&) = delete;
 
-    /// Does something; returns how many frames were completed by it.
+    /// Takes one random action; returns the number of frames that it completed.
     int step() {
         switch (random_() % 16) {
             case 0: return change_sea();
@@ -219,7 +221,7 @@ class Subject {
         return 0;
     }
 
-    /// In whatever state it is.
+    /// Destroys the ocean in any state.
     int rebuild() {
         pelagic_ocean_destroy(ocean_);
         build();
@@ -238,7 +240,7 @@ class Subject {
     std::vector<std::uint16_t> halves_, expected_halves_;
 };
 
-/// Oceans come, do `frames` frames between them, and go in whatever state they are.
+/// Creates oceans, completes `frames` frames with them, and destroys them in any state.
 void live(long frames, unsigned life, const std::vector<pelagic_executor*>& executors, Replay& small_replay,
           Replay& large_replay, long& done, long& on_threads) {
     Subject small[4] = {{16, executors, small_replay, 10 * life},
@@ -265,7 +267,7 @@ int main(int argc, char** argv) {
     long done = 0, on_threads = 0;
     std::size_t bytes_early = 0, bytes_late = 0;
     {
-        // N = 16 is computed by complete() alone; N = 128 goes through the threads.
+        // N = 16 is computed by complete() alone; N = 128 uses the threads.
         Replay small_replay(16), large_replay(128);
         for (unsigned life = 0; life < lives; ++life) {
             live(frames / lives, life, executors, small_replay, large_replay, done, on_threads);
@@ -278,7 +280,7 @@ int main(int argc, char** argv) {
     std::printf(
         "%ld frames of N = 16 and %ld of N = 128, each equal to its replay, in %.1f s; bytes held %zu, later %zu\n",
         done, on_threads, seconds, bytes_early, bytes_late);
-    // What is left after the oceans of a life are gone. glibc counts the blocks that a thread keeps for itself, 230 KB at
-    // most, as handed out; a leak of one small block a frame is megabytes.
+    // The memory after the oceans of a life are destroyed. glibc counts the blocks that each thread
+    // caches, 230 KB at most, as allocated. A leak of one small block a frame would be megabytes.
     if (bytes_late > bytes_early + 256 * 1024) fail("memory grew");
 }

@@ -1,4 +1,4 @@
-// Energy over waves: what depth takes, what a swell adds, and where the small waves end.
+// Wave spectra: attenuation by depth, the swell, and the cutoff of short waves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,20 +21,20 @@ using std::numbers::pi;
 
 constexpr double gravity = 9.80665;
 
-/// One cascade of the sea's waves, without surface tension.
+/// Returns one cascade of the sea's waves, without surface tension.
 CascadePlan cascade_of(const SeaState& sea) {
     return {.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
 }
 WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, cascade_of(sea)); }
 
-/// Simpson's rule.
+/// Integrates by Simpson's rule.
 double integral(const std::function<double(double)>& f, double first, double last, int steps = 4000) {
     double sum = f(first) + f(last);
     for (int i = 1; i < steps; ++i) sum += (i % 2 ? 4 : 2) * f(first + (last - first) * i / steps);
     return sum * (last - first) / steps / 3;
 }
 
-/// Integral of k^power S(k) over the wave numbers from one to the other.
+/// Returns the integral of k^power S(k) over the wave numbers of a range.
 double moment(const WaveSpectrum& spectrum, double power, double from = 1e-4, double to = 1e3) {
     return integral(
         [&](double log_k) {
@@ -47,21 +47,21 @@ double moment(const WaveSpectrum& spectrum, double power, double from = 1e-4, do
 constexpr SpectrumModel physical[] = {SpectrumModel::jonswap, SpectrumModel::pierson_moskowitz,
                                       SpectrumModel::phillips};
 
-// Bouws et al. 1985: with w = omega sqrt(d/g), phi is w^2/2 up to 1 and 1 - (2 - w)^2/2 up to 2, the parabolas of Thompson
-// and Vincent 1983, "within 4 %".
-TEST(Depth, FactorIsThePublishedOne) {
+// Bouws et al. 1985: with w = omega sqrt(d/g), phi is w^2/2 up to 1 and 1 - (2 - w)^2/2 up to 2.
+// These are the parabolas of Thompson and Vincent 1983, "within 4 %".
+TEST(Depth, FactorIsThePublishedValue) {
     constexpr double depth = 7;
     for (double w = 0.05; w < 2; w += 0.05) {
         const double k = wave_number(w * std::sqrt(gravity / depth), depth);
         const double published = w <= 1 ? w * w / 2 : 1 - (2 - w) * (2 - w) / 2;
         EXPECT_NEAR(depth_factor(k, depth), published, 0.04) << w;
     }
-    // Kitaigorodskii's limit in shallow water, w^2/2.
+    // Kitaigorodskii's limit in shallow water is w^2/2.
     const double k = wave_number(0.01 * std::sqrt(gravity / depth), depth);
     EXPECT_NEAR(depth_factor(k, depth) / (0.5e-4), 1, 1e-4);
 }
 
-TEST(Depth, FactorIsOneToTheBitWhereNoDoubleTells) {
+TEST(Depth, FactorIsExactlyOneWhereItRoundsToOne) {
     for (const double k : {2 * pi / 1000, 0.01, 0.3, 40.0}) EXPECT_EQ(depth_factor(k, 4000), 1) << k;
     for (const SpectrumModel model : physical) {
         const SeaState sea{.spectrum = model};
@@ -72,9 +72,9 @@ TEST(Depth, FactorIsOneToTheBitWhereNoDoubleTells) {
     }
 }
 
-// In the saturation range of the TMA spectrum the energy over wave numbers is alpha/2 k^-3 at any depth: that is what
-// Kitaigorodskii's factor is for.
-TEST(Depth, LeavesTheSaturationRangeOverWaveNumbers) {
+// In the saturation range of the TMA spectrum the energy over wave numbers is alpha/2 k^-3 at any
+// depth. This is the purpose of Kitaigorodskii's factor.
+TEST(Depth, KeepsTheSaturationRangeOverWaveNumbers) {
     const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .wind_speed_mps = 30, .depth_m = 15};
     const WaveSpectrum spectrum = spectrum_of(sea);
     ASSERT_EQ(spectrum.kept_after_breaking(), 1);
@@ -97,7 +97,7 @@ TEST(Depth, MakesEverySeaLower) {
     }
 }
 
-TEST(Depth, BreaksWhatIsHigherThanSixTenthsOfItAndSaysSo) {
+TEST(Depth, LimitsHeightsToSixTenthsAndWarns) {
     SeaState sea{.wind_speed_mps = 25, .fetch_m = 500e3, .depth_m = 2, .swell_height_m = 2};
     EXPECT_NEAR(expected_waves(sea).model_significant_wave_height_m.value(), 1.2, 1e-9);
     const auto note = [](const SeaState& of) {
@@ -119,7 +119,8 @@ TEST(Depth, BreaksWhatIsHigherThanSixTenthsOfItAndSaysSo) {
     EXPECT_EQ(note({.spectrum = SpectrumModel::phillips_paper, .depth_m = 0.1}), "") << "it has no physical height";
 }
 
-/// Mean over 16 seeds of the variance at frames' points in bands of frequency, by a Fourier sum over a loop at every texel.
+/// Returns the mean over 16 seeds of the variance at the frames' points in frequency bands, by a
+/// Fourier sum over a loop at every texel.
 std::vector<double> measured_bands(SeaState sea, const std::vector<int>& harmonics, int frames) {
     std::vector<double> bands(harmonics.size() - 1);
     constexpr int seeds = 16;
@@ -148,9 +149,10 @@ std::vector<double> measured_bands(SeaState sea, const std::vector<int>& harmoni
     return bands;
 }
 
-// What a buoy would measure, at sea and in 10 m of water, beside the integral of S(omega) phi(omega): bands of the loop's
-// frequencies q - 1/2 to q' - 1/2, because waves of a loop run a whole number of periods.
-TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
+// Compares a buoy's measurement, in the open sea and in 10 m of water, with the integral of
+// S(omega) phi(omega). Bands of the loop's frequencies are q - 1/2 to q' - 1/2, because waves of a
+// loop have a whole number of periods.
+TEST(Depth, FrequenciesAtAPointMatchTheSpectrum) {
     for (const double depth : {4000.0, 10.0}) {
         const SeaState sea{.resolution = 64,
                            .patch_size_m = 800,
@@ -160,7 +162,8 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
                            .loop_period_s = 60};
         const WaveSpectrum spectrum = spectrum_of(sea);
         ASSERT_EQ(spectrum.kept_after_breaking(), 1);
-        // From half the peak frequency up to the shortest wave that the grid holds in all directions, 26 m.
+        // From half the peak frequency up to the shortest wave that the grid resolves in all
+        // directions, 26 m.
         const std::vector<int> harmonics = {5, 8, 10, 13};
         const std::vector<double> measured = measured_bands(sea, harmonics, 64);
         for (std::size_t band = 0; band + 1 < harmonics.size(); ++band) {
@@ -168,7 +171,8 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
             const double to = wave_number(2 * pi * (harmonics[band + 1] - 0.5) / 60, depth);
             ASSERT_LT(to, 31 * 2 * pi / 800);
             const double expected = moment(spectrum, 0, from, to);
-            // Each seed draws a variance for each wave of the grid; the sum's scatter is that of exponential variates.
+            // Each seed draws a variance for each wave of the grid. The sum varies like a sum of
+            // exponential variates.
             double sum = 0, squares = 0;
             for (int n = -31; n <= 31; ++n)
                 for (int m = -31; m <= 31; ++m) {
@@ -179,7 +183,8 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
                     squares += variance * variance;
                 }
             const double deviation = std::sqrt(squares / 16);
-            // Three deviations, and what the grid's sum is beside the integral.
+            // The bound is three deviations plus the difference between the grid's sum and the
+            // integral.
             EXPECT_NEAR(measured[band], expected, 3 * deviation + std::fabs(sum - expected))
                 << band << " in " << depth;
             EXPECT_NEAR(sum, expected, 0.08 * expected) << "a band is few rings of the grid wide";
@@ -196,20 +201,20 @@ constexpr SeaState only_swell{.resolution = 64,
                               .swell_period_s = 12,
                               .swell_direction_rad = 2.3};
 
-TEST(Swell, HasTheHeightAndPeriodAskedFor) {
+TEST(Swell, HasTheRequestedHeightAndPeriod) {
     for (const double depth : {4000.0, 30.0}) {
         SeaState sea = only_swell;
         sea.depth_m = depth;
         const ExpectedWaves waves = expected_waves(sea);
-        // The wind's waves are less than a centimetre high.
+        // The wind sea is less than a centimetre high.
         EXPECT_NEAR(waves.model_significant_wave_height_m.value(), 2.5, 1e-4) << depth;
         EXPECT_NEAR(waves.peak_period_s, 12, 1e-3) << depth;
         EXPECT_NEAR(waves.peak_wavelength_m, 2 * pi / wave_number(2 * pi / 12, depth), 0.1) << depth;
     }
 }
 
-// Goda's peakedness Qp = 2/m0^2 integral of f S^2 df: of this shape 8 Gamma(2 lambda) / (4^lambda Gamma(lambda)^2) = 3.75 in
-// closed form. A jonswap sea has 3, a fully developed one 2.
+// Goda's peakedness is Qp = 2/m0^2 integral of f S^2 df. For this shape it is 8 Gamma(2 lambda) /
+// (4^lambda Gamma(lambda)^2) = 3.75 in closed form. A jonswap sea has 3, a fully developed sea 2.
 TEST(Swell, IsNarrowerThanAWindSea) {
     const auto peakedness = [](const SeaState& sea) {
         const WaveSpectrum spectrum = spectrum_of(sea);
@@ -232,7 +237,7 @@ TEST(Swell, AddsItsEnergyToThatOfTheWind) {
     const double wind = spectrum_of(sea).variance();
     sea.swell_height_m = 2.5;
     EXPECT_NEAR(spectrum_of(sea).variance(), wind + 2.5 * 2.5 / 16, 1e-6);
-    // And wave by wave, of all directions.
+    // The same for each wave, in all directions.
     sea.swell_height_m = 0;
     const WaveSpectrum without = spectrum_of(sea);
     sea.swell_height_m = 2.5;
@@ -250,7 +255,7 @@ TEST(Swell, AddsItsEnergyToThatOfTheWind) {
     }
 }
 
-TEST(Swell, LeavesTheSmallWavesToTheWind) {
+TEST(Swell, DoesNotChangeTheShortWaves) {
     SeaState sea{.wind_speed_mps = 9, .swell_height_m = 4};
     const WaveSpectrum with = spectrum_of(sea);
     sea.swell_height_m = 0;
@@ -261,10 +266,11 @@ TEST(Swell, LeavesTheSmallWavesToTheWind) {
 
 struct Directions {
     double towards_rad, r1;
-    double deviation;  ///< of r1, what drawing leaves
+    double deviation;  ///< of r1, by the random draws
 };
 
-/// First circular moment of the waves that 16 seeds drew, around the direction; `expected` from the variances alone.
+/// Returns the first circular moment of the waves that 16 seeds drew; with `drawn` false, that of
+/// the variances.
 Directions directions(SeaState sea, bool drawn) {
     const WaveSpectrum spectrum = spectrum_of(sea);
     std::vector<CascadeWaves> seeds;
@@ -290,19 +296,21 @@ Directions directions(SeaState sea, bool drawn) {
     return {std::atan2(z, x), std::hypot(x, z) / all, std::sqrt(squares / 16) / all};
 }
 
-TEST(Swell, RunsWhereItIsSentAsNarrowAsAsked) {
+TEST(Swell, HasTheRequestedDirectionAndSpread) {
     for (const double degrees : {10.0, 25.0, 50.0}) {
         SeaState sea = only_swell;
         sea.swell_spread_rad = degrees * pi / 180;
         const Directions found = directions(sea, true);
-        // The mean direction scatters by the spread over the root of the number of waves; r1 as r1's own energies do.
+        // The mean direction varies by the spread over the root of the number of waves. r1 varies
+        // as its energies do.
         EXPECT_NEAR(found.towards_rad, 2.3, 4 * found.deviation * sea.swell_spread_rad + 1e-3) << degrees;
         EXPECT_NEAR(std::sqrt(2 * (1 - found.r1)), sea.swell_spread_rad, 0.05 * sea.swell_spread_rad) << degrees;
     }
 }
 
-// r1 = s/(s + 1) of each frequency, weighed with the spectrum: the closed form for cosine-2s and hasselmann.
-TEST(Directions, OfDrawnWavesAreThoseOfTheSpreading) {
+// r1 = s/(s + 1) for each frequency, weighted with the spectrum: the closed form for cosine-2s and
+// hasselmann.
+TEST(Directions, OfDrawnWavesMatchTheSpreading) {
     for (const SpreadingModel model : {SpreadingModel::cosine_2s, SpreadingModel::hasselmann}) {
         SeaState sea{.spreading = model,
                      .resolution = 128,
@@ -317,7 +325,7 @@ TEST(Directions, OfDrawnWavesAreThoseOfTheSpreading) {
             return over_peak < 1.05 ? 6.97 * std::pow(over_peak, 4.06)
                                     : 9.77 * std::pow(over_peak, -2.33 - 1.45 * (age - 1.17));
         };
-        // Waves that the grid holds in all directions.
+        // Waves that the grid resolves in all directions.
         const double to = 63 * 2 * pi / 1200;
         const double along = integral(
                          [&](double k) {
@@ -328,13 +336,14 @@ TEST(Directions, OfDrawnWavesAreThoseOfTheSpreading) {
                      all = integral([&](double k) { return spectrum.radial_density(k); }, 0.005, to);
         const Directions found = directions(sea, true);
         EXPECT_NEAR(found.towards_rad, -1.1, 4 * found.deviation) << name_of(model);
-        // The square's corners hold waves that the disc does not: 2 % more energy, of wider directions.
+        // The square's corners have waves that the disc does not: 2 % more energy, with a wider
+        // spread.
         EXPECT_NEAR(found.r1, along / all, 4 * found.deviation + 0.02) << name_of(model);
         EXPECT_LT(found.deviation, 0.02);
     }
 }
 
-TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheCascade) {
+TEST(SmallWaves, EndBelowAQuarterOfThePeakInEveryCascade) {
     for (const SpectrumModel model : physical) {
         const SeaState all{.spectrum = model};
         SeaState few = all;
@@ -355,8 +364,8 @@ TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheCascade) {
     }
 }
 
-// One call yields both, and whichever of the two is asked for, the bits are the same.
-TEST(Directions, AWaveAndItsOppositeAreFoundAtOnce) {
+// One call returns both densities, and the result does not depend on which of the two comes first.
+TEST(Directions, OfOppositeWavesAreComputedTogether) {
     for (const SpreadingModel model : spreading_models()) {
         const SeaState sea{
             .spreading = model, .wind_direction_rad = 0.7, .swell_height_m = 1, .swell_direction_rad = 4};
@@ -381,7 +390,7 @@ TEST(Swell, OfNoHeightChangesNoBit) {
         EXPECT_EQ(before.amplitude_variance(k, k / 2), after.amplitude_variance(k, k / 2));
 }
 
-TEST(Phillips, PaperTakesNeitherSwellNorMeasuredSpreading) {
+TEST(Phillips, PaperAllowsNeitherSwellNorMeasuredSpreading) {
     EXPECT_EQ(check({.spectrum = SpectrumModel::phillips_paper, .spreading = SpreadingModel::cosine_2s}),
               "spreading is cosine-2s, expected paper where the spectrum is phillips-paper");
     EXPECT_EQ(check({.spectrum = SpectrumModel::phillips_paper, .swell_height_m = 2}),

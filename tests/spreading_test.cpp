@@ -1,4 +1,4 @@
-// Directions: every spreading moves energy and makes none, and has the widths that its paper states.
+// Directional spreading: every model conserves energy and has the widths that its paper states.
 #include "pelagic/sim/spectrum/spreading.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Integral over the circle of f(theta) D(theta): the trapezoidal rule, which for smooth periodic functions is exact to
-/// many digits once it resolves them.
+/// Integrates f(theta) D(theta) over the circle by the trapezoidal rule. For smooth periodic
+/// functions it is exact to many digits once it resolves them.
 template <class Densities>
 double over_all_directions(Densities densities, const std::function<double(double)>& f, int steps = 4000) {
     double sum = 0;
@@ -39,7 +39,7 @@ TEST(Spreading, OfEveryModelIntegratesToOneAtEveryFrequency) {
         for (const double inverse_wave_age : {0.5, 0.83, 1.0, 2.0, 5.0, 100.0}) {
             const MeasuredSpreading spreading(model, 0.9, inverse_wave_age);
             for (double over_peak = 0.2; over_peak < 60; over_peak *= 1.17)
-                // Nothing is resolved worse than cos^(2 s) with s = 0.01, whose cusp costs 1e-5.
+                // The worst case is cos^(2 s) with s = 0.01, whose cusp has an error of 1e-5.
                 EXPECT_NEAR(over_all_directions(densities_of(spreading.at(0.9 * over_peak)), one), 1, 2e-5)
                     << name_of(model) << " at " << over_peak << " peaks, U/c " << inverse_wave_age;
         }
@@ -50,7 +50,7 @@ TEST(Spreading, OfEveryModelIntegratesToOneAtEveryFrequency) {
     }
 }
 
-TEST(Spreading, GivesAWaveAndItsOppositeAtOnce) {
+TEST(Spreading, ReturnsOppositeWavesTogether) {
     std::vector<DirectionalLobe> lobes = {DirectionalLobe(), DirectionalLobe::cosine_2s(7.3),
                                           DirectionalLobe::sech_squared(1.24)};
     for (const DirectionalLobe& lobe : lobes)
@@ -58,8 +58,9 @@ TEST(Spreading, GivesAWaveAndItsOppositeAtOnce) {
             EXPECT_EQ(lobe.densities(cosine).against, lobe.densities(-cosine).along) << cosine;
 }
 
-// In closed form: cos(theta/2)^2 / pi = (1 + cos theta) / (2 pi), and over s = 0 all directions are alike.
-TEST(Spreading, LobesAreTheirClosedForms) {
+// Closed forms: cos(theta/2)^2 / pi = (1 + cos theta) / (2 pi); with s = 0 all directions are
+// equal.
+TEST(Spreading, LobesMatchTheClosedForms) {
     for (double angle = 0; angle <= pi; angle += 0.05) {
         const double cosine = std::cos(angle);
         EXPECT_NEAR(DirectionalLobe::cosine_2s(1).densities(cosine).along, (1 + cosine) / (2 * pi), 1e-10);
@@ -79,7 +80,7 @@ TEST(Spreading, LobesAreTheirClosedForms) {
     }
 }
 
-// s from a density: that of the peak direction grows with s.
+// Returns s from a density: the density of the peak direction increases with s.
 double exponent_of(const DirectionalLobe& lobe) {
     double low = 1e-6, high = 1e4;
     while (high / low > 1 + 1e-9) {
@@ -98,8 +99,8 @@ double beta_of(const DirectionalLobe& lobe) {
     return low;
 }
 
-// Figures of the papers, as Horvath 2015 repeats them; Hasselmann's border is their 1.05.
-TEST(Spreading, HasTheWidthsThatWerePublished) {
+// Values of the papers, as given by Horvath 2015. Hasselmann's limit is the 1.05 of that paper.
+TEST(Spreading, HasThePublishedWidths) {
     const MeasuredSpreading mitsuyasu(SpreadingModel::cosine_2s, 1, 1),
         hasselmann(SpreadingModel::hasselmann, 1, 1.17), donelan(SpreadingModel::donelan_banner, 1, 1);
     EXPECT_NEAR(exponent_of(mitsuyasu.at(1)), 11.5, 1e-5);
@@ -119,7 +120,7 @@ TEST(Spreading, HasTheWidthsThatWerePublished) {
 }
 
 // Kuik, van Vledder and Holthuijsen 1988: sigma^2 = 2 (1 - r1).
-TEST(Spreading, OfASwellHasTheDeviationAskedFor) {
+TEST(Spreading, OfASwellHasTheRequestedDeviation) {
     for (const double degrees : {1.0, 5.0, 15.0, 30.0, 80.0}) {
         const double sigma = degrees * pi / 180;
         const DirectionalLobe lobe = DirectionalLobe::cosine_2s(cosine_2s_exponent(sigma));
@@ -128,8 +129,8 @@ TEST(Spreading, OfASwellHasTheDeviationAskedFor) {
     }
 }
 
-// What the words about --wind-alignment say.
-TEST(Spreading, OfThePaperIsWhatItsWordsSay) {
+// Checks the description of --wind-alignment.
+TEST(Spreading, OfThePaperMatchesItsDescription) {
     const auto share = [](double alignment, const std::function<bool(double)>& inside) {
         const PaperSpreading paper(alignment);
         return over_all_directions([&](double cosine) { return paper.densities(cosine); },
@@ -139,7 +140,7 @@ TEST(Spreading, OfThePaperIsWhatItsWordsSay) {
     const auto across = [](double angle) { return std::fabs(std::cos(angle)) < std::sin(15 * pi / 180); };
     EXPECT_NEAR(share(0, against), 1.0 / 3, 1e-3);
     EXPECT_NEAR(share(1, against), 0.01 / 1.01, 1e-3);
-    // |cos|: 1 - cos 15 degrees. Of waves from everywhere it would be a sixth.
+    // |cos|: 1 - cos 15 degrees. Waves from all directions would give a sixth.
     EXPECT_NEAR(share(0, across), 1 - std::cos(15 * pi / 180), 1e-3);
 }
 

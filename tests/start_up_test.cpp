@@ -1,4 +1,4 @@
-// What a command has to load before it begins, counted and not timed: nobody waits for libraries of images who asks for help.
+// Counts the shared libraries that a command loads at start-up. Help must not load image libraries.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -12,7 +12,8 @@
 namespace pelagic {
 namespace {
 
-/// Names of the shared libraries that the loader opens while the command runs; LD_DEBUG=files is glibc's.
+/// Returns the names of the shared libraries that the loader opens while the command runs.
+/// LD_DEBUG=files belongs to glibc.
 std::set<std::string> loaded_by(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
     const TemporaryFolder logs;
     EXPECT_EQ(run_pelagic(arguments,
@@ -39,7 +40,7 @@ bool has(const std::set<std::string>& names, const std::string& part) {
     return false;
 }
 
-TEST(StartUp, LoadsLibrariesOfImagesOnlyForAnImage) {
+TEST(StartUp, LoadsImageLibrariesOnlyForImages) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "1,2\n");
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
@@ -47,14 +48,15 @@ TEST(StartUp, LoadsLibrariesOfImagesOnlyForAnImage) {
         const std::set<std::string> names = loaded_by(arguments, folder.path());
         EXPECT_TRUE(has(names, "libstdc++")) << "the loader said nothing";
         EXPECT_FALSE(has(names, "OpenImageIO")) << arguments[0];
-        // 16 on Debian 12, with oneTBB, GLFW and what X needs; the sanitizers bring a few.
+        // 16 on Debian 12, with oneTBB, GLFW and the libraries of X; the sanitizers add a few.
         EXPECT_LE(names.size(), 30u) << arguments[0];
     }
     EXPECT_TRUE(has(loaded_by({"export", "--out", "out", "--resolution", "16"}, folder.path()), "OpenImageIO"));
 }
 
-// Where the tool is moved to does not matter, nor the folder it is called from; without its library it says so.
-TEST(StartUp, FindsTheLibraryOfImagesBesideTheTool) {
+// The library is found wherever the tool is installed and from any working folder. Without the
+// library the tool prints an error.
+TEST(StartUp, FindsTheImageLibraryBesideTheTool) {
     const TemporaryFolder folder;
     const std::filesystem::path bin = folder / "bin", tool = bin / "pelagic";
     const std::filesystem::path library = (bin / PELAGIC_MODULE_FOLDER / "pelagic_images.so").lexically_normal();

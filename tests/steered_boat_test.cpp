@@ -1,4 +1,5 @@
-// The window's boat on water in closed form and on dynamic waves, and what a click meets.
+// The window's boat on analytic waves and on dynamic waves, and the position of a click on the
+// water.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ constexpr double pi = 3.14159265358979323846;
 
 double calm(double, double) { return 0; }
 
-// Thrust and drag are equal there: 1.6 = 1.6 / 6 (0.9 v^2 / 6 + 0.1 v) at v = 6.
-TEST(SteeredBoat, GoesAtItsTopSpeedAndStopsByItself) {
+// Thrust equals drag: 1.6 = 1.6 / 6 (0.9 v^2 / 6 + 0.1 v) at v = 6.
+TEST(SteeredBoat, ReachesItsTopSpeedAndStopsByItself) {
     SteeredBoat boat({0, 0}, 0.5);
     double before = 0;
     for (int i = 0; i < 60 * 60; ++i) {
@@ -33,17 +34,17 @@ TEST(SteeredBoat, GoesAtItsTopSpeedAndStopsByItself) {
     EXPECT_GE(boat.speed_mps(), 0);
 }
 
-TEST(SteeredBoat, GoesTheSameWayAtAnyFrameRate) {
+TEST(SteeredBoat, PathDoesNotDependOnTheFrameRate) {
     SteeredBoat slow({0, 0}, 0), fast({0, 0}, 0);
     const Helm helm{.thrust = 0.8, .rudder = 0.3};
     for (int i = 0; i < 150; ++i) slow.step(0.1, helm, calm, 0);
     for (int i = 0; i < 1800; ++i) fast.step(1 / 120., helm, calm, 0);
-    // After 80 m of a bend; both take steps of 1/120 s.
+    // After a turn of 80 m; both take steps of 1/120 s.
     EXPECT_LT(glm::length(slow.place_m() - fast.place_m()), 1e-6);
 }
 
-// Starboard is +z of a boat that heads along +x. A circle's radius is speed over turn.
-TEST(SteeredBoat, TurnsToStarboardInACircleAndNotWithoutWay) {
+// Starboard is +z for a boat that heads along +x. The radius of the circle is speed over turn rate.
+TEST(SteeredBoat, TurnsToStarboardInACircleOnlyWhileMoving) {
     SteeredBoat boat({0, 0}, 0);
     for (int i = 0; i < 60; ++i) boat.step(1 / 60., {.rudder = 1}, calm, 0);
     EXPECT_EQ(boat.heading_rad(), 0);
@@ -59,7 +60,7 @@ TEST(SteeredBoat, TurnsToStarboardInACircleAndNotWithoutWay) {
     EXPECT_NEAR(max_x - min_x, 22, 0.5);
 }
 
-// A plane of water: a boat on it lies in it, with its own axes.
+// On a plane of water, a boat lies in the plane with its own axes.
 TEST(SteeredBoat, LiesInThePlaneOfTheWater) {
     const double heading = 0.7, along = 0.12, across = -0.07;
     const glm::dvec2 forward(std::cos(heading), std::sin(heading)), starboard(-forward.y, forward.x);
@@ -76,10 +77,11 @@ TEST(SteeredBoat, LiesInThePlaneOfTheWater) {
     const auto placed = [&](glm::dvec3 at) { return glm::dvec3(pose * glm::dvec4(at, 1)); };
     for (const glm::dvec3 at : {glm::dvec3(3, 0, 0), {-3, 0, 0}, {0, 0, 1.2}, {0, 0, -1.2}}) {
         const glm::dvec3 world = placed(at);
-        EXPECT_NEAR(world.y, plane(world.x, world.z), 0.01);  // of pitch and roll the one is turned by the other
+        // Pitch and roll are composed rotations.
+        EXPECT_NEAR(world.y, plane(world.x, world.z), 0.01);
     }
     EXPECT_GT(glm::dot(placed({0, 1, 0}) - placed({0, 0, 0}), glm::dvec3(0, 1, 0)), 0.98);
-    // It is slow to follow water that falls away.
+    // The boat follows falling water slowly.
     boat.step(0.05, {}, calm, 0);
     EXPECT_GT(boat.height_m(), 0.3);
     for (int i = 0; i < 100; ++i) boat.step(0.05, {}, calm, 0);
@@ -87,7 +89,7 @@ TEST(SteeredBoat, LiesInThePlaneOfTheWater) {
     EXPECT_NEAR(boat.pitch_rad(), 0, 1e-5);
 }
 
-/// A boat on dynamic waves, as the window has it: frames of 30 a second on ripples of millimetres.
+/// A boat on dynamic waves, as in the window: 30 frames a second, on ripples of millimetres.
 struct Voyage {
     Ocean ocean{{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05},
                 {.executor = make_serial_executor(),
@@ -115,8 +117,9 @@ struct Voyage {
     }
 };
 
-// The water under it is half a metre lower, and it lies where it would without that.
-TEST(SteeredBoat, IsNotCarriedDownByItsOwnHollow) {
+// The water under the boat is half a metre lower; the boat floats at the height without that
+// depression.
+TEST(SteeredBoat, IsNotLoweredByItsOwnDepression) {
     Voyage voyage;
     double deepest = 0, lowest = 0;
     voyage.go(20, {}, [&](const Frame& frame) {
@@ -126,7 +129,7 @@ TEST(SteeredBoat, IsNotCarriedDownByItsOwnHollow) {
     });
     EXPECT_NEAR(deepest, -0.45, 0.05);
     EXPECT_GT(lowest, -0.03);
-    // And ahead at 4 m/s, where the hollow is not quite the shape of what presses.
+    // Also at 4 m/s ahead, where the depression does not quite have the shape of the pressure.
     double sunk = 0;
     voyage.go(20, {.thrust = 0.5}, [&](const Frame& frame) {
         if (frame.time_s > 30) sunk = std::min(sunk, voyage.boat.height_m());
@@ -135,7 +138,7 @@ TEST(SteeredBoat, IsNotCarriedDownByItsOwnHollow) {
     EXPECT_GT(sunk, -0.2);
 }
 
-// Behind it the water is in waves, ahead of it it is not.
+// There are waves behind the boat and none ahead of it.
 TEST(SteeredBoat, LeavesAWake) {
     Voyage voyage;
     voyage.go(12, {.thrust = 1}, [](const Frame&) {});
@@ -151,8 +154,8 @@ TEST(SteeredBoat, LeavesAWake) {
     EXPECT_LT(max_between(8, 18), 0.03);
 }
 
-// What a click meets is where the camera's own matrix shows it.
-TEST(PickedPlace, IsSeenInThePixelThatWasClicked) {
+// The camera's matrix projects the position of a click to the clicked pixel.
+TEST(PickedPlace, ProjectsToTheClickedPixel) {
     Ocean ocean({.resolution = 64, .patch_size_m = 100, .wind_speed_mps = 8},
                 {.executor = make_serial_executor(), .queries = true});
     const SurfaceQuery query(ocean.frame_at(2));
@@ -171,8 +174,8 @@ TEST(PickedPlace, IsSeenInThePixelThatWasClicked) {
     EXPECT_FALSE(picked_place(query, camera, {640, 5}, window, 500));
 }
 
-// A camera that goes along sees what it follows where it saw it.
-TEST(ViewCamera, LooksAtABoatAndGoesAlong) {
+// A camera that follows a boat keeps it at the same position in the image.
+TEST(ViewCamera, FollowsABoat) {
     for (const auto mode : {ViewCamera::Mode::orbit, ViewCamera::Mode::fly}) {
         ViewCamera camera({.position_m = {0, 5, 0}, .target_m = {100, 0, 0}});
         camera.set_mode(mode);

@@ -1,5 +1,5 @@
-// Points exactly on the edge between two cells, under many intersections: rounding must not let them fall between the two, down to
-// the next lower intersection.
+// Points exactly on the edge between two cells, under many intersections. Rounding must not miss
+// both cells and return the next lower intersection.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +17,10 @@ namespace {
 
 constexpr int n = 16;
 
-/// A crumpled surface: each cell is drawn some 60 texels long and one wide, so that rounding at its length is much at its
-/// width, and the patch lies over itself many times. A texel is a metre, and places are multiples of 105 units that a float
-/// holds exactly: a third, a fifth or a seventh of an edge is on it to the last digit.
+/// A crumpled surface: each cell is about 60 texels long and one wide when displaced, so rounding
+/// errors of its length are large relative to its width, and the patch overlaps itself many times.
+/// A texel is a metre. Positions are multiples of 105 units that a float represents exactly, so
+/// that a third, a fifth or a seventh of an edge is exactly on it.
 class Crumpled {
    public:
     static constexpr double unit = 0x1p-16;
@@ -55,7 +56,7 @@ class Crumpled {
     struct Place {
         double x, z, height;
     };
-    /// Where texel (i, j) is drawn, each of them at most n.
+    /// Returns the displaced position of texel (i, j); displacements are at most n.
     Place place(int i, int j) const {
         const auto at = static_cast<std::size_t>(j % n * n + i % n);
         return {i + static_cast<double>(dx_[at]), j + static_cast<double>(dz_[at]), static_cast<double>(height_[at])};
@@ -66,7 +67,7 @@ class Crumpled {
     std::vector<std::uint8_t> folds_;
 };
 
-TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
+TEST(SurfaceQueryEdges, APointOnAnEdgeBelongsToOneOfItsCells) {
     std::size_t asked = 0, lower = 0;
     for (unsigned seed = 0; seed < 5; ++seed) {
         const Crumpled surface(seed);
@@ -91,7 +92,8 @@ TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
         std::vector<float> height(x.size());
         query.sample({x, z}, {.height_m = height});
         asked += x.size();
-        // The highest intersection counts, so no answer is below a intersection that is there; its height is told in floats.
+        // The highest intersection is the result, so no height is below an intersection on the
+        // edge. Heights are floats.
         for (std::size_t point = 0; point < x.size(); ++point) lower += height[point] < on_edge[point] - 1e-4;
     }
     EXPECT_EQ(lower, 0u) << "of " << asked;

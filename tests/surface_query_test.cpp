@@ -1,4 +1,4 @@
-// Queries held against an oracle that looks at every cell, in double, and against closed forms.
+// Queries compared with closed forms and with an oracle that tests every cell in double.
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/one_cascade_frame.hpp"
 
@@ -58,7 +58,7 @@ Points random_points(std::size_t count, double reach_m, unsigned seed) {
     return points;
 }
 
-/// Points in the squares of the world where the surface may be folded.
+/// Returns points in the squares of the world where the surface may be folded.
 Points points_where_overturned(const Frame& frame, std::size_t count, unsigned seed) {
     const std::size_t n = static_cast<std::size_t>(frame.cascades[0].resolution());
     std::vector<std::size_t> squares;
@@ -87,9 +87,10 @@ struct Worst {
     std::size_t folded = 0;  ///< points under more than one intersection
 };
 
-/// Height within 1 mm + 1e-4 Hs: the tolerance in position, on faces that are never steeper than 1 : 1 outside of folds,
-/// and float's rounding of the displacements. Normals and Jacobians within 1e-3 of 1: the search stops 16 micrometres
-/// away, texels are decimetres wide and slopes change by less than 1 from one to the next.
+/// Heights within 1 mm + 1e-4 Hs: the tolerance in position, on faces not steeper than 1 : 1
+/// outside of folds, and the float rounding of displacements. Normals and Jacobians within 1e-3 of
+/// 1: the search stops 16 micrometres away, texels are decimetres wide and slopes change by less
+/// than 1 from one to the next.
 void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const Points& points, Worst& worst) {
     Samples samples(points.x.size());
     SurfaceQuery(frame).sample(points.view(), samples.view());
@@ -113,7 +114,7 @@ void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const 
 }
 
 // A million points in all.
-TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm) {
+TEST(SurfaceQuery, HeightsNormalsAndJacobiansMatchTheOracleFromCalmToStorm) {
     const std::size_t points_a_sea = is_sanitized ? 1000 : 65000;
     unsigned seed = 0;
     std::size_t all = 0;
@@ -140,7 +141,8 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm)
     EXPECT_GE(all, is_sanitized ? 0u : 1'000'000u);
 }
 
-/// A frame with its horizontal displacement several times as large: breaking everywhere, in tangled intersections.
+/// A frame with its horizontal displacement several times as large: folded everywhere, with many
+/// intersections.
 class Exaggerated {
    public:
     Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
@@ -174,8 +176,8 @@ class Exaggerated {
     OneCascadeFrame water_;
 };
 
-// Linear seas with physical heights do not fold even at choppiness 1; the paper's own scale makes them do.
-TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
+// Linear seas with physical heights do not fold even at choppiness 1. Seas of the paper's scale do.
+TEST(SurfaceQuery, ReturnsTheHighestOfSeveralIntersections) {
     std::size_t folded = 0;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const SeaState sea{.spectrum = SpectrumModel::phillips_paper,
@@ -195,7 +197,7 @@ TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     EXPECT_GE(folded, is_sanitized ? 20u : 1000u) << "the seas should fold";
 }
 
-TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
+TEST(SurfaceQuery, ReturnsTheHighestOfManyIntersections) {
     const auto ocean = ocean_of({.resolution = 128, .patch_size_m = 250, .choppiness = 1});
     for (const float factor : {8.f, 12.f, 20.f}) {
         const Exaggerated sea(ocean->frame_at(factor), factor, kernels_for(ocean->isa()));
@@ -207,7 +209,7 @@ TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
     }
 }
 
-TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
+TEST(SurfaceQuery, TheFoldMapCoversEveryPointWithSeveralIntersections) {
     const SeaState sea{.spectrum = SpectrumModel::phillips_paper,
                        .resolution = 64,
                        .patch_size_m = 250,
@@ -231,7 +233,7 @@ TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
     EXPECT_GT(folded, 0u);
 }
 
-// x = q - a sin(k q), height A cos(k q): a prolate trochoid for a k > 1, whose crests are loops.
+// x = q - a sin(k q), height A cos(k q): for a k > 1 a prolate trochoid, whose crests are loops.
 class Trochoid {
    public:
     static constexpr int n = 256;
@@ -256,7 +258,8 @@ class Trochoid {
     }
     const Frame& frame() const { return water_.frame; }
 
-    /// Where the water is drawn, and the highest of the heights there, by bisecting between the turning points.
+    /// Displaced position, and the highest of the heights there, by bisection between the turning
+    /// points.
     static double x_of(double q) { return q - a * std::sin(k * q); }
     static double turning_point() { return std::acos(1 / (a * k)) / k; }
     static double height_at(double x) {
@@ -286,18 +289,20 @@ class Trochoid {
 TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
     ASSERT_GT(Trochoid::a * Trochoid::k, 1.1) << "it should fold";
     const Trochoid trochoid(kernels_for(choose_isa()));
-    const double width = Trochoid::x_of(-Trochoid::turning_point());  // of half a loop
+    const double width = Trochoid::x_of(-Trochoid::turning_point());  // width of half a loop
     Points points = random_points(20000, 1, 3);
     for (double& x : points.x) x *= Trochoid::patch_m / 2;
     Samples samples(points.x.size());
     SurfaceQuery(trochoid.frame()).sample(points.view(), samples.view());
-    // Between texels the curve is straight: off by at most the second derivative times an eighth of a texel squared,
-    // horizontal (a k^2) and up (A k^2); horizontal costs the slope, whose largest value here is below 10, away from the edges.
+    // Between texels the curve is linear. Its error is at most the second derivative times an
+    // eighth of a texel squared: horizontally (a k^2) and vertically (A k^2). A horizontal error is
+    // multiplied by the slope, which is below 10 here away from the edges.
     const double texel_m = Trochoid::patch_m / Trochoid::n;
     const double off = texel_m * texel_m / 8 * Trochoid::k * Trochoid::k;
     std::size_t inside = 0, turned = 0;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        if (std::fabs(std::fabs(points.x[i]) - width) < 0.05) continue;  // the edge itself is off, too
+        // The edge itself has an error, too.
+        if (std::fabs(std::fabs(points.x[i]) - width) < 0.05) continue;
         inside += std::fabs(points.x[i]) < width;
         turned += samples.jacobian[i] < 0;
         EXPECT_TRUE(samples.converged[i]);
@@ -309,9 +314,10 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
     EXPECT_GT(turned, 100u) << "the top of a loop is a intersection that is overturned";
 }
 
-// The library's phase is a fraction of the loop in steps of 2^-32; differences over 1 ms leave an error of
-// w^3 dt^2 / 6 < 1e-5 of a wave's amplitude up to w = 4 rad/s, which this grid doesn't exceed.
-TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
+// The library's phase is a fraction of the loop in steps of 2^-32. Differences over 1 ms have an
+// error of w^3 dt^2 / 6 < 1e-5 of a wave's amplitude up to w = 4 rad/s, which is the limit of this
+// grid.
+TEST(SurfaceQuery, VelocityMatchesTheOraclesDifferenceInTime) {
     for (const double choppiness : {0.0, 1.0}) {
         const SeaState sea{.resolution = 64,
                            .patch_size_m = 200,
@@ -338,7 +344,8 @@ TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             const oracle::ReferencePoint rest = surface.intersections_at(points.x[i], points.z[i]).front().rest;
-            // Water moves at some metres a second, and velocity changes by less than 3 per second over a metre.
+            // Velocities are some metres a second and change by less than 3 per second over a
+            // metre.
             ASSERT_NEAR(samples.velocity_x[i], surface.value_at(x, rest), 2e-4);
             ASSERT_NEAR(samples.velocity_y[i], surface.value_at(y, rest), 2e-4);
             ASSERT_NEAR(samples.velocity_z[i], surface.value_at(z, rest), 2e-4);
@@ -349,7 +356,7 @@ TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
 
 class SurfaceQueryOnEachIsa : public OnEachIsa {};
 
-TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
+TEST_P(SurfaceQueryOnEachIsa, MatchesTheOracleForEveryResolution) {
     for (const int n : {16, 32, 64, 512}) {
         const SeaState sea{.resolution = n, .patch_size_m = 100, .choppiness = 1};
         const auto ocean = ocean_of(sea, GetParam());
@@ -366,7 +373,7 @@ TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
 
 INSTANTIATE_TEST_SUITE_P(Isa, SurfaceQueryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
+TEST(SurfaceQuery, RepetitionsFarFromTheOriginAreBitIdentical) {
     const SeaState sea{.resolution = 64, .patch_size_m = 128};
     const auto ocean = ocean_of(sea);
     const SurfaceQuery query(ocean->frame_at(2));
@@ -386,7 +393,7 @@ TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
     EXPECT_EQ(here.error, there.error);
 }
 
-TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
+TEST(SurfaceQuery, InvalidPositionsDoNotConverge) {
     const auto ocean = ocean_of({.resolution = 32, .patch_size_m = 250});
     const SurfaceQuery query(ocean->frame_at(0));
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
@@ -401,7 +408,7 @@ TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
     EXPECT_TRUE(samples.converged[5]);
 }
 
-TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
+TEST(SurfaceQuery, ReportsTheErrorIfTheToleranceIsBelowFloatPrecision) {
     const SeaState sea{.resolution = 64, .patch_size_m = 100};
     const auto ocean = ocean_of(sea);
     const SurfaceQuery query(ocean->frame_at(0), 1e-12);
@@ -410,11 +417,11 @@ TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
     query.sample(points.view(), samples.view());
     for (std::size_t i = 0; i < 1000; ++i) {
         EXPECT_EQ(samples.converged[i] != 0, samples.error[i] <= 1e-12f);
-        EXPECT_LE(samples.error[i], 1e-5);  // a 250000th of a texel and some
+        EXPECT_LE(samples.error[i], 1e-5);  // about a 250000th of a texel
     }
 }
 
-TEST(SurfaceQuery, SaysWhatTheFrameLacks) {
+TEST(SurfaceQuery, NamesTheDataThatTheFrameLacks) {
     Ocean plain({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor()});
     EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
 

@@ -1,4 +1,4 @@
-// Rays held against an oracle that walks them in small steps.
+// Rays compared with an oracle that marches in small steps.
 #include "pelagic/sim/surface_ray.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ class SurfaceRayTest : public testing::Test {
     oracle::Surface surface_;
 };
 
-TEST_F(SurfaceRayTest, StraightDownMeetsTheHeightThere) {
+TEST_F(SurfaceRayTest, StraightDownHitsTheSurfaceHeight) {
     for (int i = 0; i < 50; ++i) {
         const double x = i * 7.3 - 100, z = 50 - i * 3.1;
         const double height = height_at(x, z);
@@ -50,7 +50,7 @@ TEST_F(SurfaceRayTest, StraightDownMeetsTheHeightThere) {
     }
 }
 
-TEST_F(SurfaceRayTest, FirstHitIsTheOneOfSmallSteps) {
+TEST_F(SurfaceRayTest, FirstHitMatchesAMarchInSmallSteps) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> horizontal(-1, 1), height(-4, 4), steepness(-0.3, 0.3);
     int hits = 0, from_below = 0;
@@ -65,14 +65,15 @@ TEST_F(SurfaceRayTest, FirstHitIsTheOneOfSmallSteps) {
                    height_at(ray.origin_m[0] + t * ray.direction[0] / length,
                              ray.origin_m[2] + t * ray.direction[2] / length);
         };
-        // A twentieth of the walk's step; a crest that this sees and the walk need not is shorter than half a texel.
+        // A twentieth of the library's step. A crest that the oracle finds and the library may miss
+        // is shorter than half a texel.
         const double texel_m = sea_.patch_size_m / sea_.resolution, small = texel_m / 40;
         const bool below = clearance(0) < 0;
         std::optional<double> expected;
         bool grazes = false;
         for (double t = 0; t + small <= ray.reach_m; t += small) {
             if ((clearance(t + small) < 0) == below) continue;
-            // How long does the ray stay on the other side?
+            // Measures how long the ray stays on the other side.
             double out = t + small;
             while (out - t < texel_m && (clearance(out) < 0) != below) out += small;
             if (out - t < texel_m / 2 * 1.1 || t + texel_m > ray.reach_m) {
@@ -91,7 +92,8 @@ TEST_F(SurfaceRayTest, FirstHitIsTheOneOfSmallSteps) {
         EXPECT_EQ(hit->from_below, below);
         EXPECT_GE(hit->distance_m, *expected - 2e-3);
         EXPECT_LE(hit->distance_m, *expected + small + 2e-3);
-        // On the surface: within the tolerance along the ray, whose slope against the water is at most 2.
+        // On the surface: within the tolerance along the ray, whose slope relative to the water is
+        // at most 2.
         EXPECT_NEAR(clearance(hit->distance_m), 0, 4e-3);
         EXPECT_NEAR(std::hypot(hit->normal[0], hit->normal[1], hit->normal[2]), 1, 1e-5);
     }
@@ -109,8 +111,9 @@ TEST_F(SurfaceRayTest, MissesWhatItNeverReaches) {
     EXPECT_FALSE(first_hit(query_, {{0, top + 10, 0}, {0, -1, 0}, 0}));
 }
 
-TEST_F(SurfaceRayTest, FromFarAwayItIsAsExactAsDoublesAre) {
-    // 50 km away and 5 km up: a ray of 50 km that runs through the water's heights for the last tens of metres.
+TEST_F(SurfaceRayTest, FromFarAwayIsAsExactAsDoubles) {
+    // 50 km away and 5 km up: a ray of 50 km that crosses the water's height range in its last tens
+    // of metres.
     const auto hit = first_hit(query_, {{-50e3, 5e3, 20}, {50e3, -5e3, 0}, 1e5});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->position_m[1], height_at(hit->position_m[0], hit->position_m[2]), 5e-3);

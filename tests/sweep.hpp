@@ -1,11 +1,13 @@
-// Two sizes of one sweep: a sample for the gate, everything for the night. The assertion is the same in both.
+// Two sizes of a parameter sweep: a sample for the quick run, and all values at night. The
+// assertions are the same.
 #pragma once
 
 #include <cstdlib>
 
 namespace pelagic {
 
-/// `./test.sh night` sets PELAGIC_FULL_SWEEPS for the suites that tests/CMakeLists.txt names under SWEEPS.
+/// `./test.sh night` sets PELAGIC_FULL_SWEEPS for the suites that tests/CMakeLists.txt names under
+/// SWEEPS.
 inline bool sweeps_are_full() {
     const char* full = std::getenv("PELAGIC_FULL_SWEEPS");
     return full && *full;

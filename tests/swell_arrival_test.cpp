@@ -1,4 +1,4 @@
-// Swell from afar: when each wave comes, and that frames and figures say so.
+// Swell from a distance: the arrival time of each wave, in frames and statistics.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ Forecast from_afar(double distance_m, double over_s) {
             .changes = {{.sea = swell, .from_s = 10, .over_s = over_s, .swell_from_m = distance_m}}};
 }
 
-/// In deep water cg = g / 2 omega: when waves of `omega` begin to come, from the start of the change.
+/// In deep water cg = g / 2 omega. Returns the delay from the start of the change to the arrival of
+/// waves of `omega`.
 double deep_delay_s(double omega, double distance_m) {
     const double first = two_pi / (1.5 * period_s), last = two_pi / (period_s / 3);
     return 2 * distance_m / gravity_mps2 * (std::clamp(omega, first, last) - first);
@@ -54,7 +55,7 @@ double part_of(double omega, const SeaChange& change, double time_s) {
     return u * u * (3 - 2 * u);
 }
 
-TEST(SwellArrival, FrequenciesComeAtASteadyPaceInDeepWater) {
+TEST(SwellArrival, FrequenciesArriveAtAConstantRateInDeepWater) {
     const SwellArrival arrival(swell, 4e6);
     for (const double omega : {0.1, two_pi / 18, 0.4, two_pi / period_s, 1.0, two_pi / 4, 3.0})
         EXPECT_NEAR(arrival.delay_s(omega), deep_delay_s(omega, 4e6), 1e-9 * arrival.span_s()) << omega;
@@ -63,14 +64,15 @@ TEST(SwellArrival, FrequenciesComeAtASteadyPaceInDeepWater) {
     EXPECT_EQ(arrival.delay_of_peak_s(), arrival.delay_s(two_pi / period_s));
 }
 
-TEST(SwellArrival, ShallowWaterHoldsWavesTogether) {
+TEST(SwellArrival, ArrivalTimesSpreadLessInShallowWater) {
     SeaState shallow = swell;
     shallow.depth_m = 2;
-    // Long waves run with sqrt(g depth), those of 18 s 1 % slower, and those of 4 s (k depth 0.77) 22 %: 1/0.78 - 1/0.99.
+    // Long waves have a group speed of sqrt(g depth); waves of 18 s are 1 % slower, and waves of 4
+    // s (k depth 0.77) 22 %: 1/0.78 - 1/0.99.
     EXPECT_NEAR(SwellArrival(shallow, 1e6).span_s(), 0.27 * 1e6 / std::sqrt(gravity_mps2 * 2), 0.02 * 1e6 / 4.4);
 }
 
-TEST(SwellArrival, ForecastKnowsTheEndAndThePartOfThePeak) {
+TEST(SwellArrival, ForecastHasTheEndAndTheWeightOfThePeak) {
     const Forecast forecast = from_afar(1e5, 600);
     const SeaChange& change = forecast.changes[0];
     const double last_s = deep_delay_s(two_pi / 4, 1e5);
@@ -85,7 +87,7 @@ TEST(SwellArrival, ForecastKnowsTheEndAndThePartOfThePeak) {
     EXPECT_EQ(forecast.at(change.end_s()).before, 1u);
 }
 
-TEST(SwellArrival, RefusesInOneLineWhatCannotCome) {
+TEST(SwellArrival, InvalidValuesAreRejectedWithOneLine) {
     Forecast forecast = from_afar(500, 10);
     EXPECT_EQ(check(forecast),
               "change 1: swell_from_m 500 is out of range [1e3, 2e7], or 0: all waves change together");
@@ -117,7 +119,7 @@ TEST(HarmonicBands, AreOneHarmonicAtFirstAndThenASixteenthOfAnOctave) {
 class ArrivalOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, ArrivalOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-TEST_P(ArrivalOnEachIsa, EachWaveBlendsAsIfAllHadItsPart) {
+TEST_P(ArrivalOnEachIsa, EachWaveBlendsWithItsOwnWeight) {
     const std::size_t lanes = kernels().lanes, pairs = 16, floats = pairs * wave_quantities * lanes;
     AlignedBuffer<float> before(floats), after(floats), out(floats), alone(floats);
     AlignedBuffer<std::uint32_t> harmonics(pairs * lanes);
@@ -144,7 +146,7 @@ TEST_P(ArrivalOnEachIsa, EachWaveBlendsAsIfAllHadItsPart) {
     }
 }
 
-/// One term of a cascade's discrete Fourier transform.
+/// Returns one term of a cascade's discrete Fourier transform.
 std::complex<double> term(const Cascade& cascade, int m, int n) {
     const int size = cascade.resolution();
     std::complex<double> sum;
@@ -154,9 +156,9 @@ std::complex<double> term(const Cascade& cascade, int m, int n) {
     return sum;
 }
 
-// No wave of the swell is there before, so each has the root of its part in height, whatever its phase. Floats of metres leave
-// 1e-3 of what small waves have.
-TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
+// The swell has no waves before the change, so each wave's height has the root of its energy
+// weight, whatever its phase. Floats of metres have an error of 1e-3 of the short waves.
+TEST(SwellArrival, LongWavesArriveBeforeShortWaves) {
     const Forecast forecast = from_afar(2e4, 1000);
     const SeaChange& change = forecast.changes[0];
     const double loop_s = swell.loop_period_s;
@@ -172,7 +174,7 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
         const Cascade& cascade = ocean.frame_at(steady_s).cascades[0];
         const double spacing = two_pi / cascade.grid.side_m;
         for (int steps = 2; steps < 24; steps += 2) {
-            // Along the swell, as the cascade's axes lie.
+            // The swell's direction in the cascade's axes.
             const CascadeGrid::Place along = cascade.grid.in_cascade(std::cos(0.6), std::sin(0.6));
             const int m = static_cast<int>(std::lround(steps * along.along));
             const int n = static_cast<int>(std::lround(steps * along.across));
@@ -200,7 +202,8 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
     EXPECT_GT(came.front(), 0);
 }
 
-/// 4 sqrt of the mean energy of all waves of all cascades, each with its own frequency's part.
+/// Returns 4 sqrt of the mean energy of all waves of all cascades, each with the weight of its
+/// frequency.
 double expected_height(const Forecast& forecast, double time_s) {
     const SeaChange& change = forecast.changes[0];
     const auto plans = plan_cascades(forecast);
@@ -223,7 +226,7 @@ double expected_height(const Forecast& forecast, double time_s) {
 }
 
 // Bands are a sixteenth of an octave, and long waves have the frequencies of a loop.
-TEST(SwellArrival, FiguresAreThoseOfTheWavesThatHaveCome) {
+TEST(SwellArrival, StatisticsAreThoseOfTheWavesThatHaveArrived) {
     for (const double over_s : {400.0, 4000.0}) {
         const Forecast forecast = from_afar(2e4, over_s);
         Ocean ocean(forecast, {.executor = make_thread_executor(2)});
@@ -247,7 +250,7 @@ struct Bits {
 };
 Bits bits_of(const Frame& frame) { return {hash_of(frame), foam_hash_of(frame)}; }
 
-TEST(SwellArrival, AFrameHasTheSameBitsInAnyOrderOnEachInstructionSet) {
+TEST(SwellArrival, FramesAreBitIdenticalInAnyOrderOnEveryInstructionSet) {
     Forecast forecast = from_afar(1e3, 20);
     forecast.changes.push_back({.sea = ripples, .from_s = 300, .over_s = 5});
     const std::vector<double> times = {5, 12, 60, 90.5, 150, 250, 277, 280, 302};
@@ -266,7 +269,7 @@ TEST(SwellArrival, AFrameHasTheSameBitsInAnyOrderOnEachInstructionSet) {
     }
 }
 
-/// FNV-1a over all heights.
+/// Returns FNV-1a over all heights.
 std::uint64_t height_hash(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const Cascade& cascade : frame.cascades) {
@@ -279,13 +282,13 @@ std::uint64_t height_hash(const Frame& frame) {
     return hash;
 }
 
-// The waves of this moment on every machine. A change of it is a change of everybody's weather.
-TEST(SwellArrival, GoldenMoment) {
+// The waves of this moment on every machine. If this hash changes, every forecast changes.
+TEST(SwellArrival, FrameMatchesTheGoldenHash) {
     Ocean ocean(from_afar(1e3, 20), {.executor = make_serial_executor()});
     EXPECT_EQ(height_hash(ocean.frame_at(90)), 9218743355281508117u);
 }
 
-TEST(SwellArrival, EndsAreTheSteadySeas) {
+TEST(SwellArrival, BeginsAndEndsWithTheSteadySeas) {
     const Forecast far = from_afar(1e3, 20);
     Forecast near = far;
     near.changes[0].swell_from_m = 0;
@@ -296,7 +299,7 @@ TEST(SwellArrival, EndsAreTheSteadySeas) {
     EXPECT_EQ(hash_at(arriving, far.changes[0].end_s()), hash_at(together, far.changes[0].end_s()));
 }
 
-TEST(SwellArrival, ALiveOceanTakesItAfterSeasThatWereBakedBefore) {
+TEST(SwellArrival, ALiveOceanAcceptsItAfterOtherSeas) {
     const Forecast whole = from_afar(1e3, 20);
     Ocean live({.first = ripples, .largest_peak_m = reach_of(whole).peak_m}, {.executor = make_thread_executor(2)});
     live.frame_at(0);

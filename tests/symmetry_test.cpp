@@ -1,5 +1,5 @@
-// The half plane that the library computes really is half of a Hermitian one: where it meets its mirror, at kz = 0, the
-// transformed heights are real and Q is the mirror of P. The rest is its mirror by construction.
+// The computed half plane is half of a Hermitian field: at its edge, kz = 0, the transformed
+// heights are real and Q mirrors P. The rest is symmetric by construction.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
             const auto part = [&](LineComponent component) { return static_cast<double>(at[component * lanes]); };
             real = std::max({real, std::fabs(part(height_re)), std::fabs(part(p_re))});
             imaginary = std::max(imaginary, std::fabs(part(height_im)));
-            // conj(R / i) is R with its parts exchanged.
+            // conj(R / i) is R with real and imaginary part exchanged.
             mirror = std::max(mirror, std::hypot(part(p_re) - part(r_im), part(p_im) - part(r_re)));
         }
         ASSERT_GT(real, 0);
@@ -50,8 +50,8 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
     }
 }
 
-// Nyquist: no wave there, in either direction, so no odd factor has to be cut (errata, equation 30).
-TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
+// Nyquist: no wave in either direction, so no odd factor needs to be removed (errata, equation 30).
+TEST(Symmetry, TheNyquistColumnHasNoWave) {
     const SeaState sea{.resolution = 32, .patch_size_m = 250};
     const CascadeWaves waves(sea, plan_cascades(sea).front());
     for (int k = -15; k < 16; ++k) {
@@ -60,7 +60,7 @@ TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
     }
     EXPECT_NE(waves.amplitude(15, 3), 0.0);
 
-    // Group 0 takes the inputs 0, N/R, ...: N/2 stands in its middle.
+    // Group 0 has the inputs 0, N/R, ...: N/2 is its middle element.
     const FftPlan plan(32);
     PackedSpectrum spectrum(plan, 4);
     for (std::size_t line = 0; line < line_count(32); ++line) bake_spectrum_line(sea, waves, plan, line, spectrum);

@@ -1,4 +1,5 @@
-// Bytes of KTX2 and DDS against the figures that Khronos and Microsoft publish. Readers of others see whole exports at night.
+// Bytes of KTX2 and DDS, compared with the values that Khronos and Microsoft publish. Independent
+// readers check whole exports at night.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> words_at(const Bytes& file, std::size_t offset, std::
     return words;
 }
 
-/// A texture with `count` levels, in which no two bytes near each other are equal.
+/// A texture with `count` levels, in which neighbouring bytes differ.
 class Pixels {
    public:
     Pixels(int width, int height, int channels, Sample sample, int count) {
@@ -49,8 +50,9 @@ class Pixels {
     std::vector<Bytes> levels_;
 };
 
-// KTX File Format Specification 2.0, "File Structure"; numbers of formats from the Vulkan specification.
-TEST(Ktx2File, HeaderIsThatOfTheSpecification) {
+// KTX File Format Specification 2.0, "File Structure"; format numbers from the Vulkan
+// specification.
+TEST(Ktx2File, HeaderMatchesTheSpecification) {
     const Pixels pixels(8, 4, 4, Sample::half, 4);
     const Bytes file = ktx2_file(pixels.texture(), Supercompression::none);
     const std::array<unsigned char, 12> identifier = {0xAB, 0x4B, 0x54, 0x58, 0x20, 0x32,
@@ -59,7 +61,7 @@ TEST(Ktx2File, HeaderIsThatOfTheSpecification) {
     EXPECT_EQ(std::memcmp(file.data(), identifier.data(), 12), 0);
     constexpr std::uint32_t r16g16b16a16_sfloat = 97, type_size = 2, descriptor_offset = 80 + 4 * 24,
                             descriptor_size = 92;
-    // Orientation: 4 + 15 + 3 bytes and 2 of padding; writer: 4 + 10 + 14 and none.
+    // Orientation: 4 + 15 + 3 bytes and 2 of padding. Writer: 4 + 10 + 14 and no padding.
     constexpr std::uint32_t pairs_size = 24 + 28;
     EXPECT_EQ(words_at(file, 12, 9),
               (std::vector<std::uint32_t>{r16g16b16a16_sfloat, type_size, 8, 4, 0, 0, 1, 4, 0}));
@@ -68,9 +70,9 @@ TEST(Ktx2File, HeaderIsThatOfTheSpecification) {
                                           pairs_size, 0, 0, 0, 0}));
 }
 
-// Khronos Data Format Specification 1.4, "Four co-sited 8-bit sRGB channels", but linear, with straight alpha and primaries of no
-// colour, so alpha needs no mark that it alone is linear.
-TEST(Ktx2File, DescribesBytesAsTheSpecificationsExample) {
+// Khronos Data Format Specification 1.4, "Four co-sited 8-bit sRGB channels", but linear, with
+// straight alpha and unspecified primaries, so alpha needs no linear flag.
+TEST(Ktx2File, DescribesBytesAsInTheSpecificationsExample) {
     const Bytes file = ktx2_file(Pixels(1, 1, 4, Sample::uint8, 1).texture(), Supercompression::none);
     EXPECT_EQ(words_at(file, 80 + 24, 23), (std::vector<std::uint32_t>{92,
                                                                        0,
@@ -97,7 +99,8 @@ TEST(Ktx2File, DescribesBytesAsTheSpecificationsExample) {
                                                                        255}));
 }
 
-// The same, "16-bit floating-point": signed and float are bits 30 and 31, limits are -1 and 1 as 32-bit floats.
+// As above, "16-bit floating-point": signed and float are bits 30 and 31; the limits are -1 and 1
+// as 32-bit floats.
 TEST(Ktx2File, DescribesHalvesAsSignedFloats) {
     const Bytes file = ktx2_file(Pixels(1, 1, 1, Sample::half, 1).texture(), Supercompression::none);
     EXPECT_EQ(words_at(file, 80 + 24, 11),
@@ -105,14 +108,16 @@ TEST(Ktx2File, DescribesHalvesAsSignedFloats) {
                                           0xC0'0F'0000, 0, 0xBF800000, 0x3F800000}));
 }
 
-// "Level Index", "mipPadding": the largest level is first in the index and last in the file, each aligned to whole texels and words.
-TEST(Ktx2File, LevelsLieAlignedWithTheSmallestFirst) {
+// "Level Index", "mipPadding": the largest level is first in the index and last in the file. Each
+// level is aligned to whole texels and 32-bit words.
+TEST(Ktx2File, LevelsAreAlignedWithTheSmallestFirst) {
     for (const int channels : {1, 2, 4}) {
         for (const Sample sample : {Sample::uint8, Sample::uint16, Sample::half, Sample::float32}) {
             const Pixels pixels(5, 3, channels, sample, 3);
             const Bytes file = ktx2_file(pixels.texture(), Supercompression::none);
             const std::size_t texel = static_cast<std::size_t>(channels) * bytes_of(sample);
-            std::size_t end = number_at(file, 56, 4) + number_at(file, 60, 4);  // of keys and values
+            // end of keys and values
+            std::size_t end = number_at(file, 56, 4) + number_at(file, 60, 4);
             for (std::size_t level = 3; level-- > 0;) {
                 const std::size_t entry = 80 + 24 * level;
                 const std::size_t offset = number_at(file, entry, 8), size = number_at(file, entry + 8, 8);
@@ -132,7 +137,7 @@ TEST(Ktx2File, LevelsLieAlignedWithTheSmallestFirst) {
     }
 }
 
-// Scheme 2; each level is a Zstandard frame (RFC 8878: magic 0xFD2FB528), without padding.
+// Scheme 2: each level is a Zstandard frame (RFC 8878: magic 0xFD2FB528), without padding.
 TEST(Ktx2File, ZstandardFramesFollowEachOther) {
     const Pixels pixels(64, 64, 1, Sample::uint8, 7);
     if (!has_zstd()) {
@@ -153,8 +158,9 @@ TEST(Ktx2File, ZstandardFramesFollowEachOther) {
     EXPECT_EQ(end, file.size());
 }
 
-// Microsoft, "Programming Guide for DDS": DDS_HEADER, DDS_PIXELFORMAT, DDS_HEADER_DXT10, and the numbers of DXGI_FORMAT.
-TEST(DdsFile, HeaderIsThatOfTheGuide) {
+// Microsoft, "Programming Guide for DDS": DDS_HEADER, DDS_PIXELFORMAT, DDS_HEADER_DXT10, and the
+// values of DXGI_FORMAT.
+TEST(DdsFile, HeaderMatchesTheGuide) {
     const Pixels pixels(8, 4, 4, Sample::half, 4);
     const Bytes file = dds_file(pixels.texture());
     EXPECT_EQ(std::string(file.begin(), file.begin() + 4), "DDS ");
@@ -174,14 +180,14 @@ TEST(DdsFile, HeaderIsThatOfTheGuide) {
     EXPECT_EQ(Bytes(file.begin() + 148, file.end()), data);
 }
 
-TEST(DdsFile, WithoutMoreLevelsItSaysNothingOfThem) {
+TEST(DdsFile, HeaderOmitsTheMipmapCountForOneLevel) {
     const Bytes file = dds_file(Pixels(8, 4, 1, Sample::uint8, 1).texture());
     EXPECT_EQ(number_at(file, 8, 4) & 0x20000, 0u);
     EXPECT_EQ(number_at(file, 108, 4), 0x1000u);
     EXPECT_EQ(number_at(file, 128, 4), 61u);  // DXGI_FORMAT_R8_UNORM
 }
 
-TEST(Texture, NamesWhatIsWrong) {
+TEST(Texture, InvalidValuesAreNamed) {
     Texture texture = Pixels(4, 4, 4, Sample::uint8, 3).texture();
     EXPECT_EQ(check(texture), "");
     texture.channels = 3;

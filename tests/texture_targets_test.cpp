@@ -1,4 +1,5 @@
-// Textures in memory of the application's: the bytes that the frame would have had, and not one beside them.
+// Textures in the application's memory hold the bytes of the frame's own textures, and nothing
+// outside of them is written.
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -17,7 +18,8 @@ namespace {
 constexpr int n = 32;
 constexpr std::uint32_t guard = 0xA5C3A5C3;
 
-/// An application's memory for one map of one cascade, with a guard on both sides of every piece of it.
+/// An application's memory for one map of one cascade, with guard words on both sides of every
+/// piece.
 class Guarded {
    public:
     explicit Guarded(std::vector<std::size_t> words) {
@@ -36,7 +38,7 @@ class Guarded {
     }
 
    private:
-    static constexpr std::size_t margin = 16;  // keeps pieces as aligned as targets have to be
+    static constexpr std::size_t margin = 16;  // keeps pieces aligned as targets must be
     std::vector<AlignedBuffer<std::uint32_t>> pieces_;
 };
 
@@ -88,7 +90,7 @@ class TextureTargetsOnEachIsa : public OnEachIsa {
 };
 INSTANTIATE_TEST_SUITE_P(Isa, TextureTargetsOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
-TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
+TEST_P(TextureTargetsOnEachIsa, HoldTheTexturesOfTheFrame) {
     for (const int cascades : {1, 3}) {
         Ocean usual = ocean_of(cascades), elsewhere = ocean_of(cascades);
         std::vector<CascadeMemory> memory(static_cast<std::size_t>(cascades));
@@ -107,13 +109,13 @@ TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
                 EXPECT_EQ(frame.cascades[i].height.at(3, 5), expected.cascades[i].height.at(3, 5));
             }
         }
-        // The same slots again, without targets: everything is the frame's own as before.
+        // The same slots again without targets: the frame has its own textures again.
         for (const double time_s : {2.5, 3.5})
             EXPECT_EQ(hash_of(elsewhere.frame_at(time_s)), hash_of(usual.frame_at(time_s)));
     }
 }
 
-TEST_P(TextureTargetsOnEachIsa, WhatIsLeftOutStaysInTheFrame) {
+TEST_P(TextureTargetsOnEachIsa, MapsWithoutATargetStayInTheFrame) {
     Ocean usual = ocean_of(1), elsewhere = ocean_of(1);
     CascadeMemory memory;
     TextureTargets only_slopes{.slopes_rgba8 = memory.targets().slopes_rgba8};
@@ -139,7 +141,7 @@ std::string invalid_value_of(Ocean& ocean, std::span<const TextureTargets> targe
     return "";
 }
 
-TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
+TEST(TextureTargets, InvalidTargetsAreRejectedBeforeTheFrameIsComputed) {
     Ocean ocean({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor()});
     const std::uint64_t before = hash_of(ocean.frame_at(5));
     CascadeMemory memory;

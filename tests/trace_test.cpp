@@ -1,4 +1,5 @@
-// Traces: every block once, in the order of the graph, on the thread that did it; and nothing about the sea changes.
+// Traces have every block once, in the order of the graph, on the thread that ran it. Tracing does
+// not change the sea.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 struct Recorded {
     std::string name;
-    TraceSpan span;  ///< its name may be gone
+    TraceSpan span;  ///< its name may no longer exist
     std::thread::id thread;
     bool in_flight;
 };
@@ -31,7 +32,7 @@ class RecordingSink final : public TraceSink {
     void work(const TraceSpan& span) noexcept override { add(span, false); }
     void in_flight(const TraceSpan& span) noexcept override { add(span, true); }
 
-    /// Spans whose first argument counts runs called `run_name`.
+    /// Returns the spans whose first argument counts runs called `run_name`.
     std::vector<Recorded> of_runs(const std::string& run_name, bool in_flight) const {
         std::vector<Recorded> found;
         for (const Recorded& recorded : all_)
@@ -50,11 +51,11 @@ class RecordingSink final : public TraceSink {
     std::vector<Recorded> all_;
 };
 
-/// The smallest whose frames go to the executor.
+/// The smallest sea whose frames use the executor.
 constexpr SeaState small_sea{.resolution = 128, .patch_size_m = 250};
 constexpr int frames = 5;
 
-/// A few frames of a small sea, the next one scheduled before the last is looked at, as applications do.
+/// A few frames of a small sea, each scheduled before the previous one is read, as applications do.
 class TraceOnEachExecutor : public testing::TestWithParam<ExecutorKind> {
    protected:
     std::shared_ptr<Executor> executor() const { return GetParam().make(GetParam().threads); }
@@ -76,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, TraceOnEachExecutor, testing::ValuesIn(executor_
 
 using Job = std::tuple<std::string, double, double>;  // stage, frame, block
 
-TEST_P(TraceOnEachExecutor, HoldsEveryBlockOfEveryStageOnceAFrame) {
+TEST_P(TraceOnEachExecutor, HasEveryBlockOfEveryStageOnceAFrame) {
     draw();
     std::map<Job, int> expected, found;
     for (const Stage& stage : ocean_.graph().stages())
@@ -91,7 +92,7 @@ TEST_P(TraceOnEachExecutor, HoldsEveryBlockOfEveryStageOnceAFrame) {
     EXPECT_EQ(found, expected);
 }
 
-// Sharing so little work out would only slow it down.
+// Distributing so little work to threads would only slow it down.
 TEST_P(TraceOnEachExecutor, FramesOf64StayOnTheCompletingThread) {
     Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = executor(), .trace = sink_});
     for (int i = 0; i < frames; ++i) ocean.frame_at(i);
@@ -100,7 +101,7 @@ TEST_P(TraceOnEachExecutor, FramesOf64StayOnTheCompletingThread) {
     for (const Recorded& job : jobs) EXPECT_EQ(job.thread, std::this_thread::get_id()) << job.name;
 }
 
-// The sea's stages may all come to have batches of one item.
+// A graph of its own, because the sea's stages may all have batches of one item.
 TEST_P(TraceOnEachExecutor, CountsBlocksAndNotItems) {
     JobGraph graph;
     graph.add({.name = "sevens", .count = 7, .batch = 3, .body = [](std::size_t, std::size_t) {}});
@@ -114,7 +115,7 @@ TEST_P(TraceOnEachExecutor, CountsBlocksAndNotItems) {
     EXPECT_EQ(blocks, (std::vector<double>{0, 1, 2}));
 }
 
-TEST_P(TraceOnEachExecutor, StagesStartWhenThoseThatTheyWaitForHaveEnded) {
+TEST_P(TraceOnEachExecutor, StagesStartAfterTheirDependenciesHaveEnded) {
     draw();
     const std::vector<Recorded> jobs = sink_->of_runs("frame", false);
     const auto stages = ocean_.graph().stages();
@@ -135,7 +136,7 @@ TEST_P(TraceOnEachExecutor, StagesStartWhenThoseThatTheyWaitForHaveEnded) {
     }
 }
 
-TEST_P(TraceOnEachExecutor, JobsOfOneThreadFollowEachOther) {
+TEST_P(TraceOnEachExecutor, JobsOfOneThreadDoNotOverlap) {
     draw();
     std::map<std::thread::id, std::vector<TraceSpan>> threads;
     for (const Recorded& recorded : sink_->all())
@@ -147,7 +148,7 @@ TEST_P(TraceOnEachExecutor, JobsOfOneThreadFollowEachOther) {
     }
 }
 
-// At any one moment. Over time they may be more: oneTBB lends an arena whichever of its workers is free.
+// At any one moment. Over time there may be more: oneTBB assigns any free worker to an arena.
 TEST_P(TraceOnEachExecutor, NoMoreThreadsThanTheLimitWorkAtOnce) {
     draw();
     std::vector<std::pair<TraceClock::time_point, int>> changes;
@@ -156,7 +157,7 @@ TEST_P(TraceOnEachExecutor, NoMoreThreadsThanTheLimitWorkAtOnce) {
         changes.emplace_back(recorded.span.start, +1);
         changes.emplace_back(recorded.span.end, -1);
     }
-    std::sort(changes.begin(), changes.end());  // of two changes at one moment the end comes first
+    std::sort(changes.begin(), changes.end());  // Of two changes at one time the end is first.
     int working = 0, max = 0;
     for (const auto& [time, change] : changes) max = std::max(max, working += change);
     EXPECT_GE(max, 1);
@@ -179,7 +180,7 @@ TEST_P(TraceOnEachExecutor, AFrameIsInFlightFromScheduleToCompleteAroundItsJobs)
     }
 }
 
-TEST_P(TraceOnEachExecutor, ANewSeaIsTracedBesideTheFrames) {
+TEST_P(TraceOnEachExecutor, ANewSeaIsTraced) {
     draw();
     ocean_.schedule_sea({.resolution = small_sea.resolution, .patch_size_m = 250, .seed = 5});
     draw();
@@ -191,7 +192,7 @@ TEST_P(TraceOnEachExecutor, ANewSeaIsTracedBesideTheFrames) {
     EXPECT_EQ(jobs[0], jobs[1]);
 }
 
-TEST_P(TraceOnEachExecutor, ChangesNoBit) {
+TEST_P(TraceOnEachExecutor, TracedFramesAreBitIdentical) {
     draw();
     Ocean untraced(small_sea, {.executor = executor()});
     for (int frame = 0; frame < frames; ++frame)
@@ -227,7 +228,7 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
             second.complete();
         }
     }
-    // The oceans and their stages' names are gone.
+    // The oceans and their stages' names no longer exist.
     std::ostringstream json;
     trace->write(json);
     EXPECT_EQ(times_in(json.str(), "\"cat\":\"job\",\"pid\":1"), times_in(json.str(), "\"ph\":\"X\""));
@@ -236,7 +237,8 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
     EXPECT_EQ(trace->left_out(), 0u);
 }
 
-/// A trace of spans that start at whole milliseconds from now and take a quarter of one.
+/// Returns a trace of spans that start at whole milliseconds from now and take a quarter of a
+/// millisecond.
 std::string written(std::size_t max_spans, const std::vector<TraceSpan>& spans) {
     ChromeTrace trace(max_spans);
     for (const TraceSpan& span : spans) trace.work(span);
@@ -260,7 +262,7 @@ TEST(ChromeTrace, EscapesNames) {
     EXPECT_NE(json.find(R"("name":"a \"b\" \\ \u000a")"), std::string::npos) << json;
 }
 
-TEST(ChromeTrace, CountsWhatItHasNoRoomFor) {
+TEST(ChromeTrace, CountsSpansBeyondItsCapacity) {
     const TraceSpan span{.name = "a", .category = "job"};
     const std::string json = written(2, {span, span, span});
     EXPECT_EQ(times_in(json, "\"ph\":\"X\""), 2u);

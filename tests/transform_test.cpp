@@ -1,4 +1,5 @@
-// The jobs evolve+rows and columns+finalize alone, each size, against a DFT in double: X[x] = sum over p of w[p] e^{+2 pi i p x / N}.
+// The jobs evolve+rows and columns+finalize alone, at each size, compared with a DFT in double:
+// X[x] = sum over p of w[p] e^{+2 pi i p x / N}.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +21,7 @@ namespace {
 
 using Line = std::vector<std::complex<double>>;
 
-// Only some outputs, so that 2048 stays quick: every one of a small size, 64 spread ones of a large size.
+// Returns the outputs to check: all of a small size, 64 of a large size, so that 2048 is fast.
 std::vector<std::size_t> outputs_to_check(std::size_t size) {
     std::vector<std::size_t> outputs;
     const std::size_t max = is_sanitized ? 16 : 64, step = size <= max ? 1 : size / max - 1;
@@ -37,8 +38,8 @@ std::complex<double> naive_inverse_dft(const Line& line, std::size_t x) {
     return sum;
 }
 
-// A float transform of N points loses about eps sqrt(log2 N) of the rms; against the maximum that is far below the
-// 2e-6 that the project promises for whole fields.
+// A float transform of N points has an error of about eps sqrt(log2 N) of the rms. Relative to the
+// maximum this is far below the documented 2e-6 for whole fields.
 constexpr double tolerance = 2e-6;
 
 class TransformOnEachIsa : public testing::TestWithParam<std::tuple<Isa, int>> {
@@ -64,13 +65,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
     PackedSpectrum spectrum(plan_, lanes());
-    // The last block of lines: its place in the output is the interesting one.
+    // The last block of lines is the most difficult case for the position in the output.
     const std::size_t block = line_blocks(resolution(), lanes()) - 1;
     const std::size_t first_line = block * lanes();
     const std::size_t lines_here = std::min(lanes(), line_count(resolution()));
     constexpr std::uint32_t fraction = 0x12345678;
 
-    // Random waves, and the three fields that they make at the moment, in double; kx = -p stands at N - p.
+    // Random waves, and the three fields that they give at this moment, in double; kx = -p is at N
+    // - p.
     const int radix = fft_.first_step().radix;
     std::vector<std::array<Line, 3>> expected(lines_here, {Line(size()), Line(size()), Line(size())});
     float* wave = spectrum.block(block);
@@ -136,7 +138,7 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
         column_block_pair(resolution(), lanes(), column_block_pairs(resolution(), lanes()) - 1);
     AlignedBuffer<float> data(column_blocks(resolution(), lanes()) * block_floats);
     for (std::size_t i = 0; i < data.size(); ++i) data[i] = noise();
-    // The sea's own symmetry: at kz = 0 a column of heights is real.
+    // The sea's symmetry: at kz = 0 a column of heights is real.
     std::vector<std::size_t> blocks = {pair.first};
     if (pair.has_second) blocks.push_back(pair.second);
     for (const std::size_t block : blocks)
@@ -165,7 +167,8 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
                 const float* at = lines.data() + block * block_floats + n * row_floats + lane;
                 return std::complex<double>(at[re * lanes()], at[im * lanes()]);
             };
-            // P = -(Dx + i Dz) belongs to kz; to -kz the conjugate of -(Dx - i Dz), which is R over i.
+            // P = -(Dx + i Dz) belongs to kz. The conjugate of -(Dx - i Dz), which is R over i,
+            // belongs to -kz.
             Line height(size()), horizontal(size());
             height[0] = value(0, height_re, height_im);
             horizontal[0] = value(0, p_re, p_im);
@@ -191,7 +194,7 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
     EXPECT_EQ(bounds.horizontal_z_max, expected.horizontal_z_max);
 }
 
-// Whatever the order in which lanes meet them, zeros of both signs count as one zero.
+// Zeros of both signs count as one zero, in whatever order lanes read them.
 TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     AlignedBuffer<float> data(2 * column_block_floats(resolution(), lanes()));
     for (std::size_t i = 0; i < data.size(); i += 3) data[i] = -0.f;
@@ -209,9 +212,9 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     }
 }
 
-// Every input goes through the first step once, with its negative in the partner group at the opposite place, and
-// parts come in the order in which the last step's parts are finished.
-TEST(FftPlan, PairsHoldEveryInputOnceBesideItsNegative) {
+// Every input is in the first step once, with its negative in the partner group at the opposite
+// position. Parts are in the order in which the last step completes them.
+TEST(FftPlan, PairsHaveEveryInputOnceWithItsNegative) {
     for (int size = 16; size <= 2048; size *= 2) {
         const FftPlan plan(size);
         const FftTables fft = plan.tables();

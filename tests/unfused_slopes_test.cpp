@@ -1,4 +1,4 @@
-// The slopes' kernels against the same arithmetic one float at a time, bit for bit.
+// The slope kernels are bit-identical to the same arithmetic on one float at a time.
 #include <random>
 #include <tuple>
 
@@ -8,7 +8,7 @@
 namespace pelagic {
 namespace {
 
-/// No wave, no smoothness: everything that a kernel might mix up differs.
+/// Noise instead of waves, so that exchanged values differ.
 unfused::CascadePlanes noise(int resolution, float cosine, float sine) {
     std::mt19937 random(7);
     const auto plane = [&] {
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(
         return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::to_string(std::get<int>(test.param));
     });
 
-TEST_P(UnfusedSlopesOnEachIsa, GiveTheBitsOfTheFusedJobs) {
+TEST_P(UnfusedSlopesOnEachIsa, AreBitIdenticalToTheFusedJobs) {
     const auto [isa, n] = GetParam();
     for (const bool is_rotated : {false, true}) {
         const unfused::CascadePlanes planes = is_rotated ? noise(n, 0.8f, -0.6f) : noise(n, 1, 0);

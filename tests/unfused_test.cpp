@@ -1,4 +1,4 @@
-// The fused kernels against the stages one after the other, bit for bit.
+// The fused kernels are bit-identical to the separate stages.
 #include <algorithm>
 #include <tuple>
 
@@ -13,7 +13,8 @@ namespace pelagic {
 namespace {
 
 void expect_same_bits(SeaState sea, double time_s, Isa isa, const char* what) {
-    if (sea.roughness < 0) sea.roughness = 0.1;  // what the wind makes of it is no work of a stage
+    // The roughness of the wind is not computed by a stage.
+    if (sea.roughness < 0) sea.roughness = 0.1;
     Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa});
     unfused::UnfusedSea stages(sea);
     const Frame& fused = ocean.frame_at(time_s);
@@ -23,7 +24,7 @@ void expect_same_bits(SeaState sea, double time_s, Isa isa, const char* what) {
         std::equal(fused.cascades[0].displacement_rgba16f.begin(), fused.cascades[0].displacement_rgba16f.end(),
                    apart.cascades[0].displacement_rgba16f.begin(), apart.cascades[0].displacement_rgba16f.end()))
         << what << ", foam, N = " << sea.resolution;
-    // Where they differ, for whoever has to find out why.
+    // Prints the position of a difference.
     for (int j = 0; j < sea.resolution; ++j) {
         for (int i = 0; i < sea.resolution; ++i) {
             ASSERT_EQ(fused.cascades[0].dx.at(i, j), apart.cascades[0].dx.at(i, j)) << i << ", " << j;
@@ -41,13 +42,14 @@ INSTANTIATE_TEST_SUITE_P(
         return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::to_string(std::get<int>(test.param));
     });
 
-TEST_P(UnfusedOnEachIsa, StagesGiveTheBitsOfTheFusedJobs) {
+TEST_P(UnfusedOnEachIsa, StagesAreBitIdenticalToTheFusedJobs) {
     const auto [isa, n] = GetParam();
     if ((is_sanitized || is_emulated) && n > 512)
         GTEST_SKIP() << "larger sizes have no jobs of their own; release runs them";
     expect_same_bits({.resolution = n, .patch_size_m = 250, .wind_direction_rad = 1, .choppiness = 1}, 12.34, isa,
                      "choppy");
-    if (n > (is_sanitized || is_emulated ? 64 : 128)) return;  // a spectrum has no code for a size
+    // The code of a spectrum does not depend on the size.
+    if (n > (is_sanitized || is_emulated ? 64 : 128)) return;
     expect_same_bits({.resolution = n, .patch_size_m = 250}, 0, isa, "default");
     expect_same_bits({.resolution = n, .patch_size_m = 250, .choppiness = 0}, 3, isa, "without choppiness");
     for (const SpectrumModel model : spectrum_models())

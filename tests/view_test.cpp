@@ -1,4 +1,4 @@
-// `pelagic view` as its user meets it: a window under Xvfb, a mouse and keys by XTest, an image of the screen.
+// Tests `pelagic view` with a real window under Xvfb, mouse and keys by XTest, and screenshots.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What a command prints; its status is asserted.
+/// Returns the output of a command; its status is asserted.
 std::string shell(const std::string& command) {
     std::string text;
     FILE* pipe = popen(command.c_str(), "r");
@@ -41,14 +41,15 @@ bool wait_until(const std::function<bool()>& condition) {
     return false;
 }
 
-/// An X server of its own, on a display number that it finds itself.
+/// An X server with a free display number of its choice.
 class Display {
    public:
     Display() : number_file_(folder_ / "number") {
         process_ = fork();
         if (process_ == 0) {
             if (freopen(number_file_.c_str(), "w", stdout) && freopen("/dev/null", "w", stderr))
-                // Without -noreset it starts anew when its last client leaves, and refuses whoever comes meanwhile.
+                // Without -noreset the server resets when its last client disconnects, and rejects
+                // clients meanwhile.
                 execlp("Xvfb", "Xvfb", "-noreset", "-displayfd", "1", "-screen", "0", "800x600x24", nullptr);
             _exit(127);
         }
@@ -63,13 +64,13 @@ class Display {
     }
     const std::string& name() const { return name_; }
 
-    /// xdotool's words: "key p".
+    /// Runs xdotool with arguments such as "key p".
     void act(const std::string& words) const { shell("DISPLAY=" + name_ + " xdotool " + words); }
-    /// The whole screen as RGB, three bytes a pixel.
+    /// Returns the whole screen as RGB, three bytes a pixel.
     std::string screen() const {
         const std::string ppm = shell("DISPLAY=" + name_ + " xwd -root -silent | xwdtopnm 2>/dev/null");
         constexpr std::size_t values = 800 * 600 * 3;
-        // Some versions of netpbm write two bytes a value, the high one first.
+        // Some versions of netpbm write two bytes a value, the high byte first.
         const std::size_t bytes_a_value = ppm.size() > 2 * values ? 2 : 1;
         std::string rgb(values, 0);
         for (std::size_t i = 0; i < values; ++i) rgb[i] = ppm.at(ppm.size() - (values - i) * bytes_a_value);
@@ -83,7 +84,7 @@ class Display {
     std::string name_;
 };
 
-/// The program in its window.
+/// The program with its window.
 class ViewTest : public testing::Test {
    protected:
     void start() {
@@ -95,7 +96,7 @@ class ViewTest : public testing::Test {
                        .find_first_of("123456789") != std::string::npos;
         })) << read_file(err_);
         display_.act("search --sync --onlyvisible --name Pelagic windowfocus --sync");
-        // Something was drawn: not one colour.
+        // The window shows an image and not one colour.
         ASSERT_TRUE(wait_until([&] { return colours(display_.screen()) > 1000; }));
     }
     static std::size_t colours(const std::string& pixels) {
@@ -103,7 +104,8 @@ class ViewTest : public testing::Test {
         for (std::size_t i = 0; i < pixels.size(); i += 3) all.insert(pixels.substr(i, 3));
         return all.size();
     }
-    /// Dear ImGui looks for events once a frame, and the sea moves with each. Three, for one may have begun before.
+    /// Dear ImGui polls events once a frame, and the sea moves with each frame. Waits for three,
+    /// because one may have begun before.
     void wait_for_frames() const {
         for (int frame = 0; frame < 3; ++frame) {
             const std::string last = display_.screen();
@@ -112,7 +114,7 @@ class ViewTest : public testing::Test {
     }
     std::size_t images() const { return files_in(folder_.path()).size(); }
 
-    /// Presses and waits for the image's file to be there under its name.
+    /// Presses the key and waits until the image's file exists under its name.
     void take_image() {
         const std::size_t before = images();
         display_.act("key p");
@@ -140,7 +142,7 @@ class ViewTest : public testing::Test {
 };
 
 // The slider "wind" is the first row of the panel: 233 pixels from x = 18 for 1 to 30 m/s.
-TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAnImage) {
+TEST_F(ViewTest, ASliderChangesTheWindAndAKeySavesAnImage) {
     ASSERT_NO_FATAL_FAILURE(start());
     ASSERT_NO_FATAL_FAILURE(take_image());
     const std::string before = display_.screen();
@@ -160,11 +162,12 @@ TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAnImage) {
     EXPECT_NE(files.at("pelagic_0001.png"), files.at("pelagic_0002.png"));
 
     const std::string said = end();
-    // x = 200 is 0.78 of the way; the grab's width and the slider's ends leave a meter a second or two.
+    // x = 200 is 0.78 of the range. The width of the grab and the ends of the slider allow an error
+    // of 1 to 2 m/s.
     EXPECT_NEAR(wind_in(said), 1 + 29 * (200 - 18) / 233.0, 2) << said;
 }
 
-/// Width and height by a PNG's header.
+/// Returns width and height from a PNG's header.
 std::pair<int, int> size_of_png(const std::string& bytes) {
     const auto number = [&](std::size_t at) {
         int value = 0;
@@ -174,8 +177,8 @@ std::pair<int, int> size_of_png(const std::string& bytes) {
     return {number(16), number(20)};
 }
 
-// The command is run as printed: it has to be one, and to draw an image of the window's size at the window's moment.
-TEST_F(ViewTest, TheCommandItPrintsDrawsTheSameMomentAndSize) {
+// Runs the printed command. It must be valid and render an image with the window's size and time.
+TEST_F(ViewTest, ThePrintedCommandRendersTheSameTimeAndSize) {
     ASSERT_NO_FATAL_FAILURE(start());
     const std::string said = end();
     std::smatch command, time;
@@ -192,7 +195,7 @@ TEST_F(ViewTest, TheCommandItPrintsDrawsTheSameMomentAndSize) {
     EXPECT_EQ(size_of_png(read_file(log_ / "sea.png")), (std::pair{480, 560}));
 }
 
-// The panel covers the left of the window; its title bar is blue as no sea is.
+// The panel covers the left of the window. Its title bar has a blue that the sea does not have.
 TEST_F(ViewTest, KeyHHidesThePanel) {
     ASSERT_NO_FATAL_FAILURE(start());
     const auto shows_title = [&] {
@@ -202,7 +205,7 @@ TEST_F(ViewTest, KeyHHidesThePanel) {
         };
         return colour(0) < 60 && colour(2) > 100;
     };
-    // Not in the first frame yet: Dear ImGui measures a window before it shows it.
+    // Not in the first frame: Dear ImGui measures a window before it shows it.
     ASSERT_TRUE(wait_until(shows_title));
     display_.act("key h");
     EXPECT_TRUE(wait_until([&] { return !shows_title(); }));
@@ -211,8 +214,9 @@ TEST_F(ViewTest, KeyHHidesThePanel) {
     end();
 }
 
-// Its roof is red as nothing else is; arrows and a click beside it find it there. Steering itself is steered_boat_test.cpp.
-TEST_F(ViewTest, KeyBPutsABoatIntoTheWaterAndTakesItOutAgain) {
+// The boat's roof has a red that occurs nowhere else. After arrow keys and a click beside it, the
+// roof is still visible. steered_boat_test.cpp tests the steering.
+TEST_F(ViewTest, KeyBAddsAndRemovesABoat) {
     ASSERT_NO_FATAL_FAILURE(start());
     const auto roof = [&] {
         const std::string screen = display_.screen();
@@ -224,7 +228,7 @@ TEST_F(ViewTest, KeyBPutsABoatIntoTheWaterAndTakesItOutAgain) {
         return pixels;
     };
     EXPECT_EQ(roof(), 0);
-    display_.act("key h key b");  // the panel would hide it
+    display_.act("key h key b");  // The panel would hide the boat.
     EXPECT_TRUE(wait_until([&] { return roof() > 20; }));
     display_.act("keydown Up keydown Right mousemove 300 400 click 1");
     ASSERT_NO_FATAL_FAILURE(wait_for_frames());
@@ -235,9 +239,10 @@ TEST_F(ViewTest, KeyBPutsABoatIntoTheWaterAndTakesItOutAgain) {
     end();
 }
 
-// A frame of the software driver takes longer than a move and a click, so both often arrive within one: ten times, from one side
-// of the sea to the other. Before, the first such click threw the camera by tens of metres.
-TEST_F(ViewTest, AClickAfterAMoveLeavesTheCameraWhereItIs) {
+// A frame of the software driver takes longer than a move and a click, so both often arrive within
+// one frame. Ten clicks, from one side of the sea to the other. Such a click must not move the
+// camera.
+TEST_F(ViewTest, AClickAfterAMoveDoesNotMoveTheCamera) {
     const auto camera_in = [](const std::string& text) {
         std::smatch found;
         EXPECT_TRUE(std::regex_search(text, found, std::regex("--camera [^ ]+ --target [^ ]+"))) << text;
@@ -247,7 +252,7 @@ TEST_F(ViewTest, AClickAfterAMoveLeavesTheCameraWhereItIs) {
     const std::string resting = camera_in(end());
     EXPECT_NE(resting.find("--camera 0,8,0 "), std::string::npos) << resting;
     ASSERT_NO_FATAL_FAILURE(start());
-    display_.act("key h");  // the panel takes clicks for itself
+    display_.act("key h");  // The panel handles clicks itself.
     ASSERT_NO_FATAL_FAILURE(wait_for_frames());
     for (int click = 0; click < 5; ++click) {
         display_.act("mousemove 60 500 click 1 mousemove 420 80 click 1");
@@ -256,7 +261,7 @@ TEST_F(ViewTest, AClickAfterAMoveLeavesTheCameraWhereItIs) {
     EXPECT_EQ(camera_in(end()), resting);
 }
 
-// Forty pixels with the button held turn the camera, wherever frames begin and end.
+// A drag of forty pixels turns the camera, wherever frames begin and end.
 TEST_F(ViewTest, ADragTurnsTheCamera) {
     ASSERT_NO_FATAL_FAILURE(start());
     display_.act("key h");
@@ -269,7 +274,7 @@ TEST_F(ViewTest, ADragTurnsTheCamera) {
     EXPECT_EQ(printed.find("--camera 0,8,0 "), std::string::npos) << printed;
 }
 
-TEST(View, WithoutADisplayItSaysWhatIsMissing) {
+TEST(View, WithoutADisplayPrintsAnError) {
     const Outcome run = run_pelagic({"view", "--resolution", "32"}, [] {
         unsetenv("DISPLAY");
         unsetenv("WAYLAND_DISPLAY");

@@ -1,4 +1,4 @@
-// Boxes that leave wakes and feel those of others.
+// Boxes make wakes and respond to the wakes of others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,16 +19,17 @@ namespace {
 constexpr double step_s = 1.0 / 60;
 constexpr double degree = std::numbers::pi / 180;
 
-/// Ripples of a millimetre, so that what moves is what the boxes do.
+/// Waves of a millimetre, so that only the boxes move the water.
 const SeaState still{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
 
 const BoxOptions launch{.length_m = 6, .height_m = 1.5, .beam_m = 2.5, .mass_kg = 6000, .centre_of_mass_m = -0.2};
 
 glm::dquat heading(double angle_rad) {
-    return glm::dquat(std::cos(angle_rad / 2), 0, -std::sin(angle_rad / 2), 0);  // +x towards +z is about -y
+    // A rotation from +x towards +z is about -y.
+    return glm::dquat(std::cos(angle_rad / 2), 0, -std::sin(angle_rad / 2), 0);
 }
 
-/// Boxes in a window of 64 m; `each_step` steers them.
+/// Moves boxes on a grid of 64 m; `each_step` steers them.
 template <class EachStep>
 void sail(std::vector<FloatingBox>& boxes, double seconds, EachStep each_step) {
     Ocean ocean(still, {.executor = make_serial_executor(),
@@ -49,7 +50,7 @@ void sail(std::vector<FloatingBox>& boxes, double seconds, EachStep each_step) {
     ocean.complete();
 }
 
-TEST(Wake, KnowsWhereABoxHeads) {
+TEST(Wake, ReturnsTheHeadingOfABox) {
     FloatingBox box(launch);
     for (int angle = -179; angle <= 180; ++angle) {
         box.state().orientation = heading(angle * degree);
@@ -57,7 +58,7 @@ TEST(Wake, KnowsWhereABoxHeads) {
     }
 }
 
-TEST(Wake, ThePressIsTheWaterThatTheBoxDisplaces) {
+TEST(Wake, ThePressureIsTheWaterThatTheBoxDisplaces) {
     const Disturbance press = pressure_of(FloatingBox(launch));
     double volume = 0;
     const double step = 0.01;
@@ -66,21 +67,23 @@ TEST(Wake, ThePressIsTheWaterThatTheBoxDisplaces) {
     EXPECT_NEAR(volume * water_density_kgpm3, launch.mass_kg, 1e-3 * launch.mass_kg);
 }
 
-// Its own hollow holds it up and does nothing else, once the waves of its being put into the water have gone.
-TEST(Wake, ABoxAtRestStaysWhereItFloats) {
+// The depression of its own pressure supports the box and has no other effect, once the initial
+// waves have left.
+TEST(Wake, ABoxAtRestKeepsItsHeight) {
     std::vector<FloatingBox> boxes = {FloatingBox(launch)};
     double highest = 0;
     sail(boxes, 25, [&](double time_s) {
         if (time_s > 20) highest = std::max(highest, std::fabs(boxes[0].heave_m()));
     });
-    // Texels of half a metre, bilinear, are not quite the ellipsoid's half, which is 0.75 m deep.
+    // Bilinear texels of half a metre do not exactly represent the lower half of the ellipsoid,
+    // which is 0.75 m deep.
     RecordProperty("highest_m", std::to_string(highest));
     EXPECT_LT(highest, 0.03);
     EXPECT_NEAR(boxes[0].displaced_kg() / launch.mass_kg, 1, 0.01);
 }
 
-// A launch goes by at 4 m/s, 7 m from another: that one heaves when the wake comes.
-TEST(Wake, ABoxThatGoesByRocksAnother) {
+// A launch passes at 4 m/s, 7 m from another launch, which heaves when the wake arrives.
+TEST(Wake, APassingBoxMakesAnotherHeave) {
     const auto heave_of_the_other = [](bool goes_by) {
         std::vector<FloatingBox> boxes = {FloatingBox(launch)};
         if (goes_by) boxes.emplace_back(launch);
@@ -89,7 +92,7 @@ TEST(Wake, ABoxThatGoesByRocksAnother) {
         sail(boxes, 14, [&](double time_s) {
             heave.push_back(boxes[0].heave_m());
             if (!goes_by) return;
-            // Towed: along +x, after five seconds in which both have come to rest.
+            // Towed along +x, after five seconds in which both have come to rest.
             boxes[1].state().velocity_mps.x = time_s < 5 ? 0 : 4;
             boxes[1].state().velocity_mps.z = 0;
             boxes[1].state().orientation = heading(0);
@@ -101,7 +104,8 @@ TEST(Wake, ABoxThatGoesByRocksAnother) {
     double before = 0, after = 0;
     for (std::size_t i = 0; i < with.size(); ++i) {
         const double time_s = static_cast<double>(i) * step_s, moved = std::fabs(with[i] - without[i]);
-        // 19.47 degrees aside of a boat that is 7 m away: 20 m behind it, 8 seconds after it set out from 16 m before.
+        // 19.47 degrees at a distance of 7 m from the boat's track: 20 m behind the boat, 8 seconds
+        // after its start 16 m ahead of the other.
         if (time_s > 4 && time_s < 6) before = std::max(before, moved);
         if (time_s > 9) after = std::max(after, moved);
     }
@@ -111,9 +115,9 @@ TEST(Wake, ABoxThatGoesByRocksAnother) {
     EXPECT_LT(before, after / 3);
 }
 
-// A lighter of 190 t is put into a wind sea, which carries it to and fro by metres. It goes with the water, so around it there are no
-// waves but those of its being put in, of the little that it slides, and of what `return_s` lets through.
-TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
+// A lighter of 190 t floats in a wind sea, which moves it by metres. It moves with the water, so it
+// makes only the initial waves, those of its small slip, and those that `return_s` passes.
+TEST(Wake, ABoxThatDriftsWithTheWavesMakesFewWaves) {
     std::vector<FloatingBox> boxes = {
         FloatingBox({.length_m = 20, .height_m = 3, .beam_m = 6, .mass_kg = 190e3, .centre_of_mass_m = -0.3})};
     Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 14},

@@ -1,4 +1,4 @@
-// Waves that applications add to cascades, as bits: the same on every instruction set, executor and compiler.
+// Wave inputs of applications are bit-identical on every instruction set, executor and compiler.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -25,7 +25,7 @@ struct NamedSea {
     SeaState sea;
 };
 
-/// Jobs of several rows, of one, and of all; a stack whose grids are turned, and a pond.
+/// Jobs of several rows, of one row and of all rows; a stack with rotated grids, and a pond.
 std::vector<NamedSea> seas() {
     return {{"stack", {.cascades = 3, .resolution = 64, .wind_speed_mps = 12, .loop_period_s = 30}},
             {"smallest", {.resolution = 16, .patch_size_m = 40, .wind_speed_mps = 6, .loop_period_s = 30}},
@@ -33,7 +33,7 @@ std::vector<NamedSea> seas() {
             {"pond", {.waves = WaveModel::pond, .resolution = 64, .loop_period_s = 30}}};
 }
 
-/// Some of the waves are for each of the cascades.
+/// Returns waves for each of the cascades.
 AnalyticSea waves() {
     AnalyticSea sea{.waves = {}, .choppiness = 0.9};
     double wavelength_m = 180;
@@ -45,7 +45,7 @@ AnalyticSea waves() {
     return sea;
 }
 
-/// FNV-1a of the velocities, which hash_of() leaves out.
+/// Returns FNV-1a of the velocities, which hash_of() does not include.
 std::uint64_t velocity_hash_of(const Frame& frame) {
     std::uint64_t hash = 14695981039346656037u;
     for (const Cascade& cascade : frame.cascades)
@@ -56,7 +56,7 @@ std::uint64_t velocity_hash_of(const Frame& frame) {
     return hash;
 }
 
-/// Two frames after one another, with foam, the second with other inputs.
+/// Returns hashes of two consecutive frames with foam; the second frame has other inputs.
 std::string frames_of(const SeaState& sea, Isa isa, std::shared_ptr<Executor> executor) {
     const auto batch = std::make_shared<GerstnerInput>(waves());
     const auto rings = std::make_shared<RippleInput>(
@@ -78,9 +78,10 @@ std::string frames_of(const SeaState& sea, Isa isa, std::shared_ptr<Executor> ex
     return hashes.str();
 }
 
-TEST(WaveInputBits, AreTheSameEverywhere) {
+TEST(WaveInputBits, AreIdenticalOnEveryInstructionSetAndExecutor) {
     for (const auto& [name, sea] : seas()) {
-        if (is_emulated && sea.resolution > 16) continue;  // the golden lines say as much of one instruction set
+        // On one instruction set the golden hashes suffice.
+        if (is_emulated && sea.resolution > 16) continue;
         const std::string expected = frames_of(sea, isas_here().front(), make_serial_executor());
         for (const Isa isa : isas_here())
             EXPECT_EQ(frames_of(sea, isa, make_serial_executor()), expected) << name << ' ' << name_of(isa);
@@ -89,8 +90,9 @@ TEST(WaveInputBits, AreTheSameEverywhere) {
     }
 }
 
-// tests/golden/wave_inputs.txt: what another compiler, processor or version has to find as well.
-TEST(WaveInputBits, AreTheGoldenOnes) {
+// tests/golden/wave_inputs.txt holds hashes that every compiler, processor and version must
+// reproduce.
+TEST(WaveInputBits, MatchTheGoldenHashes) {
     std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/wave_inputs.txt");
     for (const auto& [name, sea] : seas()) {
         std::string line;

@@ -1,4 +1,5 @@
-// Waves that applications add to cascades: against closed forms summed in double, through all that is made of cascades, and what is refused.
+// Wave inputs of applications: compared with closed forms in double, in everything that is derived
+// from cascades, and rejection of invalid values.
 #include "pelagic/sim/wave_input.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ constexpr double loop_s = 20;
 const SeaState stack{
     .cascades = 4, .resolution = 64, .wind_speed_mps = 7.5, .fetch_m = 93e3, .loop_period_s = loop_s};
 const SeaState one_cascade{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
-/// Next to no wind.
+/// Almost no wind.
 const SeaState still{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};
 
 OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choose_isa(),
@@ -45,7 +46,7 @@ OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choo
             .inputs = std::move(inputs)};
 }
 
-/// Waves for each of the stack's cascades; their k A add up to 0.35.
+/// Returns waves for each of the stack's cascades; the sum of k A is 0.35.
 AnalyticSea some_waves() {
     return {.waves = {{.amplitude_m = 0.7, .wavelength_m = 90, .direction_rad = 0.3, .phase_rad = 1},
                       {.amplitude_m = 0.4, .wavelength_m = 33, .direction_rad = -2},
@@ -69,7 +70,7 @@ struct SixFields {
     double of[6] = {};
 };
 
-/// Calls check(cascade, plane, what is there more than without inputs, i, j) for texels all over a frame.
+/// Calls check(cascade, plane, difference of a and b, i, j) for texels all over a frame.
 template <class Check>
 void for_differences(const Frame& a, const Frame& b, Check check) {
     ASSERT_EQ(a.cascades.size(), b.cascades.size());
@@ -85,7 +86,8 @@ void for_differences(const Frame& a, const Frame& b, Check check) {
     }
 }
 
-/// What the header says of a wave: where it goes and how it runs there. Written down a second time.
+/// The cascade, wave vector and frequency of a wave as documented in the header, implemented a
+/// second time.
 struct Told {
     int cascade = -1;
     double m = 0, n = 0, omega = 0;
@@ -110,7 +112,7 @@ Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
     return told;
 }
 
-/// The sum at a texel, in double.
+/// Returns the sum at a texel, in double.
 SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades, std::size_t cascade, int i, int j,
                       double t) {
     SixFields sum;
@@ -133,10 +135,11 @@ SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades,
     return sum;
 }
 
-// Differences of floats: of a sea of some metres, two roundings of 2e-7 m, and as much of the waves' own factors.
+// Differences of floats: two roundings of 2e-7 m for a sea of some metres, and as much for the
+// factors of the waves.
 constexpr double float_m = 2e-6;
 
-TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
+TEST(WaveInput, GerstnerWavesMatchTheClosedFormAtTexels) {
     for (const SeaState& sea : {stack, one_cascade}) {
         Ocean pure(sea, with({})), ocean(sea, with({gerstner()}));
         for (const double t : {0.0, 3.21, 1e4 + 0.7}) {
@@ -148,13 +151,14 @@ TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
                 double& max = largest[6 * cascade + plane];
                 max = std::max(max, std::fabs(expected));
             });
-            for (const double max : largest) EXPECT_GT(max, 0.004);  // each cascade and field had some
+            // Each cascade and field has waves.
+            for (const double max : largest) EXPECT_GT(max, 0.004);
         }
     }
 }
 
-// On cascades close to one another, where several could take a wave.
-TEST(WaveInput, AWaveGoesToTheCascadeThatShowsItBest) {
+// Cascades of similar size, several of which could represent a wave.
+TEST(WaveInput, AWaveIsAddedToTheCascadeThatRepresentsItBest) {
     const SeaState close{.waves = WaveModel::analytic,
                          .cascades = 4,
                          .resolution = 64,
@@ -182,16 +186,17 @@ TEST(WaveInput, AWaveGoesToTheCascadeThatShowsItBest) {
             told.cascade > 0 && wavelength > 3 * frame.cascades[static_cast<std::size_t>(told.cascade - 1)].texel_m();
     }
     EXPECT_GT(held, 100);
-    EXPECT_GT(by_steps, 2);  // the cascade above could have shown it, too
+    EXPECT_GT(by_steps, 2);  // The next coarser cascade could have represented it, too.
 }
 
-// The same from the closed form's own evaluator, by what the input says it holds.
-TEST(WaveInput, SaysWhichWavesItHolds) {
+// The evaluator of the closed form gives the same values for the waves that held() returns.
+TEST(WaveInput, ReturnsTheWavesThatItAdds) {
     const auto input = gerstner();
     Ocean pure(one_cascade, with({})), ocean(one_cascade, with({input}));
     const double t = 7.3;
     const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
-    EXPECT_EQ(input->held().waves.size(), 3U);  // one of 2.5 m has two texels of 1.25, no more; one of 0.9 m has none
+    // The wave of 2.5 m has exactly two texels of 1.25 m, the one of 0.9 m fewer.
+    EXPECT_EQ(input->held().waves.size(), 3U);
     const AnalyticSurface water(input->held());
     for_differences(a, b, [&](std::size_t, std::size_t plane, double difference, int i, int j) {
         const double x[] = {80.0 / 64 * i}, z[] = {80.0 / 64 * j};
@@ -206,7 +211,7 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
                                   .velocity_z_mps = one(5)});
         ASSERT_NEAR(difference, told[plane], float_m);
     });
-    // Of a stack, texel (0, 0) of all cascades is one place.
+    // In a stack, texel (0, 0) of all cascades has the same position.
     Ocean pure_stack(stack, with({})), stacked(stack, with({input}));
     const Frame &c = stacked.frame_at(t), &d = pure_stack.frame_at(t);
     EXPECT_EQ(input->held().waves.size(), 5U);
@@ -220,8 +225,9 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
     EXPECT_NEAR(height, told[0], float_m);
 }
 
-TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
-    // The second is cut by half of the cascade's side, the third lies across the cascade's edges, far from the origin.
+TEST(WaveInput, RingsMatchTheClosedFormAndDoNotOverlapTheirRepetitions) {
+    // The second ring is cut at half of the cascade's side; the third crosses the cascade's edges,
+    // far from the origin.
     for (const Ripple& asked :
          {Ripple{.x_m = 3, .z_m = -2, .wavelength_m = 2, .amplitude_m = 0.2, .reach_m = 6},
           Ripple{.x_m = 11.7, .z_m = 0.2, .wavelength_m = 11, .amplitude_m = 1, .phase_rad = 2},
@@ -256,7 +262,7 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
                 const double high = asked.amplitude_m * fade * fade * std::sqrt(wave / 2 / q);
                 const double angle = two_pi * (q - wave / 2) / wave - omega * t + asked.phase_rad;
                 const double expected = plane == 1 ? high * std::cos(angle) : high * omega * std::sin(angle);
-                // Turns of a ring, some ten, are floats: 2^-20 of a turn.
+                // The phase of a ring, about ten turns, is a float: 2^-20 of a turn.
                 ASSERT_NEAR(difference, expected, float_m + 1e-5 * asked.amplitude_m * (plane == 1 ? 1 : omega));
                 largest = std::max(largest, std::fabs(expected));
             });
@@ -266,7 +272,7 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
     }
 }
 
-TEST(WaveInput, WhatIsTooShortOrTooLongOrFlatIsLeftOut) {
+TEST(WaveInput, WavesTooShortTooLongOrFlatAreOmitted) {
     const auto waves = gerstner({.waves = {{.amplitude_m = 0.0001, .wavelength_m = 0.011},
                                            {.amplitude_m = 0, .wavelength_m = 30},
                                            {.amplitude_m = 1, .wavelength_m = 900}}});
@@ -276,13 +282,13 @@ TEST(WaveInput, WhatIsTooShortOrTooLongOrFlatIsLeftOut) {
     EXPECT_EQ(hash_of(ocean.frame_at(5)), hash_of(pure.frame_at(5)));
     EXPECT_TRUE(waves->held().waves.empty());
     EXPECT_EQ(rings->held().reach_m, 0);
-    // Where there is one cascade, two texels of 1.25 m are enough.
+    // With one cascade, two texels of 1.25 m suffice.
     waves->set({.waves = {{.amplitude_m = 0.01, .wavelength_m = 2.6}, {.amplitude_m = 0.01, .wavelength_m = 2.4}}});
     ocean.frame_at(5);
     EXPECT_EQ(waves->held().waves.size(), 1U);
 }
 
-TEST(WaveInput, CascadesThatGetNothingKeepTheirBits) {
+TEST(WaveInput, CascadesWithoutInputsAreBitIdentical) {
     Ocean pure(stack, with({})), ocean(stack, with({ripple({.wavelength_m = 3, .amplitude_m = 0.1})}));
     const Frame &a = ocean.frame_at(2), &b = pure.frame_at(2);
     for (const std::size_t cascade : {0U, 1U, 3U}) {
@@ -294,7 +300,8 @@ TEST(WaveInput, CascadesThatGetNothingKeepTheirBits) {
         EXPECT_EQ(x.slope_ranges.slope, y.slope_ranges.slope);
     }
     EXPECT_NE(hash_of(a), hash_of(b));
-    for (const Stage& stage : ocean.graph().stages()) {  // on threads nothing else keeps it behind both
+    // On threads only these edges of the graph order it after both.
+    for (const Stage& stage : ocean.graph().stages()) {
         if (stage.name != "inputs c1") continue;
         ASSERT_EQ(stage.waits_for.size(), 2U);
         EXPECT_EQ(ocean.graph().stages()[stage.waits_for[0]].name, "columns+finalize c1");
@@ -305,8 +312,8 @@ TEST(WaveInput, CascadesThatGetNothingKeepTheirBits) {
     for (const Stage& stage : without.graph().stages()) EXPECT_EQ(stage.name.find("inputs"), std::string::npos);
 }
 
-// Of a callback that is for some cascades, and of cascades whose ticks nobody looks at.
-TEST(WaveInput, NobodyIsAskedForWhatNobodyWants) {
+// The callback adds to some cascades only, and some cascades have no foam ticks.
+TEST(WaveInput, InputsAreNotCalledForUnusedRows) {
     std::array<std::atomic<int>, 4> frames{}, ticks{};
     const auto count = [&](const InputRows& rows) {
         ++(rows.moment.place == 0 ? frames : ticks)[rows.cascade];
@@ -315,7 +322,7 @@ TEST(WaveInput, NobodyIsAskedForWhatNobodyWants) {
     OceanOptions options = with({std::make_shared<CallbackInput>(count, 0.5, 0b1101)});
     options.foam = true;
     SeaState wide = stack;
-    wide.resolution = 128;  // the finest cascade's waves are shorter than a metre
+    wide.resolution = 128;  // The waves of the finest cascade are shorter than a metre.
     wide.wind_speed_mps = 12;
     Ocean ocean(wide, options);
     const Frame& frame = ocean.frame_at(1);
@@ -330,13 +337,13 @@ TEST(WaveInput, NobodyIsAskedForWhatNobodyWants) {
     EXPECT_LT(whites, 4);
 }
 
-// Floats don't add up to the same in another order: it is the list's.
+// Float addition is not associative: the order is that of the list.
 TEST(WaveInput, InputsAreAddedInTheirOrder) {
     const auto constant = [](float value) {
         return callback([value](const InputRows& rows) {
             for (const std::span<float> field : {rows.dx, rows.height, rows.dz, rows.velocity_y})
                 for (float& texel : field) {
-                    ASSERT_EQ(texel, 0.f);  // whatever came before
+                    ASSERT_EQ(texel, 0.f);  // without the inputs before it
                     texel = value;
                 }
         });
@@ -380,15 +387,15 @@ TEST(WaveInput, BoundsAreThoseOfTheSum) {
     EXPECT_EQ(frame.bounds.height_max_m, sums.height_max_m);
 }
 
-// Where a texel is drawn, a query finds that texel's water.
-TEST(WaveInput, QueriesFindTheSum) {
+// A query at a texel's displaced position returns that texel's values.
+TEST(WaveInput, QueriesReturnTheSum) {
     for (const SeaState& sea : {one_cascade, stack}) {
         Ocean ocean(sea, with({gerstner(), ripple({.x_m = 4, .wavelength_m = 4, .amplitude_m = 0.3})}));
         const Frame& frame = ocean.frame_at(9.5);
         const SurfaceQuery query(frame);
         std::vector<double> x, z;
         std::vector<float> height, rise;
-        if (frame.cascades.size() > 1) {  // one place that is a texel of all
+        if (frame.cascades.size() > 1) {  // one position that is a texel of all cascades
             x = {0}, z = {0}, height = {0}, rise = {0};
             for (const Cascade& cascade : frame.cascades) {
                 x[0] += static_cast<double>(cascade.dx.at(0, 0)), z[0] += static_cast<double>(cascade.dz.at(0, 0));
@@ -412,7 +419,7 @@ TEST(WaveInput, QueriesFindTheSum) {
     }
 }
 
-/// The largest byte of h_x away from none, and what it means.
+/// Returns the largest deviation of a byte of h_x from zero, and its slope.
 std::pair<int, double> steepest(const Cascade& cascade) {
     int max = 0;
     for (const std::uint32_t texel : cascade.level_of(cascade.slopes_rgba8, 0))
@@ -420,21 +427,23 @@ std::pair<int, double> steepest(const Cascade& cascade) {
     return {max, max / 127.0 * static_cast<double>(cascade.slope_ranges.slope)};
 }
 
-// A calm sea's bytes count in slopes of thousandths.
-TEST(WaveInput, SteepWavesFindRoomInTheSlopes) {
-    const AnalyticSea steep{.waves = {{.amplitude_m = 0.6, .wavelength_m = 10}}, .choppiness = 0};  // 8 texels a wave
+// The bytes of a calm sea represent slopes of thousandths.
+TEST(WaveInput, SteepWavesExtendTheSlopeRange) {
+    // 8 texels a wave
+    const AnalyticSea steep{.waves = {{.amplitude_m = 0.6, .wavelength_m = 10}}, .choppiness = 0};
     Ocean pure(still, with({})), ocean(still, with({gerstner(steep)}));
     const Cascade& sea = pure.frame_at(0).cascades[0];
     EXPECT_LT(sea.slope_ranges.slope, 0.15f);
     const Cascade& cascade = ocean.frame_at(0).cascades[0];
     const auto [byte, slope] = steepest(cascade);
     EXPECT_LT(byte, 127);
-    // A quarter of a wave of 8 texels is a texel, and there the derivative's stencil (kernels.hpp) overstates it by an eighth. The sea's own
-    // slopes may add to it or not, and a byte is half of its step off.
+    // A quarter of a wave of 8 texels is a texel, and there the derivative's stencil (kernels.hpp)
+    // is an eighth too large. The sea's slopes may add to it, and a byte has an error of half its
+    // step.
     const double x = two_pi / 8, stencil = 2 * (0.9388 * std::sin(x) - 0.2194 * std::sin(2 * x)) / x;
     EXPECT_NEAR(slope, stencil * two_pi * 0.6 / 10,
                 steepest(sea).second + static_cast<double>(cascade.slope_ranges.slope) / 254 + 1e-4);
-    // A callback says how steep it is; if that is too little, bytes stop.
+    // A callback gives its maximum slope; if the value is too small, bytes are clamped.
     const auto bumps = [](double told) {
         return callback(
             [](const InputRows& rows) {
@@ -450,7 +459,7 @@ TEST(WaveInput, SteepWavesFindRoomInTheSlopes) {
     EXPECT_GE(steepest(wrong.frame_at(0).cascades[0]).first, 127);
 }
 
-TEST(WaveInput, WavesAreThoseOfOneLoopLater) {
+TEST(WaveInput, WavesRepeatAfterOneLoop) {
     const auto make = [] {
         OceanOptions options = with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})});
         options.foam = true;
@@ -465,7 +474,7 @@ TEST(WaveInput, WavesAreThoseOfOneLoopLater) {
     EXPECT_NE(hash_of(later.frame_at(1.35)), now);
 }
 
-TEST(WaveInput, WhatIsSetCountsFromTheNextFrameOn) {
+TEST(WaveInput, ChangesTakeEffectAtTheNextFrame) {
     const Ripple first{.wavelength_m = 4, .amplitude_m = 0.2},
         second{.x_m = 9, .wavelength_m = 4, .amplitude_m = 0.3};
     const auto hashes_with = [&](auto&& alter) {
@@ -493,8 +502,9 @@ TEST(WaveInput, WhatIsSetCountsFromTheNextFrameOn) {
     EXPECT_NE(after[2], before[2]);
 }
 
-// A jump's ticks are made after it was scheduled, a tick of the frame's own beside it: neither moves what frames show.
-TEST(WaveInput, TicksOfFoamChangeNothingElse) {
+// Ticks of a jump are computed after it was scheduled, and one tick with the frame itself. Neither
+// changes the waves of a frame.
+TEST(WaveInput, FoamTicksChangeOnlyTheFoam) {
     SeaState windy = stack;
     windy.wind_speed_mps = 15;
     const auto waves = gerstner();
@@ -513,14 +523,15 @@ TEST(WaveInput, TicksOfFoamChangeNothingElse) {
     EXPECT_EQ(foam_hash_of(frame), foam);
 }
 
-// Foam that lasts is of ticks: an input of ticks alone leaves no trace but foam.
-TEST(WaveInput, TicksOfFoamHaveIt) {
+// Accumulated foam is computed from ticks: an input that adds to ticks only changes only the foam.
+TEST(WaveInput, FoamTicksIncludeInputs) {
     SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
     const auto contraction = callback([](const InputRows& rows) {
         if (rows.moment.place == 0) return;
         for (std::size_t row = 0; row < rows.row_count; ++row)
-            for (std::size_t i = 16; i < 48; ++i)  // -0.95 of each texel's way: water comes together there
+            // A gradient of -0.95: the water converges there.
+            for (std::size_t i = 16; i < 48; ++i)
                 rows.dx[row * 64 + i] = -0.95f * 1.25f * (static_cast<float>(i) - 31.5f);
     });
     OceanOptions options = with({contraction}), pure_options = with({});
@@ -542,8 +553,8 @@ TEST(WaveInput, TicksOfFoamHaveIt) {
     EXPECT_EQ(a.cascades[0].dx.at(20, 20), b.cascades[0].dx.at(20, 20));
 }
 
-// Whoever adds something else a loop later finds the foam of that.
-TEST(WaveInput, FoamIsOfItsOwnLoop) {
+// An input that adds other waves one loop later gives their foam.
+TEST(WaveInput, FoamDependsOnTheAbsoluteTime) {
     SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
     const auto later = callback([](const InputRows& rows) {
@@ -561,8 +572,8 @@ TEST(WaveInput, FoamIsOfItsOwnLoop) {
     EXPECT_NE(there, foam_hash_of(jumps.frame_at(5)));
 }
 
-// Another weather has other cascades, and waves go where those take them.
-TEST(WaveInput, FollowsTheCascadesOfAnotherSea) {
+// Another sea has other cascades, and waves are assigned to those.
+TEST(WaveInput, UsesTheCascadesOfAnotherSea) {
     SeaState storm = stack;
     storm.wind_speed_mps = 20;
     const auto waves = gerstner();
@@ -577,8 +588,8 @@ TEST(WaveInput, FollowsTheCascadesOfAnotherSea) {
     EXPECT_EQ(hash_of(frame), hash_of(fresh.frame_at(2)));
 }
 
-// A tick's time is its own, absolute, and so is its part of the loop.
-TEST(WaveInput, IsToldTheTimeOfFramesAndTicks) {
+// A tick's time is absolute and its own, and so is its loop fraction.
+TEST(WaveInput, ReceivesTheTimeOfFramesAndTicks) {
     struct Spy final : WaveInput {
         void begin(const InputMoment& moment) override { moments.push_back(moment); }
         bool adds_to(std::size_t) const override { return false; }
@@ -615,7 +626,7 @@ std::string invalid_value_of(Body body) {
     return "nothing was refused";
 }
 
-TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
+TEST(WaveInput, InvalidValuesAreRejectedAndTheNextFrameIsCorrect) {
     const std::uint64_t expected = [] {
         Ocean pure(stack, with({}));
         return hash_of(pure.frame_at(2));
@@ -641,7 +652,7 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
                   "inputs[1]'s velocity_z inf is out of range [-1000, 1000], metres or metres a second");
         value = 0, field = 0;
         EXPECT_EQ(hash_of(ocean.frame_at(2)), [&] {
-            // Zeros that are added: the sea's own values, but for the ranges of slopes.
+            // Adding zeros gives the sea's own values, except for the slope ranges.
             Ocean same(stack, with({callback([](const InputRows&) {})}));
             return hash_of(same.frame_at(2));
         }()) << kind.name;
@@ -650,7 +661,7 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
     EXPECT_EQ(hash_of(untouched.frame_at(2)), expected);
 }
 
-TEST(WaveInput, WhatItThrowsLosesItsFrameAlone) {
+TEST(WaveInput, AnExceptionAffectsOnlyItsFrame) {
     struct Lost : std::runtime_error {
         using std::runtime_error::runtime_error;
     };
@@ -672,7 +683,7 @@ TEST(WaveInput, WhatItThrowsLosesItsFrameAlone) {
     }
 }
 
-TEST(WaveInput, BadInputsAreRefusedInOneLine) {
+TEST(WaveInput, InvalidInputsAreRejectedWithOneLine) {
     EXPECT_EQ(invalid_value_of([] {
                   Ocean ocean(stack, with({gerstner(), nullptr}));
               }),
@@ -697,7 +708,7 @@ TEST(WaveInput, BadInputsAreRefusedInOneLine) {
     EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
               "amplitude_m is 0.2, expected at most wavelength_m / (2 pi), 0.1592");
     EXPECT_EQ(invalid_value_of([&] { rings->set({.reach_m = -1}); }), "reach_m -1 is out of range [0, 1e5]");
-    // They keep what they had.
+    // The inputs keep their previous values.
     Ocean ocean(stack, with({waves, rings})),
         same(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));
     EXPECT_EQ(hash_of(ocean.frame_at(1)), hash_of(same.frame_at(1)));

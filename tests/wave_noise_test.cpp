@@ -1,4 +1,4 @@
-// The Gaussian draws: distribution, independence, and what they are keyed by.
+// The Gaussian draws: distribution, independence and keys.
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ std::vector<double> draws(std::uint32_t seed, int half_side) {
     return values;
 }
 
-// 2 * 10^6 draws: the mean of a standard normal has a deviation of 7e-4, the variance of 1e-3, skewness of 1.7e-3 and
-// kurtosis of 3.5e-3; five deviations each.
+// 2 * 10^6 draws: the mean of a standard normal has a deviation of 7e-4, the variance of 1e-3,
+// skewness of 1.7e-3 and kurtosis of 3.5e-3. The bounds are five deviations.
 TEST(WaveNoise, HasTheMomentsOfAStandardNormal) {
     for (const std::uint32_t seed : {0u, 1u, 2u, 4294967295u}) {
         const std::vector<double> values = draws(seed, 512);
@@ -38,7 +38,8 @@ TEST(WaveNoise, HasTheMomentsOfAStandardNormal) {
     }
 }
 
-// Kolmogorov and Smirnov: sqrt(n) D exceeds 1.95 in one of a thousand samples of a true normal.
+// Kolmogorov and Smirnov: sqrt(n) D exceeds 1.95 for one of a thousand samples of a normal
+// distribution.
 TEST(WaveNoise, FollowsTheNormalDistribution) {
     std::vector<double> values = draws(7, 512);
     std::sort(values.begin(), values.end());
@@ -52,7 +53,7 @@ TEST(WaveNoise, FollowsTheNormalDistribution) {
     EXPECT_LT(distance * std::sqrt(count), 1.95);
 }
 
-// A correlation of 10^6 independent pairs has a deviation of 1e-3; five of them.
+// A correlation of 10^6 independent pairs has a deviation of 1e-3. The bound is five deviations.
 TEST(WaveNoise, NeighboursPartsAndSeedsAreIndependent) {
     constexpr int half_side = 500;
     double parts = 0, across = 0, along = 0, opposite = 0, next_seed = 0;
@@ -70,13 +71,13 @@ TEST(WaveNoise, NeighboursPartsAndSeedsAreIndependent) {
         EXPECT_LT(std::fabs(sum) / (4.0 * half_side * half_side), 5e-3);
 }
 
-// Seeds that were shifted copies of one another would show the same sea displaced.
+// Seeds that are shifted copies would give the same sea, displaced.
 TEST(WaveNoise, SeedsAreNotShiftedCopies) {
     for (int shift = -64; shift <= 64; ++shift)
         EXPECT_NE(gaussian_pair(1, 0, 3, 4).re, gaussian_pair(2, 0, 3 + shift, 4).re);
 }
 
-// Fixed values: the sea of a seed must never change between versions.
+// Fixed values: the sea of a seed must not change between versions.
 TEST(WaveNoise, DrawsNeverChange) {
     EXPECT_EQ(gaussian_pair(1, 0, 5, -3).re, -0x1.2aeec46e615d6p-6);
     EXPECT_EQ(gaussian_pair(1, 0, 5, -3).im, 0x1.6a678d253094cp-1);

@@ -1,4 +1,4 @@
-// --weather: a file of seas and times, what is refused of it, and the record of an export that gives it back.
+// --weather: a file of seas and times, its errors, and the export record that reproduces it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -41,7 +41,7 @@ class WeatherCommand : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordGivesItBack) {
+TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordReproducesIt) {
     const nlohmann::json record = exported(file(calm_to_storm), "first");
     SeaState calm = sea_preset_named("calm")->sea, storm = sea_preset_named("storm")->sea;
     calm.resolution = storm.resolution = 32;
@@ -60,7 +60,7 @@ TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordGivesItBack) {
     EXPECT_EQ(exported(file(calm_to_storm), "first", {"--resume"}), record);
 }
 
-TEST_F(WeatherCommand, SwellMayComeFromAfar) {
+TEST_F(WeatherCommand, SwellMayComeFromADistance) {
     const std::string text =
         "preset = \"calm\"\nresolution = 32\n[[change]]\nfrom = -100\nover = 20\nswell_height = 2\n";
     const nlohmann::json record = exported(file(text + "swell_from = 1000\n"), "afar");
@@ -87,7 +87,7 @@ TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
     EXPECT_EQ(max.exit_code, 0) << max.err;
 }
 
-TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
+TEST_F(WeatherCommand, ErrorsAreOneLineThatNamesThePosition) {
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),

@@ -1,4 +1,4 @@
-// A day of foam and weather, tick by tick, against ones who look in at a moment.
+// A day of foam and weather, tick by tick, compared with oceans that compute single moments.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,7 +12,8 @@
 namespace pelagic {
 namespace {
 
-/// Winds that rise and fall for so long, one change after the other with calm between some of them.
+/// Returns winds that rise and fall for `seconds`, one change after the other, with calm between
+/// some of them.
 Forecast restless(double seconds) {
     Forecast forecast{.first = {.cascades = 1, .resolution = 16, .wind_speed_mps = 8, .loop_period_s = 60}};
     std::mt19937 random(12);
@@ -29,7 +30,7 @@ Forecast restless(double seconds) {
     return forecast;
 }
 
-TEST(WeatherSoak, EveryTickIsWhatAReplayOfItsPastGives) {
+TEST(WeatherSoak, EveryTickMatchesAReplayOfItsPast) {
     const std::int64_t ticks = of_sweep<std::int64_t>(50000, 1000000);
     const Forecast forecast = restless(static_cast<double>(ticks) / 10);
     const TickClock clock(forecast.first.loop_period_s);
@@ -50,7 +51,7 @@ TEST(WeatherSoak, EveryTickIsWhatAReplayOfItsPastGives) {
         if (random() % 100 == 0) looks.push_back({tick, {hash_of(frame), foam_hash_of(frame)}});
     }
     ASSERT_GT(looks.size(), static_cast<std::size_t>(ticks / 200));
-    // From the last to the first, so that no look is the one before's next tick.
+    // From the last to the first, so that no moment is the next tick of the previous one.
     Ocean asleep(forecast, options);
     for (auto look = looks.rbegin(); look != looks.rend(); ++look)
         ASSERT_EQ(hashes_at(asleep, look->first), look->second) << "tick " << look->first;

@@ -1,4 +1,5 @@
-// Seas that turn into others: what a forecast says, what a blend of two spectra is, and frames as functions of forecast and time.
+// Transitions between seas: the forecast, the blend of two spectra, and frames as functions of
+// forecast and time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::uint64_t hash_at(const Forecast& forecast, double time_s, OceanOptions opti
     return hash_of(ocean.frame_at(time_s));
 }
 
-TEST(Forecast, SaysWhichSeasThereAreAndHowMuchOfTheSecond) {
+TEST(Forecast, ReturnsTheTwoSeasAndTheWeightOfTheSecond) {
     Forecast forecast = calm_to_storm(10, 20);
     forecast.changes.push_back({.sea = calm, .from_s = 30, .over_s = 4});
     const auto expect = [&](double time_s, std::size_t before, std::size_t after, double part) {
@@ -60,7 +61,7 @@ TEST(Forecast, SaysWhichSeasThereAreAndHowMuchOfTheSecond) {
     expect(1e9, 2, 2, 0);
 }
 
-TEST(Forecast, RefusesInOneLineWhatCascadesCannotShow) {
+TEST(Forecast, InvalidSeasAreRejectedWithOneLine) {
     const auto refused = [](auto alter) {
         Forecast forecast = calm_to_storm();
         alter(forecast);
@@ -96,7 +97,7 @@ TEST(Forecast, RefusesInOneLineWhatCascadesCannotShow) {
     EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33), "change 1: peak_wavelength_m is ");
 }
 
-TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
+TEST(Forecast, SeaBetweenInterpolatesTheOptions) {
     SeaState north = calm, west = storm;
     north.wind_direction_rad = 350 * degree;
     west.wind_direction_rad = -340 * degree;  // 20
@@ -112,7 +113,7 @@ TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
     for (const double part : {0.1, 0.5, 0.9}) EXPECT_EQ(check(sea_between(north, west, part)), "");
 }
 
-TEST(CascadePlan, SeasThatTurnIntoOneAnotherShareGridsAndBands) {
+TEST(CascadePlan, SeasOfOneForecastShareGridsAndBands) {
     WaveReach reach = WaveReach::of(calm);
     reach.extend_to(WaveReach::of(storm));
     const auto of_calm = plan_cascades(calm, reach), of_storm = plan_cascades(storm, reach);
@@ -136,9 +137,10 @@ std::array<double, 4> packed(const std::array<double, 4>& w) {
     return {w[0] + w[2], w[1] + w[3], w[1] - w[3], w[2] - w[0]};
 }
 
-// A part of a wave is the difference of two floats of the pair, so it is right to within their steps: eight of them, with those
-// of squares, root and sum. The smallest amplitudes are those that a sea has at least, whose squares no float holds.
-TEST_P(BlendOnEachIsa, EnergyOfEachWaveGoesOver) {
+// A component of a wave is the difference of two floats of the pair, so it is accurate to their
+// steps: eight of them, including those of squares, root and sum. The smallest amplitudes are the
+// minimum of a sea, whose squares underflow.
+TEST_P(BlendOnEachIsa, EnergyOfEachWaveIsInterpolated) {
     const std::size_t lanes = kernels().lanes, pairs = 32, row = lanes, floats = pairs * wave_quantities * row;
     AlignedBuffer<float> before(floats), after(floats), out(floats);
     std::mt19937 random(3);
@@ -191,7 +193,7 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveGoesOver) {
     }
 }
 
-TEST(SpectrumCache, KeepsWhatPassesTakeAndGivesUpTheOldest) {
+TEST(SpectrumCache, KeepsSpectraInUseAndEvictsTheOldest) {
     SpectrumCache shelf;
     for (std::size_t number = 0; number < SpectrumCache::places; ++number) shelf.put(number);
     shelf.need(Pass::tick, 0, 1);
@@ -207,7 +209,7 @@ TEST(SpectrumCache, KeepsWhatPassesTakeAndGivesUpTheOldest) {
     for (const std::size_t number : {1, 2, 7, 8, 9}) EXPECT_TRUE(shelf.holds(number)) << number;
 }
 
-/// FNV-1a over everything that the waves of a frame displace.
+/// Returns FNV-1a over all displacements of a frame.
 std::uint64_t displacement_hash(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const Cascade& cascade : frame.cascades) {
@@ -221,8 +223,8 @@ std::uint64_t displacement_hash(const Frame& frame) {
     return hash;
 }
 
-// Seas that share a forecast share their cascades, so either may come first.
-TEST(Weather, IsOneSeaBeforeAndAnotherAfterwards) {
+// Seas of one forecast share their cascades, so either may come first.
+TEST(Weather, EqualsTheFirstSeaBeforeAndTheSecondAfterTheChange) {
     const Forecast there = calm_to_storm();
     const Forecast back{.first = storm, .changes = {{.sea = calm, .from_s = 10, .over_s = 20}}};
     const double loop_s = calm.loop_period_s;
@@ -231,8 +233,9 @@ TEST(Weather, IsOneSeaBeforeAndAnotherAfterwards) {
     EXPECT_NE(hash_at(there, 10.5), hash_at(back, 10.5 + loop_s));
 }
 
-// A calm sea by itself has other cascades than one that a storm follows, but with room for the storm's peak it is where it was.
-TEST(Weather, ASeaWithRoomForALongerPeakIsTheSameWithOrWithoutChanges) {
+// A calm sea alone has other cascades than one that a storm follows. With `largest_peak_m` of the
+// storm it has the same.
+TEST(Weather, WithLargestPeakASeaIsIdenticalWithOrWithoutChanges) {
     const double peak_m = WaveReach::of(storm).peak_m;
     EXPECT_EQ(hash_at({.first = calm, .largest_peak_m = peak_m}, 3), hash_at(calm_to_storm(), 3));
     EXPECT_NE(hash_at({.first = calm}, 3), hash_at(calm_to_storm(), 3));
@@ -243,7 +246,7 @@ Forecast some_weather() {
     Forecast forecast = calm_to_storm(10, 20);
     SeaState swell = calm;
     swell.swell_height_m = 2;
-    // Changes between two ticks of foam, seas for a moment, and one that comes back.
+    // Changes between two foam ticks, seas for a moment, and one that returns.
     forecast.changes.push_back({.sea = swell, .from_s = 30.5, .over_s = 0.05});
     forecast.changes.push_back({.sea = calm, .from_s = 30.55, .over_s = 0.05});
     forecast.changes.push_back({.sea = storm, .from_s = 30.7, .over_s = 3});
@@ -257,8 +260,8 @@ struct Bits {
 };
 Bits bits_of(const Frame& frame) { return {hash_of(frame), foam_hash_of(frame)}; }
 
-// Foam remembers 2.9 s of weather, in which there are five seas.
-TEST(Weather, AFrameHasTheSameBitsWhateverFramesThereWereBefore) {
+// Foam depends on the 2.9 s before, in which there are five seas.
+TEST(Weather, FramesAreBitIdenticalInAnyOrder) {
     const Forecast forecast = some_weather();
     const std::vector<double> times = {-3, 10.5, 20, 29.9, 30.52, 30.58, 30.65, 32, 50, 61, 61.05, 66, 80};
     std::vector<Bits> alone;
@@ -276,8 +279,8 @@ TEST(Weather, AFrameHasTheSameBitsWhateverFramesThereWereBefore) {
     for (int jump = 0; jump < (is_sanitized ? 5 : 40); ++jump) expect_same(random() % times.size());
 }
 
-// Foam that was remembered of the weather before a change is still right, unless the change lies in the past.
-TEST(Weather, FoamKnowsOfChangesThatComeLive) {
+// Foam computed before a change stays valid unless the change is in the past.
+TEST(Weather, FoamFollowsChangesOfALiveOcean) {
     const double peak_m = WaveReach::of(storm).peak_m;
     Ocean live({.first = calm, .largest_peak_m = peak_m}, {.executor = make_serial_executor(), .foam = true});
     for (const double over_s : {0.5, 0.4}) {
@@ -290,7 +293,7 @@ TEST(Weather, FoamKnowsOfChangesThatComeLive) {
             EXPECT_EQ(bits_of(live.frame_at(time_s)), bits_of(fresh.frame_at(time_s))) << from_s << " " << time_s;
         }
     }
-    live.schedule_sea(storm, 3.5, 1);  // the first change is forgotten, whose foam is not over
+    live.schedule_sea(storm, 3.5, 1);  // drops the first change, whose foam still counts
     Ocean fresh(live.forecast(), {.executor = make_serial_executor(), .foam = true});
     EXPECT_EQ(bits_of(live.frame_at(3.4)), bits_of(fresh.frame_at(3.4)));
 }
@@ -299,25 +302,25 @@ class WeatherOnEachExecutor : public testing::TestWithParam<ExecutorKind> {};
 INSTANTIATE_TEST_SUITE_P(Executors, WeatherOnEachExecutor, testing::ValuesIn(executor_kinds()),
                          [](const auto& changed) { return changed.param.name; });
 
-TEST_P(WeatherOnEachExecutor, AChangeHasTheSameBits) {
+TEST_P(WeatherOnEachExecutor, AChangeIsBitIdentical) {
     const double time_s = 17;
     const std::uint64_t expected = hash_at(calm_to_storm(), time_s, serial(isas_here().front()));
     for (const Isa isa : isas_here()) {
         Ocean ocean(calm_to_storm(), {.executor = GetParam().make(GetParam().threads), .isa = isa});
-        ocean.frame_at(9);  // the storm is baked beside this one
+        ocean.frame_at(9);  // The storm is baked beside this sea.
         EXPECT_EQ(hash_of(ocean.frame_at(time_s)), expected) << name_of(isa);
     }
 }
 
-// The waves of this moment on every machine. A change of it is a change of everybody's weather.
-TEST(Weather, GoldenMoment) {
+// The waves of this moment on every machine. If this hash changes, every forecast changes.
+TEST(Weather, FrameMatchesTheGoldenHash) {
     Ocean ocean(calm_to_storm(), serial());
     EXPECT_EQ(displacement_hash(ocean.frame_at(17)), 8406283351594296221u);
 }
 
-TEST(Weather, VelocitiesAreThoseOfTheBlend) {
+TEST(Weather, VelocitiesMatchTheBlend) {
     const double step_s = 1e-3;
-    Forecast slow = calm_to_storm(-1e5, 2e5);  // whose waves hardly grow in a step
+    Forecast slow = calm_to_storm(-1e5, 2e5);  // the waves change little in one step
     Ocean ocean(slow, {.executor = make_thread_executor(2), .velocities = true});
     std::vector<double> moved;
     const auto heights = [&](double time_s) {
@@ -336,7 +339,7 @@ TEST(Weather, VelocitiesAreThoseOfTheBlend) {
             EXPECT_NEAR(cascade.velocity_y.at(i, j), (later[number] - earlier[number]) / (2 * step_s), 2e-3);
 }
 
-TEST(Weather, ExpectedHeightGoesFromOneSeasToTheOthers) {
+TEST(Weather, ExpectedHeightChangesFromTheFirstSeaToTheSecond) {
     Ocean ocean(calm_to_storm(), {.executor = make_thread_executor(2)});
     const auto height_at = [&](double time_s) { return ocean.frame_at(time_s).statistics.significant_wave_height_m; };
     const double low = height_at(10), high = height_at(30);
@@ -365,9 +368,10 @@ double mean_square_height(const Frame& frame) {
     return sum;
 }
 
-// Over a loop the energy of a wave that runs both ways is that of both, so a dozen moments of one come near it, and nearer for
-// what the blend makes of the two seas at the same moments: what is left is the part of the waves that run against others.
-TEST(Weather, EnergyOfFramesIsThatOfTheBlend) {
+// Over a loop the energy of a wave that travels in both directions is that of both. So the mean of
+// a dozen moments is near the energy, and the ratio to the blend of the two seas at the same
+// moments is nearer. The difference is that of waves against others.
+TEST(Weather, EnergyOfFramesMatchesTheBlend) {
     const double loop_s = calm.loop_period_s, whole_s = 1e6 * loop_s;
     Ocean ocean(calm_to_storm(0, whole_s), {.executor = make_thread_executor(2)});
     const auto energy_around = [&](double part_of_change) {
@@ -392,9 +396,9 @@ double slope_variance(const Frame& frame) {
 /// Cox and Munk (1954): 0.00316 U upwind and 0.003 + 0.00192 U crosswind.
 double measured_slope_variance(double wind_speed_mps) { return 0.003 + 0.00508 * wind_speed_mps; }
 
-// What the textures show goes over with the energy, and so does what is expected of them. The roughness of the water between texels
-// goes over linearly, from what Cox and Munk's slopes leave in the one wind to what they leave in the other.
-TEST(Weather, SlopesGoOverWithTheEnergyAndRoughnessLinearly) {
+// The slopes of the textures and their expected values change with the energy. The subgrid
+// roughness changes linearly, between the values for Cox and Munk's slopes in both winds.
+TEST(Weather, SlopesChangeWithTheEnergyAndRoughnessLinearly) {
     const double loop_s = calm.loop_period_s, whole_s = 1e6 * loop_s;
     Ocean ocean(calm_to_storm(0, whole_s), {.executor = make_thread_executor(2)});
     struct Slopes {
@@ -418,7 +422,8 @@ TEST(Weather, SlopesGoOverWithTheEnergyAndRoughnessLinearly) {
         const double part = u * u * (3 - 2 * u);
         const auto between = [&](double Slopes::*which) { return (1 - part) * before.*which + part * after.*which; };
         const Slopes now = slopes_at(u);
-        // Waves that run against others, as in EnergyOfFramesIsThatOfTheBlend, and a byte a slope.
+        // The bound covers waves against others, as in EnergyOfFramesMatchesTheBlend, and one byte
+        // of slope.
         EXPECT_NEAR(now.shown, between(&Slopes::shown), 0.02 * after.shown) << u;
         // In 12 moments a change of 1e6 loops moves s by less than 2e-6.
         EXPECT_NEAR(now.expected, between(&Slopes::expected), 2e-6 * after.expected) << u;
@@ -480,8 +485,8 @@ INSTANTIATE_TEST_SUITE_P(Changes, WeatherMoves,
                                          Turn{"StormToCalm", storm, calm, 10}, swell_comes_from_afar()),
                          [](const auto& changed) { return changed.param.name; });
 
-// Of all heights and all horizontal displacements of a cascade, at 72 frames a second.
-TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
+// Compares all heights and all horizontal displacements of a cascade, at 72 frames a second.
+TEST_P(WeatherMoves, FromFrameToFrameAtMostAsMuchAsTheLargerSea) {
     const Turn& turn = GetParam();
     const double frame_s = 1.0 / 72, loop_s = calm.loop_period_s;
     const SeaChange change{.sea = turn.after, .from_s = 0, .over_s = turn.over_s, .swell_from_m = turn.swell_from_m};
@@ -516,7 +521,7 @@ TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
     EXPECT_GT(changing, 0.3 * steady) << "it does move";
 }
 
-TEST(Weather, ALiveOceanTakesOneChangeAfterTheOther) {
+TEST(Weather, ALiveOceanAcceptsSeveralChanges) {
     const double peak_m = WaveReach::of(storm).peak_m;
     Ocean ocean({.first = calm, .largest_peak_m = peak_m}, {.executor = make_thread_executor(2)});
     ocean.frame_at(8);
@@ -531,14 +536,14 @@ TEST(Weather, ALiveOceanTakesOneChangeAfterTheOther) {
     EXPECT_THROW(ocean.schedule_sea(calm, 29, 5), std::invalid_argument) << "the change before is not over";
     ocean.schedule_sea(calm, 40, 5);
     EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17));
-    ocean.schedule_sea(storm, 50, 5);  // the first change is forgotten
+    ocean.schedule_sea(storm, 50, 5);  // drops the first change
     EXPECT_EQ(ocean.forecast().changes.size(), 2u);
     EXPECT_EQ(ocean.frame_at(9).sea.wind_speed_mps, storm.wind_speed_mps) << "the oldest that is left";
     EXPECT_EQ(ocean.frame_at(47).sea.wind_speed_mps, calm.wind_speed_mps);
     EXPECT_EQ(ocean.frame_at(56).sea.wind_speed_mps, storm.wind_speed_mps);
 }
 
-TEST(Weather, ALiveOceanWithoutRoomRefusesALongerPeak) {
+TEST(Weather, ALiveOceanRejectsALongerPeakThanItsLargest) {
     Ocean ocean(calm, serial());
     try {
         ocean.schedule_sea(storm, 10, 20);

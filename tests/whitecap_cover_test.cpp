@@ -1,4 +1,4 @@
-// Foam that lasts covers as much of the sea as was measured.
+// Accumulated foam covers the measured fraction of the sea.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,10 +15,11 @@
 namespace pelagic {
 namespace {
 
-/// Foam lasts for three; frames are between ticks, mostly.
+/// Foam persists for three seconds; frames are mostly between ticks.
 constexpr double seconds_between = 0.57;
 
-/// Foam of a cascade at a reference point, bilinear between texels; part of the place that is covered.
+/// Returns the foam of a cascade at a reference point, bilinear between texels, as a covered
+/// fraction.
 double foam_at(const Cascade& cascade, double reference_x_m, double reference_z_m) {
     if (!cascade.makes_whitecaps()) return 0;
     const int n = cascade.resolution();
@@ -35,9 +36,10 @@ double foam_at(const Cascade& cascade, double reference_x_m, double reference_z_
            255;
 }
 
-/// The mean of the most foam of the cascades: over so many seeds, frames of each, and reference points.
+/// Returns the mean of the maximum foam of the cascades, over seeds, frames of each seed, and
+/// reference points.
 double mean_cover(SeaState sea, int seeds, int frames) {
-    // Places that fill a square evenly (Roberts 2018), other ones in each frame.
+    // Points that fill a square evenly (Roberts 2018), different in each frame.
     constexpr int places = 10'000;
     constexpr double square_m = 20'000;
     const auto part_of = [](double turns) { return turns - std::floor(turns); };
@@ -59,7 +61,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
     return sum / (static_cast<double>(places) * frames * seeds);
 }
 
-/// One cascade of a given side where the cascades are 0.
+/// Returns a sea with one cascade of a fixed side if `cascades` is 0.
 SeaState sea_of(int cascades, double wind_speed_mps) {
     return {.cascades = cascades, .patch_size_m = cascades == 0 ? 250.0 : 0.0, .wind_speed_mps = wind_speed_mps};
 }
@@ -68,9 +70,9 @@ double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
     return mean_cover(sea, seeds, frames) / whitecap_cover(sea.wind_speed_mps);
 }
 
-// Ten other sets of seeds give 0.95 to 1.06 at 6 m/s and 1.02 to 1.03 at 25 m/s. The bound is a fifth, less than what was measured
-// at sea scatters by.
-TEST(WhitecapCover, IsWithinAFifthOfWhatWasMeasuredAtSea) {
+// Ten other sets of seeds give 0.95 to 1.06 at 6 m/s and 1.02 to 1.03 at 25 m/s. The bound is 20 %,
+// less than the scatter of the measurements at sea.
+TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
     if (is_sanitized) {
         EXPECT_NEAR(cover_over_measured_at_sea(sea_of(4, 25), 2, 10), 1, 0.2);
         return;
@@ -79,7 +81,7 @@ TEST(WhitecapCover, IsWithinAFifthOfWhatWasMeasuredAtSea) {
     for (const double wind_speed_mps : of_sweep(std::vector<double>{6, 25}, {6, 8, 10, 12, 15, 20, 25})) {
         std::printf("%2g m/s:", wind_speed_mps);
         for (const int cascades : of_sweep(std::vector<int>{4}, {0, 1, 2, 3, 4})) {
-            // Crests that break are rarer in light winds.
+            // Breaking crests are rarer in light winds.
             const int seeds = wind_speed_mps < 8 ? 12 : 4;
             const double part = cover_over_measured_at_sea(sea_of(cascades, wind_speed_mps), more * seeds, 40);
             std::printf(" %.2f", part);
@@ -89,7 +91,7 @@ TEST(WhitecapCover, IsWithinAFifthOfWhatWasMeasuredAtSea) {
     }
 }
 
-TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnWhereTheWindBlows) {
+TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnTheWindDirection) {
     if (is_sanitized) return;
     for (const double choppiness : {0.3, 1.0}) {
         SeaState sea = sea_of(1, 15);
@@ -99,8 +101,9 @@ TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnWhereTheWindBlows) {
     }
 }
 
-// Long waves gather the water more where it is shallow, and the thresholds follow. Other seeds give 0.98 to 1.02.
-TEST(WhitecapCover, HoldsWhereWavesFeelTheGround) {
+// Long waves contract the water more in shallow water, and the thresholds follow. Other seeds give
+// 0.98 to 1.02.
+TEST(WhitecapCover, HoldsInShallowWater) {
     if (is_sanitized) return;
     SeaState sea = sea_of(1, 12);
     sea.depth_m = 8;

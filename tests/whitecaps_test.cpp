@@ -1,4 +1,4 @@
-// What a frame says of its sea: the waves' height, and where it is white.
+// Statistics of a frame: the height of the waves, and the whitecap thresholds.
 #include "pelagic/sim/foam/whitecaps.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-TEST(Whitecaps, CoverWhatWasObservedAtSea) {
+TEST(Whitecaps, MatchThePublishedCover) {
     // Monahan and O'Muircheartaigh 1980, equation 5: about 1 % at 10 m/s.
     EXPECT_NEAR(whitecap_cover(10), 3.84e-6 * std::pow(10, 3.41), 1e-12);
     EXPECT_NEAR(whitecap_cover(10), 0.0099, 1e-4);
@@ -19,7 +19,7 @@ TEST(Whitecaps, CoverWhatWasObservedAtSea) {
     EXPECT_GT(whitecap_cover(1e-300), 0);
 }
 
-TEST(Whitecaps, AreNoneWhereNothingFolds) {
+TEST(Whitecaps, DoNotOccurWithoutFolds) {
     const SeaState flat{.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 1e-3};
     Ocean ocean(flat, {.executor = make_serial_executor()});
     EXPECT_FALSE(ocean.frame_at(0).cascades[0].makes_whitecaps());
@@ -28,7 +28,7 @@ TEST(Whitecaps, AreNoneWhereNothingFolds) {
     EXPECT_FALSE(unfolded.frame_at(0).cascades[0].makes_whitecaps());
 }
 
-TEST(FrameStatistics, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
+TEST(FrameStatistics, MatchTheSeaOnEveryInstructionSetAndAfterEveryChange) {
     const SeaState calm{.resolution = 64, .patch_size_m = 50, .wind_speed_mps = 3};
     const SeaState storm{.resolution = 64, .patch_size_m = 800, .wind_speed_mps = 20};
     double calm_height_m = 0, storm_height_m = 0;

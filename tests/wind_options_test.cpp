@@ -1,4 +1,4 @@
-// Wind on the command line and in files, as sailors and meteorologists say it.
+// Wind on the command line and in files, in the units and directions of sailors and meteorologists.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,9 @@ TEST(WindSpeed, HasUnits) {
         EXPECT_FALSE(tools::parse_speed_mps(text)) << text;
 }
 
-// The ranges of the World Meteorological Organization's table, m/s (Manual on Codes, code table 1100).
-TEST(WindSpeed, OfABeaufortForceLiesInItsRange) {
+// The ranges of the World Meteorological Organization's table, m/s (Manual on Codes, code table
+// 1100).
+TEST(WindSpeed, OfABeaufortForceIsInItsRange) {
     const double from[] = {0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7, 37.0};
     for (int force = 1; force <= 12; ++force) {
         const double mps = speed("bft" + std::to_string(force));
@@ -52,7 +53,7 @@ TEST(WindSpeed, OfABeaufortForceLiesInItsRange) {
     }
 }
 
-TEST(WindDirection, OfTheCompassPointsWhereItSays) {
+TEST(WindDirection, OfACompassPointIsItsBearing) {
     // +x is east and -z north: a bearing b, clockwise from north, points to (sin b, -cos b).
     const char* const points[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                   "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
@@ -78,7 +79,7 @@ TEST(Wind, IsTakenFromFlagsAndFiles) {
     EXPECT_NEAR(sea_of({}, "wind_speed = \"bft6\"\n").at("wind_speed_mps").get<double>(), 12.29, 0.005);
 }
 
-TEST(Roughness, IsANumberOrTheWinds) {
+TEST(Roughness, IsANumberOrFollowsFromTheWind) {
     EXPECT_EQ(sea_of({}).at("roughness"), -1);
     EXPECT_EQ(sea_of({"--roughness", "0.3"}).at("roughness"), 0.3);
     EXPECT_EQ(sea_of({"--roughness", "wind"}, "roughness = 0.3\n").at("roughness"), -1);
@@ -101,7 +102,7 @@ TEST(Swell, IsTakenFromFlagsAndFiles) {
     EXPECT_EQ(sea_of({"--preset", "storm"}).at("swell_spread_deg"), 15);
 }
 
-TEST(Wind, ThatSaysTooLittleIsRefused) {
+TEST(Wind, IncompleteValuesAreRejected) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
              {{"info", "--wind-direction", "NW"}, "--wind-direction is NW, expected from-NW or to-NW"},
              {{"info", "--wind-direction", "north"}, "from-NW or to-SE"},
