@@ -14,6 +14,7 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/near_names.hpp"
 #include "pelagic/python/bindings/docs.hpp"
+#include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
@@ -361,6 +362,13 @@ Places reference_places_of(py::handle points, py::handle z) {
     return places;
 }
 
+DrawnWater drawn_at(const Frame& frame, double x_m, double z_m) {
+    std::array<Displacement, max_cascades> of_cascades;
+    for (std::size_t t = 0; t < frame.cascades.size(); ++t)
+        of_cascades[t] = displacement_of(frame.cascades[t], x_m, z_m);
+    return drawn_water(frame, x_m, z_m, {of_cascades.data(), frame.cascades.size()});
+}
+
 py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
     const Places places = reference_places_of(points, z);
@@ -368,7 +376,7 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     float* out = array.mutable_data();
     const py::gil_scoped_release others_run;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
-        const Displacement d = displacement_of(handle.frame, places.x[i], places.z[i]);
+        const Displacement d = drawn_at(handle.frame, places.x[i], places.z[i]).displacement;
         *out++ = static_cast<float>(places.x[i] + d.dx);
         *out++ = static_cast<float>(d.height);
         *out++ = static_cast<float>(places.z[i] + d.dz);
@@ -376,27 +384,29 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     return array;
 }
 
-/// Foam of the water that has the reference position (x, z): the largest of the cascades', as a query has it.
-float resting_foam(const Frame& frame, double x_m, double z_m) {
-    double max = 0;
-    for (const Cascade& cascade : frame.cascades) {
+/// Returns the foam of the water that has the reference position (x, z), as a query does.
+float foam_at_rest(const Frame& frame, double x_m, double z_m) {
+    const DrawnWater drawn = drawn_at(frame, x_m, z_m);
+    double max = foam_of_place(frame, x_m + drawn.displacement.dx, z_m + drawn.displacement.dz);
+    for (std::size_t t = 0; t < frame.cascades.size() && !frame.cascades[t].foam_r8.empty(); ++t) {
+        const Cascade& cascade = frame.cascades[t];
         const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
-                                    x - column, z - row));
+        max = std::max(max, drawn.parts[t] * foam_at(cascade, static_cast<std::int64_t>(column),
+                                                     static_cast<std::int64_t>(row), x - column, z - row));
     }
     return static_cast<float>(max);
 }
 
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
-    need_foam(handle.frame);
+    if (!has_foam(handle.frame)) need_foam(handle.frame);
     const Places places = reference_places_of(points, z);
     py::array_t<float> array(places.shape);
     float* const out = array.mutable_data();
     const py::gil_scoped_release others_run;
-    for (std::size_t i = 0; i < places.x.size(); ++i) out[i] = resting_foam(handle.frame, places.x[i], places.z[i]);
+    for (std::size_t i = 0; i < places.x.size(); ++i) out[i] = foam_at_rest(handle.frame, places.x[i], places.z[i]);
     return array;
 }
 

@@ -289,9 +289,9 @@ class Frame:
     def rays(self, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike, *, tolerance_m: float = 0.001) -> Hits:
         """Where rays meet the water. Origins and directions are (..., 3), reach is in metres, a number or one a ray."""
     def displaced(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
-        """(..., 3): where water that rests at the points is drawn, for meshes."""
+        """(..., 3): drawn positions of water by its undisplaced positions, for meshes. Includes dynamic waves and a shore."""
     def displaced_foam(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
-        """(...): how much foam that water has, 0 to 1. With Ocean(foam=True)."""
+        """(...): foam of that water, 0 to 1. With Ocean(foam=True), dynamic waves or a shore."""
     def sample_undisplaced(self, points: ArrayLike) -> UndisplacedSamples:
         """The same and velocities in one go, for meshes of many vertices that move every frame. Points are (n, 2), within 1e9 m."""
 

@@ -4,6 +4,7 @@ import dataclasses
 import json
 import re
 import struct
+import warnings
 import zlib
 
 import numpy as np
@@ -210,6 +211,38 @@ def test_shores_have_the_commands_answers(tmp_path):
             shore.hash
         with pytest.raises(ValueError, match="the sea of an ocean with a shore cannot change"):
             ocean.schedule_sea(SEA, 20, 1)
+
+
+def test_meshes_lie_on_the_surface_of_dynamic_waves_and_shores():
+    z, x = np.mgrid[-300:300:50j, -300:300:50j]
+    rest = np.stack([x.ravel(), z.ravel()], axis=1)
+    near = rest / 30  # within the dynamic-wave grid
+    parts = {"dynamic_waves": (near, {"dynamic_waves": GRID}), "shore": (rest, {"shore": island_shore()}),
+             "both": (near, {"dynamic_waves": GRID, "shore": island_shore()})}
+    with pelagic.Ocean(SEA, velocities=True, foam=True) as open_sea:
+        alone = open_sea.frame_at(12.5)
+        for part, (points, options) in parts.items():
+            with pelagic.Ocean(SEA, velocities=True, foam=True, **options) as ocean:
+                ocean.frame_at(12.4)
+                if "dynamic_waves" in options:
+                    ocean.dynamic_waves.add_impulse(STONE)
+                frame = ocean.frame_at(12.5)
+                mesh = frame.sample_undisplaced(points)
+                moved = mesh["displacement"]
+                drawn = points + moved[:, ::2]
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    surface = frame.query(drawn)
+                assert surface["converged"].all(), part
+                np.testing.assert_allclose(moved[:, 1], surface["height"], rtol=0, atol=2e-5, err_msg=part)
+                np.testing.assert_allclose(mesh["velocity"], surface["velocity"], rtol=0, atol=2e-4, err_msg=part)
+                np.testing.assert_allclose(mesh["foam"], surface["foam"], rtol=0, atol=2e-4, err_msg=part)
+                shown = np.column_stack([points[:, 0], np.zeros(len(points)), points[:, 1]]) + moved
+                np.testing.assert_allclose(frame.displaced(points), shown, rtol=0, atol=4e-5, err_msg=part)
+                np.testing.assert_array_equal(frame.displaced_foam(points), mesh["foam"], err_msg=part)
+            others = alone.sample_undisplaced(points)["displacement"]
+            assert np.abs(moved - others)[:, 1].max() > 0.1, part
+            assert ("shore" in options) == bool(np.abs(moved - others)[:, 0].max() > 0.01), part
 
 
 def test_wave_inputs_add_their_waves(small):
