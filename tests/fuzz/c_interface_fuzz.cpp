@@ -1,5 +1,6 @@
-// Calls of the C interface in a random order with random values, on two oceans at once. What a caller can break by
-// himself (dead handles, short arrays) is kept right; all else must be answered by a status.
+// Calls the C interface in random order with random values, on two oceans at once. Undefined
+// behaviour by the caller (dead handles, short arrays) is avoided; every other call must return a
+// status.
 #include <pelagic/pelagic.h>
 
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace {
 
-/// The input as a source of values; 0 when it is used up.
+/// The input as a source of values; 0 after its end.
 class Bytes {
    public:
     Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -28,7 +29,7 @@ class Bytes {
         return value;
     }
 
-    /// Mostly a small plain number, sometimes any bits at all.
+    /// Returns mostly a small number, sometimes any bits.
     double number() {
         const auto byte = take<std::uint8_t>();
         return byte == 255 ? take<double>() : (byte - 100) * 0.25;
@@ -49,7 +50,8 @@ T sized(Bytes& bytes) {
     T value{};
     value.struct_size = sizeof(T);
     if (bytes.take<std::uint8_t>() == 255) {
-        // Up to 4096 bytes are a newer application's, and read: there has to be as much as he says. More are refused unread.
+        // Sizes up to 4096 bytes are those of newer applications and are read, so this much memory
+        // must be valid. Larger sizes are rejected without reading.
         const auto size = bytes.take<std::uint32_t>();
         if (size <= sizeof(T) || size > 4096) value.struct_size = size;
     }
@@ -76,7 +78,7 @@ pelagic_sea any_sea(Bytes& bytes) {
     for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
         *fields[bytes.take<std::uint8_t>() % std::size(fields)] = bytes.number();
     if (bytes.take<std::uint8_t>() == 255) {
-        // Large ones are slow, not wrong.
+        // Large resolutions are slow but valid.
         const auto resolution = bytes.take<std::int32_t>();
         if (resolution <= 64 || resolution > 2048) sea.resolution = resolution;
         sea.spectrum = bytes.take<std::int32_t>();
@@ -84,7 +86,7 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.spectrum = bytes.take<std::uint8_t>() % 4;
     }
     sea.seed = bytes.take<std::uint16_t>();
-    // One byte for both, so that a corpus keeps its layout.
+    // One byte for both, so that the corpus keeps its layout.
     const auto look = bytes.take<std::uint8_t>();
     sea.spreading = look % 5;
     sea.cascades = look / 5 % 6;
@@ -92,7 +94,7 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.patch_size_m = 0;
         if (sea.resolution == 16) sea.resolution = 32;
     }
-    // Seas of few waves from some seeds, so that others read what they did.
+    // Some seeds select seas of few waves, so that the layout of other inputs stays the same.
     if (const std::uint32_t kind = sea.seed / 256 % 16; kind >= 12) {
         sea.waves = static_cast<std::int32_t>(kind % 4);
         sea.wave_count = bytes.take<std::uint8_t>() % 70;
@@ -104,7 +106,7 @@ pelagic_sea any_sea(Bytes& bytes) {
     return sea;
 }
 
-/// A batch, rings and a callback, as many of them as can be.
+/// Creates a batch, rings and a callback, as far as they are valid.
 std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
     std::vector<pelagic_input*> inputs;
     const auto keep = [&](pelagic_status status, pelagic_input* made) {
@@ -159,7 +161,7 @@ pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
     const auto kind = bytes.take<std::uint8_t>();
     dynamic_waves.step = kind % 3;
     if (kind > 250) {
-        // Large ones are slow, not wrong.
+        // Large resolutions are slow but valid.
         const auto resolution = bytes.take<std::int32_t>();
         if (resolution <= 64 || resolution > 1024) dynamic_waves.resolution = resolution;
         dynamic_waves.ticks_per_s = bytes.take<std::int32_t>();
@@ -172,7 +174,7 @@ pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
     return dynamic_waves;
 }
 
-/// \param heights  of its floor, as long as the ocean is being made
+/// \param heights heights of the floor; must live until the ocean has been created
 pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
     auto shore = sized<pelagic_shore_options>(bytes);
     const std::uint32_t size = shore.struct_size;
@@ -225,7 +227,7 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};
     options.isa = isas[bytes.take<std::uint8_t>() % std::size(isas)];
     const pelagic_sea sea = any_sea(bytes);
-    // From some bytes alone, so that others read what they did.
+    // Only some byte values add inputs, so that the layout of other inputs stays the same.
     const std::vector<pelagic_input*> inputs = parts / 16 == 15 ? any_inputs(bytes) : std::vector<pelagic_input*>();
     options.input_count = inputs.size();
     options.inputs = inputs.data();
@@ -279,7 +281,8 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<float> plane(64 * 64);
     static std::vector<std::uint32_t> chain(64 * 64 * 2);
     static std::vector<std::uint8_t> foam(64 * 64 * 2);
-    // As many structs as an ocean has cascades, of the size that the first states: more memory than that may take.
+    // As many structs as an ocean has cascades, of the size that the first struct states. This
+    // array has enough memory for them.
     alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> cascades;
     cascades = {};
     const auto first = sized<pelagic_frame_buffers>(bytes);
@@ -309,7 +312,7 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
         ocean, bytes.number(), reinterpret_cast<const pelagic_frame_buffers*>(cascades.data()), &bounds));
 }
 
-/// Every byte of what a cascade points to is there.
+/// Reads every byte of the arrays of a cascade.
 void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
     auto cascade = sized<pelagic_cascade>(bytes);
     const auto index = bytes.take<std::int8_t>();
@@ -322,11 +325,11 @@ void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
     for (const std::uint32_t* chain : {cascade.gradient_rgba8, cascade.slopes_rgba8, cascade.moments_rgba8})
         if (chain) sum += chain[last];
     if (cascade.foam_r8) sum += cascade.foam_r8[last];
-    if (sum >> 62 != 0) std::abort();  // it never is; so the reads are not left out
+    if (sum >> 62 != 0) std::abort();  // never true, so that the compiler keeps the reads
 }
 
-/// Saved, and restored with a byte that somebody has changed, in its head or in the foam. Takes none of the input, so that a
-/// corpus keeps its layout.
+/// Saves the history and restores it with a changed byte in the header or in the foam. Reads
+/// nothing of the input, so that the corpus keeps its layout.
 void any_history(pelagic_ocean* ocean, std::uint64_t hash) {
     std::size_t count = 0;
     must_be_a_status(pelagic_ocean_save_history(ocean, nullptr, 0, &count));
@@ -355,14 +358,15 @@ pelagic_disturbance any_disturbance(Bytes& bytes) {
     return disturbance;
 }
 
-/// The ocean's dynamic waves; null without any.
+/// Returns the ocean's dynamic waves, or null if there are none.
 pelagic_dynamic_waves* waves_of(const pelagic_ocean* ocean) {
     pelagic_dynamic_waves* waves = nullptr;
     must_be_a_status(pelagic_ocean_dynamic_waves(const_cast<pelagic_ocean*>(ocean), &waves));
     return waves;
 }
 
-/// Saved, and restored with four bytes that somebody has changed, in the head, among the texels or among the sources, or with fewer.
+/// Saves the state and restores it with four changed bytes, in the header, the texels or the
+/// sources, or truncated.
 void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<std::uint8_t> saved;
     std::size_t count = 0;
@@ -371,12 +375,12 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
     if (measured == PELAGIC_OK) {
         saved.resize(count);
         must_be_a_status(pelagic_dynamic_waves_save_state(waves_of(ocean), saved.data(), saved.size(), &count));
-    }  // else those of another time, perhaps of another ocean
+    }  // else the state of an earlier call, perhaps of another ocean
     const auto changed = bytes.take<std::uint8_t>();
     std::vector<std::uint8_t> mutated = saved;
     if (mutated.size() > 600 && changed % 4) {
         const std::size_t at = bytes.take<std::uint16_t>();
-        // Behind the digest of its options, without which nothing is read.
+        // After the digest of the options, because a wrong digest stops the reading.
         const std::size_t place = changed % 4 == 1   ? 8 + at % 64
                                   : changed % 4 == 2 ? at % (mutated.size() - sizeof(std::uint32_t))
                                                      : mutated.size() - sizeof(std::uint32_t) - at % 500;
@@ -387,7 +391,7 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
     must_be_a_status(pelagic_dynamic_waves_restore_state(waves_of(ocean), mutated.data(), mutated.size()));
 }
 
-/// What frames show of the window and of the shore; every last byte of it is there.
+/// Reads the frame's dynamic waves and shore, up to the last byte.
 void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     std::uint64_t hash = 0;
     must_be_a_status(pelagic_dynamic_waves_hash(waves_of(ocean), &hash));
@@ -410,7 +414,7 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
         sum += shore.height_m[last] + shore.vertical_velocity_mps[last] + shore.reach_m[last] + shore.foam[last] +
                shore.depth_m[last] + shore.potential_m2ps[last] + static_cast<double>(shore.parts_rgba8[last]);
     }
-    if (sum != sum) std::abort();  // no number has come in, and none may come out
+    if (sum != sum) std::abort();  // The input has no NaN, so the output must have none.
 }
 
 void any_dynamic_waves_command(Bytes& bytes, pelagic_ocean* ocean) {

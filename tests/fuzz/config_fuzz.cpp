@@ -1,4 +1,4 @@
-// Config files of random bytes: entries, or one line that says why not.
+// Config files of random bytes: the parser returns entries or throws a one-line error.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

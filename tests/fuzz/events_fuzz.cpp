@@ -1,4 +1,4 @@
-// Event files of random bytes: pushes that any water takes, or one line that says why not.
+// Event files of random bytes: the parser returns valid disturbances or throws a one-line error.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

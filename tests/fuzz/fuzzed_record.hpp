@@ -1,4 +1,4 @@
-// What must hold of a record that was read back, whatever bytes it came from.
+// Invariants of a record that was read from arbitrary bytes.
 #pragma once
 
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 namespace pelagic {
 
-/// Two frames of a small sea, with the gradient's first level: what the kept corpus was made with.
+/// Two frames of a small sea, with the gradient's first level: the options of the stored corpus.
 inline tools::ExportOptions small_export() {
     tools::ExportOptions options;
     options.sea.sea = {.resolution = 16, .patch_size_m = 250};
@@ -36,7 +36,7 @@ void read_back(Parse parse, std::string_view text) {
             must_hold(record.files.size() == images.size());
             for (std::size_t i = 0; i < images.size(); ++i) must_hold(record.files[i].name == images[i].name);
         }
-        // Plain names in the export's folder, none of them hidden.
+        // Names must be plain file names in the export's folder, and not hidden.
         for (const std::string& name : earlier.images)
             must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
                        name.starts_with("mesh") || name.starts_with("flipbook")) &&

@@ -1,4 +1,4 @@
-// A journal of random bytes as the record of an earlier export.
+// Reads a journal of random bytes as the record of an earlier export.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

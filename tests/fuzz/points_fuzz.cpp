@@ -1,4 +1,5 @@
-// Points files of random bytes, in reads of random lengths: points as another reader sees them, or one line that says why not.
+// Points files of random bytes, in reads of random lengths: the points equal those of another
+// reader, or a one-line error is thrown.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +32,7 @@ void check_block(const pelagic::tools::PointReader& reader, const pelagic::tools
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
-    // The first byte says how much a read gives and how much a block takes.
+    // The first byte sets the number of bytes of a read and the number of points of a block.
     const std::size_t step = 1 + data[0] % 16, max_points = 1 + data[0] / 16;
     std::size_t at = 1;
     pelagic::tools::PointReader reader("points.csv", [&](std::span<char> bytes) {

@@ -1,4 +1,4 @@
-// Options, viewers and views of random bytes: a list that can be drawn, or one line that says why not.
+// Options, viewers and views of random bytes: the result is a valid draw list or a one-line error.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,13 +26,13 @@ class Bytes {
         return value;
     }
 
-    /// Mostly within [least, most], sometimes any bits at all.
+    /// Returns mostly a value in [min, max], sometimes any bits.
     double number(double min, double max) {
         const auto byte = take<std::uint8_t>();
         return byte == 255 ? take<double>() : min + (max - min) * byte / 254;
     }
 
-    /// Mostly 0 to 254, sometimes any 31 bits.
+    /// Returns mostly 0 to 254, sometimes any 31 bits.
     int whole() {
         const auto byte = take<std::uint8_t>();
         return byte == 255 ? take<std::int32_t>() / 2 : byte;

@@ -1,4 +1,4 @@
-// A sea.json of random bytes as the record of an earlier export.
+// Reads a sea.json of random bytes as the record of an earlier export.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-// How the loader finds the runtime's functions.
+// The entry point by which the loader finds the runtime's functions.
 #include <string_view>
 
 #include "pelagic/tests/openxr_runtime/loader_interface.hpp"

@@ -1,4 +1,4 @@
-// The frame loop: when a frame will be seen, the order of its calls, and what is handed over at its end.
+// The frame loop: the display time of a frame, the order of its calls, and its submitted layers.
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -17,7 +17,8 @@ bool is_seen(const Session& session) {
     return session.state == XR_SESSION_STATE_VISIBLE || session.state == XR_SESSION_STATE_FOCUSED;
 }
 
-/// XR_SUCCESS for a layer that can be shown. \param swapchains  whose images it shows
+/// Returns XR_SUCCESS for a layer that can be shown. \param swapchains set to the swapchains of its
+/// images
 XrResult check_layer(const XrCompositionLayerBaseHeader* header, std::array<const Swapchain*, views>& swapchains) {
     const auto* layer = reinterpret_cast<const XrCompositionLayerProjection*>(header);
     if (!is(layer, XR_TYPE_COMPOSITION_LAYER_PROJECTION)) return XR_ERROR_LAYER_INVALID;
@@ -42,7 +43,7 @@ XrResult check_layer(const XrCompositionLayerBaseHeader* header, std::array<cons
     return XR_SUCCESS;
 }
 
-/// As a compositor would: takes the images at that moment.
+/// Copies the images at this moment, as a compositor would.
 void record_layer(const Session& session, const XrCompositionLayerProjection& layer,
                   const std::array<const Swapchain*, views>& swapchains, XrTime display_time) {
     Record& record = the_instance()->record;
@@ -82,7 +83,8 @@ XrResult WaitFrame(XrSession handle, const XrFrameWaitInfo*, XrFrameState* state
     if (!session) return reject(call, XR_ERROR_HANDLE_INVALID);
     if (!is(state, XR_TYPE_FRAME_STATE)) return reject(call, XR_ERROR_VALIDATION_FAILURE);
     if (!session->is_running) return reject(call, XR_ERROR_SESSION_NOT_RUNNING);
-    // It blocks until the frame before was begun; whoever never begins one shall not hang a test.
+    // Blocks until the previous frame was begun. The limit avoids a hanging test if a frame is
+    // never begun.
     if (!frame_was_begun().wait_for(lock, std::chrono::seconds(20),
                                     [&] { return session->frames_waited == session->frames_begun; }))
         return reject(call, XR_ERROR_RUNTIME_FAILURE);

@@ -1,4 +1,5 @@
-// Preloaded (LD_PRELOAD), it stands before the loader for three calls: see past_validation.hpp.
+// Preloaded (LD_PRELOAD), this library intercepts three calls before the loader: see
+// past_validation.hpp.
 #include "pelagic/tests/openxr_runtime/past_validation.hpp"
 
 #include <EGL/egl.h>

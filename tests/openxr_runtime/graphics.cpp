@@ -2,7 +2,8 @@
 
 namespace pelagic::openxr_stand_in {
 
-/// The application's context is current on this thread while this lives, and afterwards whatever was current before.
+/// Makes the application's context current on this thread; the destructor restores the previous
+/// context.
 class BorrowedContext {
    public:
     explicit BorrowedContext(const Graphics& graphics)

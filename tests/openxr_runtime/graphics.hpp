@@ -1,4 +1,4 @@
-// The application's OpenGL ES context, as the runtime borrows it.
+// The application's OpenGL ES context, used by the runtime.
 #pragma once
 
 #include <EGL/egl.h>
@@ -15,17 +15,18 @@ namespace pelagic::openxr_stand_in {
 
 class Graphics {
    public:
-    /// False if the binding is not usable: no function that loads others, no context that can be made current.
+    /// Returns false if the binding is invalid: no function to load others, or no context that can
+    /// be made current.
     bool take(const XrGraphicsBindingEGLMNDX& binding);
 
-    /// The application's context can still be made current.
+    /// Returns true if the application's context can still be made current.
     bool is_there() const;
-    /// Textures of a swapchain, arrays where there is more than one layer.
+    /// Creates the textures of a swapchain; arrays if there is more than one layer.
     std::vector<GLuint> make_textures(int count, GLenum format, int width, int height, int layers) const;
     void delete_textures(const std::vector<GLuint>& textures) const;
-    /// What the application did wrong since the last call, or GL_NO_ERROR.
+    /// Returns the application's GL error since the last call, or GL_NO_ERROR.
     GLenum error() const;
-    /// RGB of a layer's part, the upper row first.
+    /// Returns RGB of a rectangle of a layer, the upper row first.
     std::vector<std::uint8_t> read(GLuint texture, bool is_array, int layer, const XrRect2Di& part) const;
 
    private:

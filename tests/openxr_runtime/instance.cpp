@@ -1,4 +1,4 @@
-// The instance, and what the system is.
+// The instance, and the properties of the system.
 #include <openxr/openxr_reflection.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::uint32_t recommended_side() {
 
 bool is_stereo(XrViewConfigurationType type) { return type == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO; }
 
-/// Whether instance and system are those that there are.
+/// Checks that instance and system are valid.
 XrResult check(const char* call, XrInstance instance, XrSystemId system) {
     if (!find(instance)) return reject(call, XR_ERROR_HANDLE_INVALID);
     if (system != the_system) return reject(call, XR_ERROR_SYSTEM_INVALID);

@@ -1,5 +1,6 @@
-// What the OpenXR loader and a runtime say to each other first, as the chapter "Loader Runtime Negotiation" of the
-// specification has it. Debian's headers are those for applications, without these two structures.
+// The structures that the OpenXR loader and a runtime exchange first, by the chapter "Loader
+// Runtime Negotiation" of the specification. Debian's headers are for applications and lack these
+// two structures.
 #pragma once
 
 #include <openxr/openxr.h>

@@ -1,6 +1,7 @@
-// OVR_multiview2 for tests, on a driver that lacks it. Preloaded (LD_PRELOAD), it makes two draws of each one, and of each
-// clear: layer 0 with gl_ViewID_OVR 0, then layer 1 with 1, as the extension says that one pass does. It shows that a
-// program attaches, clears and shades both views rightly, and nothing about how fast.
+// Emulates OVR_multiview2 for tests, on a driver that lacks it. Preloaded (LD_PRELOAD), it replaces
+// each draw and each clear by two: layer 0 with gl_ViewID_OVR 0, then layer 1 with 1, which gives
+// the result that the extension defines for one pass. Tests can check that a program attaches,
+// clears and shades both views correctly, but not its speed.
 #include <EGL/egl.h>
 #include <GLES3/gl3.h>
 #include <dlfcn.h>
@@ -29,7 +30,7 @@ struct Attachment {
     GLuint texture;
     GLint level, first_layer;
 };
-/// What framebuffers hold for several views, by name.
+/// The attachments of framebuffers with several views, by name.
 std::map<GLuint, std::vector<Attachment>>& framebuffers() {
     static std::map<GLuint, std::vector<Attachment>> all;
     return all;
@@ -41,7 +42,7 @@ GLint asked(GLenum what) {
     return value;
 }
 
-/// Calls draw() once a view where the bound framebuffer has several, else once.
+/// Calls draw() once for each view if the bound framebuffer has several, else once.
 template <class Draw>
 void for_each_view(const Draw& draw) {
     const auto bound = framebuffers().find(static_cast<GLuint>(asked(GL_DRAW_FRAMEBUFFER_BINDING)));

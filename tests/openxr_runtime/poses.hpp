@@ -1,4 +1,4 @@
-// Where the stand-in's head is, and its eyes.
+// The poses of the stand-in's head and eyes.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -13,7 +13,7 @@ struct Pose {
     glm::dquat turn{1, 0, 0, 0};
     glm::dvec3 place_m{0};
 
-    /// First the other one, then this one.
+    /// Applies `other` first, then this pose.
     Pose operator*(const Pose& other) const { return {turn * other.turn, place_m + turn * other.place_m}; }
     Pose inverse() const {
         const glm::dquat back = glm::conjugate(turn);
@@ -24,10 +24,12 @@ struct Pose {
 Pose pose_of(const XrPosef& pose);
 XrPosef xr_pose_of(const Pose& pose);
 
-/// In the space LOCAL: upright at first, then looking around and down at the water, swaying.
+/// Returns the pose in the space LOCAL: upright at first, then looking around and down at the
+/// water, swaying.
 Pose head_at(XrTime time);
 
-/// Left and right in the head's own space: 64 mm apart, parallel, each with more to see on its outer side (a Quest's fields of view).
+/// Returns the left and the right eye in the space of the head: 64 mm apart, parallel, with a
+/// larger field of view on the outer side (a Quest's fields of view).
 struct EyeOfHead {
     Pose pose;
     XrFovf fov;

@@ -1,4 +1,4 @@
-// What the stand-in was given, for a test to read afterwards.
+// The data that the stand-in received, for a test to read afterwards.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -19,18 +19,20 @@ struct Record {
     /// An eye of the last frame that had a layer.
     struct Eye {
         XrPosef pose{},
-            submitted_pose{};  ///< in LOCAL: as xrLocateViews() has it for that time, and as the layer has it
+            /// in LOCAL: returned by xrLocateViews() for this time, and submitted in the layer
+            submitted_pose{};
         XrFovf fov{}, submitted_fov{};
         int width = 0, height = 0;
-        std::vector<std::uint8_t> rgb;  ///< as it was handed over, the upper row first
+        std::vector<std::uint8_t> rgb;  ///< as submitted, the upper row first
     };
-    std::vector<std::string> states;    ///< of the session, in order
-    std::vector<std::string> refusals;  ///< "xrBeginFrame: -37", or a GL error by the end of a frame
+    std::vector<std::string> states;  ///< of the session, in order
+    /// "xrBeginFrame: -37", or a GL error at the end of a frame
+    std::vector<std::string> refusals;
     std::vector<Frame> frames;
     XrTime last_display_time_ns = 0;
     std::array<Eye, 2> eyes;
 
-    /// record.json, left.ppm and right.ppm into PELAGIC_STAND_IN_FOLDER, if that is set.
+    /// Writes record.json, left.ppm and right.ppm into PELAGIC_STAND_IN_FOLDER, if it is set.
     void write() const;
 };
 

@@ -1,16 +1,18 @@
-// An OpenXR runtime that stands in for a headset in tests, and nowhere else: it shows nothing and waits for nobody. Two eyes
-// with a Quest's fields of view move along a fixed path, and time passes by 1/72 s a frame, however long one takes. It answers
-// as the specification (OpenXR 1.0) says, wrong calls with the codes that it names, and writes down what it was given.
+// An OpenXR runtime that replaces a headset in tests only: it displays nothing and never waits. Two
+// eyes with a Quest's fields of view move along a fixed path, and time advances by 1/72 s a frame,
+// however long a frame takes. It follows the specification (OpenXR 1.0), returns its error codes
+// for invalid calls, and records what it receives.
 //
-// The environment tells it what to do:
+// Environment variables:
 //
-//   PELAGIC_STAND_IN_FOLDER  where record.json, left.ppm and right.ppm go when the instance is destroyed; none: nowhere
+//   PELAGIC_STAND_IN_FOLDER  folder of record.json, left.ppm and right.ppm, written when the
+//                            instance is destroyed; if unset, nothing is written
 //   PELAGIC_STAND_IN_EYE     side of an eye's image in pixels; 96
-//   PELAGIC_STAND_IN_EVENTS  what happens after which frame: "10:hide 20:show 30:stop 40:exit" (session.cpp)
-//   PELAGIC_STAND_IN_REFUSES a call that fails, and how: "xrGetSystem:-35"
+//   PELAGIC_STAND_IN_EVENTS  events after frames: "10:hide 20:show 30:stop 40:exit" (session.cpp)
+//   PELAGIC_STAND_IN_REFUSES a call that fails, with its code: "xrGetSystem:-35"
 //
-// An application's context does the drawing. Only what pelagic's application and the validation layer call is there; one instance
-// and one session at a time.
+// An application's context renders. Only the functions that Pelagic's application and the
+// validation layer call exist; there is one instance and one session at a time.
 #pragma once
 
 #include <EGL/egl.h>
@@ -47,7 +49,7 @@ namespace pelagic::openxr_stand_in {
     X(WaitFrame) X(BeginFrame) X(EndFrame)
 // clang-format on
 
-// The functions behind xrCreateInstance() and so on, by the API's own types.
+// The functions behind xrCreateInstance() and so on, with the API's own types.
 #define PELAGIC_STAND_IN_DECLARE(name) std::remove_pointer_t<PFN_xr##name> name;
 PELAGIC_STAND_IN_FUNCTIONS(PELAGIC_STAND_IN_DECLARE)
 #undef PELAGIC_STAND_IN_DECLARE
@@ -57,25 +59,26 @@ constexpr int views = 2;
 constexpr std::uint32_t largest_side = 4096;
 
 struct Space {
-    bool moves_with_head = false;  ///< VIEW; else LOCAL, whose origin is where the head starts
-    Pose pose;                     ///< of this space in that one
+    bool moves_with_head = false;  ///< VIEW; else LOCAL, whose origin is the head's first position
+    Pose pose;                     ///< pose of this space in VIEW or LOCAL
 };
 
 struct Swapchain {
     int width = 0, height = 0, layers = 0;
     std::vector<GLuint> textures;
     std::deque<std::uint32_t>
-        acquired;  ///< in the order of xrAcquireSwapchainImage(), the first one waited for or next to be
+        /// in the order of xrAcquireSwapchainImage(); the first is waited for, or is next to be
+        acquired;
     bool first_is_waited_for = false;
     std::uint32_t next = 0;
-    int last_released = -1;  ///< what a layer shows
+    int last_released = -1;  ///< the image that a layer shows
 };
 
 struct Session {
     Graphics graphics;
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool is_running = false;
-    bool ends_for_good = false;  ///< after STOPPING comes EXITING; else READY once more
+    bool ends_for_good = false;  ///< after STOPPING comes EXITING; else READY again
     std::uint32_t frames_waited = 0, frames_begun = 0, frames_ended = 0;
     bool is_in_frame = false;
     bool knows_head = true;
@@ -91,31 +94,32 @@ struct Instance {
     Record record;
 };
 
-/// Every function holds it while it runs.
+/// Every function locks it while it runs.
 std::mutex& mutex();
 
-/// The live one, owned here; empty or another: null, or what a handle that is none of ours becomes.
+/// Returns the live instance, owned here; empty if there is none. Each find() returns null for an
+/// unknown handle.
 std::unique_ptr<Instance>& the_instance();
 Instance* find(XrInstance handle);
 Session* find(XrSession handle);
 Space* find(XrSpace handle);
 Swapchain* find(XrSwapchain handle);
 
-/// Records the error message, so that a test sees it even where the application goes on.
+/// Records the error, so that a test sees it even if the application continues.
 XrResult reject(const char* call, XrResult why);
-/// What PELAGIC_STAND_IN_REFUSES says about this call, or XR_SUCCESS.
+/// Returns the code that PELAGIC_STAND_IN_REFUSES sets for this call, or XR_SUCCESS.
 XrResult wanted_message(const char* call);
 
-/// The session goes on to `state`, and the application is told.
+/// Changes the session's state to `state` and queues an event for the application.
 void enter(Session& session, XrSessionState state);
-/// What PELAGIC_STAND_IN_EVENTS has for the frame that was ended last.
+/// Applies the events of PELAGIC_STAND_IN_EVENTS for the frame that ended last.
 void let_events_happen(Session& session);
 
-/// When frame n, counted from 0, will be seen. Far from 0, as a real clock is.
+/// Returns the display time of frame n, counted from 0. Far from 0, like a real clock.
 XrTime display_time(std::uint32_t n);
 constexpr XrDuration display_period_ns = 1'000'000'000 / 72;
 
-/// The way in which OpenXR hands out lists: a capacity of 0 asks for the count.
+/// Returns a list in OpenXR's way: with a capacity of 0, only the count.
 template <class T>
 XrResult hand_out(const char* call, std::span<const T> values, std::uint32_t capacity, std::uint32_t* count, T* to) {
     if (!count) return reject(call, XR_ERROR_VALIDATION_FAILURE);

@@ -1,4 +1,4 @@
-// The session and its states, as the chapter "Session Lifecycle" of the specification draws them.
+// The session and its states, by the chapter "Session Lifecycle" of the specification.
 #include <openxr/openxr_reflection.h>
 
 #include <algorithm>
@@ -40,11 +40,11 @@ void happen(Session& session, const std::string& event) {
         enter(session, XR_SESSION_STATE_SYNCHRONIZED);
     } else if (event == "show") {
         enter(session, XR_SESSION_STATE_VISIBLE);
-    } else if (event == "blind") {  // covered: where the head is, nobody knows
+    } else if (event == "blind") {  // covered: the pose of the head is unknown
         session.knows_head = false;
     } else if (event == "see") {
         session.knows_head = true;
-    } else if (event == "stop") {  // taken off: the session goes on later
+    } else if (event == "stop") {  // taken off: the session continues later
         stop(session, false);
     } else if (event == "exit") {  // closed by its user
         stop(session, true);
@@ -81,7 +81,7 @@ void enter(Session& session, XrSessionState state) {
 }
 
 void let_events_happen(Session& session) {
-    // Once frames come, the headset shows them, and nothing else is on it.
+    // Once frames arrive, the headset shows them and nothing else.
     if (session.state == XR_SESSION_STATE_READY) {
         enter(session, XR_SESSION_STATE_SYNCHRONIZED);
         enter(session, XR_SESSION_STATE_VISIBLE);
@@ -126,7 +126,8 @@ XrResult DestroySession(XrSession handle) {
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
     if (!session) return reject("xrDestroySession", XR_ERROR_HANDLE_INVALID);
-    // Not a code of this call's: an application that destroyed its context before is wrong without being told so.
+    // Not a code of this call: an application that destroyed its context first is wrong, but gets
+    // no error.
     if (!session->graphics.is_there()) reject("xrDestroySession", XR_ERROR_GRAPHICS_DEVICE_INVALID);
     for (const auto& swapchain : session->swapchains) session->graphics.delete_textures(swapchain->textures);
     std::erase_if(the_instance()->events, [](const XrEventDataBuffer& event) {

@@ -1,4 +1,4 @@
-// Spaces, and where the eyes are in them.
+// Spaces, and the positions of the eyes in them.
 #include <cmath>
 
 #include "pelagic/tests/openxr_runtime/runtime.hpp"
@@ -7,7 +7,8 @@ namespace pelagic::openxr_stand_in {
 namespace {
 
 bool is_unit(const XrQuaternionf& q) {
-    return std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 0.01f;  // the specification's 1 %
+    // the specification's 1 %
+    return std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 0.01f;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Swapchains: three textures in turn, acquired, waited for and released in that order.
+// Swapchains: three textures in turn; images are acquired, waited for and released in this order.
 #include <algorithm>
 
 #include "pelagic/tests/openxr_runtime/past_validation.hpp"

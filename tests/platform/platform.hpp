@@ -1,26 +1,28 @@
-// What tests ask of the operating system: a file for each, of which tests/CMakeLists.txt takes one.
+// Operating system functions for tests: one source file for each system, chosen in
+// tests/CMakeLists.txt.
 #pragma once
 
 #include <cstddef>
 
 namespace pelagic {
 
-/// `bytes` at a multiple of `alignment`, a power of two; null if there is no such memory. Calls no operator new.
+/// Allocates `bytes` at a multiple of `alignment`, a power of two; returns null if there is no such
+/// memory. Does not call operator new.
 void* allocate_aligned(std::size_t bytes, std::size_t alignment);
-/// Takes it back, null too.
+/// Frees the memory; null is allowed.
 void free_aligned(void* memory);
 
-/// What the C library's heap has handed out.
+/// Returns the number of bytes allocated from the C library's heap.
 std::size_t bytes_handed_out();
 
-/// Whether threads can be kept on chosen CPUs.
+/// Returns true if threads can be bound to chosen CPUs.
 bool threads_have_cpu_masks();
-/// Where the calling thread runs, among all CPUs. \pre threads_have_cpu_masks()
+/// Returns the CPU of the calling thread, among all CPUs. \pre threads_have_cpu_masks()
 int cpu_of_this_thread();
 
-/// Whether a process can be given less room.
+/// Returns true if the address space of a process can be limited.
 bool has_address_space_limits();
-/// Lets this process have no more addresses than that. \pre has_address_space_limits()
+/// Limits the address space of this process. \pre has_address_space_limits()
 void limit_address_space(std::size_t bytes);
 
 }  // namespace pelagic

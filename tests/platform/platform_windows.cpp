@@ -23,7 +23,7 @@ std::size_t bytes_handed_out() {
 bool threads_have_cpu_masks() { return true; }
 int cpu_of_this_thread() { return static_cast<int>(GetCurrentProcessorNumber()); }
 
-// A job object limits what is committed, and wine's not even that.
+// A job object limits only committed memory, and wine's not even that.
 bool has_address_space_limits() { return false; }
 void limit_address_space(std::size_t) {}
 

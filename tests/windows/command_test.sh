@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# pelagic.exe where its users stumble: files are written whole and leave no part behind, and what can't be done is a line.
+# Tests pelagic.exe: files are written completely and no partial file stays, and every error is one
+# line.
 #
 # usage: command_test.sh WORK_FOLDER PELAGIC...    the command may begin with an emulator
 set -euo pipefail
@@ -9,7 +10,8 @@ mkdir -p "$work/folder"
 cd "$work"
 
 "${pelagic[@]}" quadtree --camera 10,6,20 --target 100,2,60 --svg plan.svg --obj sea.obj >figures
-"${pelagic[@]}" quadtree --camera 10,6,20 --target 100,2,60 --svg plan.svg >figures  # over the first
+# overwrites the first
+"${pelagic[@]}" quadtree --camera 10,6,20 --target 100,2,60 --svg plan.svg >figures
 [ "$(head -c 4 plan.svg)" = "<svg" ]
 [ "$(grep -c '^v ' sea.obj)" -gt 1000 ]
 [ "$(find . -name '*.part' | wc -l)" -eq 0 ]

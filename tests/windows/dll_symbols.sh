@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What pelagic.dll exports, and the import library that applications link offers, is what tests/abi/pelagic.symbols lists; and it imports
-# nothing but DLLs that every Windows has.
+# pelagic.dll and the import library that applications link export the symbols of
+# tests/abi/pelagic.symbols. The DLL imports only DLLs that every Windows has.
 #
 # usage: dll_symbols.sh OBJDUMP NM DLL IMPORT_LIBRARY LIST
 set -euo pipefail
@@ -11,12 +11,12 @@ headers=$("$objdump" -p "$dll")
 exported=$(sed -nE '/Name Pointer\] Table/,/^$/s/^\t\[ *[0-9]+\] (\+base\[ *[0-9]+\] +[0-9a-f]+ )?(.*)$/\2/p' <<<"$headers" | LC_ALL=C sort)
 diff -u "$list" - <<<"$exported" || { echo "what $dll exports differs from $list"; exit 1; }
 
-# Each name is there twice, once as the address in the table of imports.
+# Each name occurs twice, once as the address in the import table.
 offered=$("$nm" --defined-only "$import_library" 2>/dev/null | awk '$2 == "T" {print $3}' | LC_ALL=C sort)
 diff -u "$list" - <<<"$offered" || { echo "what $import_library offers differs from $list"; exit 1; }
 
 imported=$(sed -nE 's/^\tDLL Name: (.*)$/\1/p' <<<"$headers" | tr '[:upper:]' '[:lower:]' | LC_ALL=C sort -u)
 [ -n "$imported" ] || { echo "$dll imports nothing?"; exit 1; }
-# MSYS2's compiler links the universal C library, which is a part of Windows 10, by its many names.
+# MSYS2's compiler links the universal C library of Windows 10 by its many names.
 strangers=$(grep -vE '^(kernel32|msvcrt|ucrtbase|api-ms-win-crt-[a-z0-9-]+)\.dll$' <<<"$imported" || true)
 [ -z "$strangers" ] || { echo "$dll imports what a plain Windows lacks:" $strangers; exit 1; }

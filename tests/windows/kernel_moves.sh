@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Kernels move no register of 32 or 64 bytes to or from memory that has to be aligned for it: stacks of Windows need not be
-# (cmake/isa.cmake). Debian's compiler would align them, so no crash would tell.
+# Kernels move no register of 32 or 64 bytes to or from memory with aligned instructions, because
+# stacks of Windows may be unaligned (cmake/isa.cmake). Debian's compiler aligns them, so no crash
+# would show the error.
 #
 # usage: kernel_moves.sh OBJDUMP OBJECT...
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every command line of docs/users/windows.md, in a folder that has the build and the sources where the page has them; the applications
-# print the lines that the page shows.
+# Runs every command line of docs/users/windows.md in a folder with the build and the sources at the
+# page's paths. The applications print the lines of the page.
 #
 # usage: page_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail
@@ -20,7 +20,8 @@ sed -n 's/^    //p' "$page" >lines
 sed -n '/^```text$/,/^```$/{/^```/!p}' "$page" >shown
 [ "$(wc -l <shown)" -eq 5 ]
 while read -r line; do
-  # The preset would configure this very build anew while it is tested; that it is there is enough here.
+  # The preset would reconfigure this build while it is tested; here it is enough that the preset
+  # exists.
   [ "$line" != "cmake --preset windows && cmake --build --preset windows" ] || line="cmake --list-presets=configure -S $source"
   echo "$line"
   bash -e -c "$line" >out </dev/null || { cat out; exit 1; }

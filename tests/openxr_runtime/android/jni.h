@@ -1,4 +1,5 @@
-// What openxr_platform.h takes of Android's jni.h, so that the application's lines for Android are compiled without an NDK.
+// The types of Android's jni.h that openxr_platform.h needs, so that the application's code for
+// Android is compiled without an NDK.
 #pragma once
 
 using jobject = void*;
