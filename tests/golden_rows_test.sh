@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# `pelagic query` prints the rows that tests/golden/query holds, byte for byte, on every instruction set of this processor, and
-# `pelagic info` the golden hash: on every system. The rows are those of Linux.
+# Checks that `pelagic query` prints the rows of tests/golden/query, byte for byte, on every
+# instruction set of this processor, and that `pelagic info` prints the golden hash. The rows were
+# written on Linux.
 #
-# usage: golden_rows_test.sh GOLDEN_FOLDER WORK_FOLDER PELAGIC...    the command may begin with an emulator
-#        golden_rows_test.sh --write GOLDEN_FOLDER PELAGIC...        makes the rows anew, after a change of everybody's sea
+# usage: golden_rows_test.sh GOLDEN_FOLDER WORK_FOLDER PELAGIC...
+#        golden_rows_test.sh --write GOLDEN_FOLDER PELAGIC...
+# The command may begin with an emulator. --write generates the rows again, after a change of the
+# sea's reproducible values.
 set -euo pipefail
 seas=(
   "default.csv       --wind-speed 9 --time 12.5 --interpolation linear"
@@ -37,6 +40,6 @@ for isa in "${isas[@]}"; do
   said=$("${pelagic[@]}" info --isa "$isa" --json)
   grep -qF "\"hash\": \"$expected\"" <<<"$said" || { echo "$isa: info has not the hash $expected"; exit 1; }
 done
-# By standard input too, which is bytes as they are.
+# Also from standard input, which is read as raw bytes.
 "${pelagic[@]}" query --wind-speed 9 --time 12.5 --points - <"$golden/query/points.csv" | cmp "$golden/query/default_cubic.csv" -
 echo "the golden rows on ${isas[*]}"

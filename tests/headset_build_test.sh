@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The line of docs/users/headset.md, with a stand-in for the NDK's toolchain file: it configures without GLM, oneTBB and a
-# graphics library, and makes a library for 64-bit Arm that has the C interface and takes all else from the system's C++. It is
-# optimised less than usual, to be done sooner.
+# Runs the line of docs/users/headset.md with a replacement for the NDK's toolchain file: it
+# configures without GLM, oneTBB and a graphics library, and builds a library for 64-bit Arm that
+# has the C interface and needs only the system's C++ library. The optimisation level is lower than
+# usual, to save time.
 #
 # usage: headset_build_test.sh SOURCE_FOLDER CMAKE LIBCXX_FOLDER
 set -euo pipefail
@@ -12,12 +13,12 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/deps"
 ln -s /usr/include/xsimd /usr/include/xxhash.h "$work/deps"
 
-# Taken from the page, but for the NDK, so that it can't grow old.
+# Read from the page, except for the NDK's options, so that page and test agree.
 line=$(sed -n '/^    cmake -S \. -B build\/android/,/[^\\]$/p' "$source/docs/users/headset.md" | sed 's/\\$//' | tr '\n' ' ')
 [[ $line == *-DPELAGIC_XXHASH_INCLUDE_DIR* ]] || { echo "the page has no such line any more"; exit 1; }
 options=$(sed -E 's/^ *cmake -S \. -B build\/android//; s/-DCMAKE_TOOLCHAIN_FILE=[^ ]*//; s/-DANDROID_[A-Z]*=[^ ]*//g; s/\$DEPS/DEPS/g' <<<"$line")
 options=${options//DEPS/"$work/deps"}
-# What the build machine has is not what the headset has: GLM, for instance.
+# Packages of the build machine are not those of the headset: GLM, for instance.
 only_of_target=(-DCMAKE_FIND_ROOT_PATH=/usr/aarch64-linux-gnu -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY -DCMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY)
 # shellcheck disable=SC2086
 "$cmake" -S "$source" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$source/cmake/arm64-libcxx.cmake" $options \

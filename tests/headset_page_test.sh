@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What docs/users/headset.md shows: its C compiles with the header that it is for, and its lines for the command run.
-# Its build for Android is headset_build_test.sh's.
+# Checks docs/users/headset.md: its C code compiles with the installed header, and its command lines
+# run. headset_build_test.sh tests its build for Android.
 #
 # usage: headset_page_test.sh SOURCE_FOLDER PELAGIC C_COMPILER INCLUDE_FOLDER
 set -euo pipefail

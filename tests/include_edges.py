@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks every include of C and C++ against the directories that include_edges.txt allows, prints each violation by file, and
-checks that the table itself has no cycle.
+"""Checks every include of C and C++ against the directories that include_edges.txt allows, prints
+each violation by file, and checks that the table itself has no cycle.
 
 usage: include_edges.py SOURCE_FOLDER TABLE
 """
@@ -24,7 +24,8 @@ def read_table(file):
 
 
 def later_directories(table):
-    """Directories that a directory of the table may include although they stand below it, which would allow a cycle."""
+    """Yields directories that a directory of the table may include although they stand below it,
+    which would allow a cycle."""
     seen = {"generated"}
     for directory, allowed in table.items():
         for other in allowed:

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
-# Installs into an empty prefix, then builds the example applications in a place that sees nothing else, and runs them: both
-# print the same frames. Also with pkg-config; and each installed header stands alone and names nobody else's library.
+# Installs into an empty prefix, builds the example applications in a folder without access to
+# anything else, and runs them: both print the same frames. Also tests pkg-config, and that each
+# installed header is self-contained and needs no third-party header.
 #
 # usage: install_test.sh BUILD_FOLDER EXAMPLES_FOLDER CMAKE C_COMPILER CXX_COMPILER
 set -euo pipefail
 build=$1 examples=$2 cmake=$3 cc=$4 cxx=$5
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export DESTDIR=  # the caller's would move the prefix
+export DESTDIR=  # the caller's DESTDIR would move the prefix
 
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
-mv "$work/first" "$work/prefix"  # package files must not remember where they were put
+mv "$work/first" "$work/prefix"  # package files must not contain their install path
 
 diff -r "$examples/../presets" "$work/prefix/share/pelagic/presets"
 cp -r "$examples" "$work/examples"
@@ -21,10 +22,11 @@ for application in cpp_application c_application; do
   "$work/$application/$application" >"$work/$application.txt"
 done
 diff "$work/cpp_application.txt" "$work/c_application.txt"
-# The page for Windows shows these lines, and a test there compares them too.
+# The page for Windows shows these lines, and a test of Windows compares them too.
 sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/users/windows.md" | diff - "$work/c_application.txt"
 
-# A C application needs nobody's packages, whether it asks for components or not; whoever asks for what is missing is told why.
+# A C application needs no packages, with or without components. A missing component is reported
+# with its reason.
 # usage: configure_c_application NAME WANTED [OPTION...]
 configure_c_application() {
   mkdir -p "$work/$1"
@@ -76,7 +78,7 @@ END
   "$cmake" --build "$work/quadtree_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/quadtree_build/quadtree_application"
 
-# The component that draws, by the example of an application with a context of its own.
+# The component that renders, tested with the example of an application with its own context.
 if [ -d "$work/prefix/include/pelagic/gl" ]; then
   mkdir "$work/gl_application"
   cat >"$work/gl_application/CMakeLists.txt" <<'END'
@@ -93,7 +95,7 @@ END
   (cd "$work" && gl_build/gl_application)
   [ "$(head -c 14 "$work/sea.ppm" | tr '\n' ' ')" = "P6 960 540 255" ]
 
-  # And that of headsets, which says so in one line where there is none.
+  # The headset example, which prints one line if there is no headset.
   if [ -e /usr/include/openxr/openxr.h ]; then
     "$cmake" -S "$work/examples/openxr_application" -B "$work/openxr_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
@@ -110,7 +112,7 @@ if command -v pkg-config >/dev/null; then
   "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$examples/c_application/main.c" -o "$work/c_pc" \
     $(pkg-config --cflags --libs pelagic_c)
   LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_application.txt"
-  # The page's line, after which the program finds the library by itself.
+  # The page's line; afterwards the program finds the library by itself.
   line=$(sed -n 's/^    \(cc main.c -o main .*\)/\1/p' "$examples/../docs/library.md")
   [ -n "$line" ] || { echo "docs/library.md has no line for pkg-config"; exit 1; }
   cp "$examples/c_application/main.c" "$work/main.c"
@@ -124,7 +126,7 @@ if command -v pkg-config >/dev/null; then
   "$work/quadtree_pc"
 fi
 
-# The licences of what is compiled in come along.
+# The licences of compiled-in code are installed.
 notice=$(find "$work/prefix" -name NOTICE)
 for name in xsimd xxHash GLM oneTBB CLI11 toml++ nlohmann-json "Dear ImGui" stb OpenImageIO Imath; do
   grep -qF "$name" "$notice" || { echo "NOTICE lacks $name"; exit 1; }
@@ -140,7 +142,7 @@ if find . -name '*kernel*' | grep .; then
   exit 1
 fi
 
-# An application whose own folders have the same names, and come first on its path.
+# An application whose own folders have the same names and come first on its include path.
 mkdir -p "$work/clash/sim" "$work/clash/jobs" "$work/clash/simd" "$work/clash/message" "$work/clash/quadtree"
 for header in $(find message jobs simd sim -name '*.hpp'); do
   echo '#error "an application file was taken for one of Pelagic"' >"$work/clash/$header"
@@ -157,7 +159,7 @@ if grep -rn '#include.*glm' message jobs simd sim pelagic.h; then
 fi
 if [ -x "$work/prefix/bin/pelagic" ]; then
   "$work/prefix/bin/pelagic" --version >/dev/null
-  # Images are written by a library that is installed beside the tool and found relative to it.
+  # A library that is installed beside the tool, and found relative to it, writes the images.
   "$work/prefix/bin/pelagic" export --out "$work/export" --resolution 16 --frames 1 --maps displacement >/dev/null
   [ -s "$work/export/displacement_0000.exr" ] || { ls -R "$work/export"; exit 1; }
 fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds without oneTBB, and hands that build to install_test.sh.
+# Builds without oneTBB and runs install_test.sh on that build.
 #
 # usage: install_without_tbb_test.sh SOURCE_FOLDER CMAKE C_COMPILER CXX_COMPILER
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# An inline function that an AVX-512 object keeps for everyone may become the program's only copy of it, and crash
-# on every other CPU. So each weak symbol of a kernel object must name its instruction set.
+# An inline function in an AVX-512 object may become the program's only copy of it, and crash on
+# every other CPU. So each weak symbol of a kernel object must name its instruction set.
 #
 # usage: kernel_symbols.sh NM ARCH OBJECT...
 set -euo pipefail

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# What a library asks of the C library is in LIST, with an Android API level of 29 or less: docs/users/headset.md promises to run
-# there. A new symbol is looked up in bionic's own symbol maps and added to the list in the same commit.
+# Checks that LIST has every symbol that a library needs of the C library, with an Android API level
+# of 29 or less, which docs/users/headset.md requires. A new symbol is looked up in bionic's symbol
+# maps and added to the list in the same commit.
 #
-# Names of the C++ library and of the unwinder come with the app, from the NDK, whatever the level.
+# Symbols of the C++ library and of the unwinder are part of the application, from the NDK, at any
+# level.
 #
 # usage: libc_surface.sh NM LIST LIBRARY...
 set -euo pipefail
@@ -24,7 +26,7 @@ for library in "$@"; do
     END { exit bad }' "$list" "$work/used" || bad=1
   cat "$work/used" >>"$work/all"
 done
-# What nobody uses any more would stand for a promise that nobody tests.
+# Unused symbols must leave the list, because nothing tests them.
 awk '
   FILENAME == ARGV[1] { used[$1]; next }
   /^#/ || !NF || $1 in used { next }

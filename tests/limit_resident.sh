@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs COMMAND and ends it when it holds more than MIB of memory: what a limit of address space can't do for programs under
-# ThreadSanitizer, which map terabytes, and which take no notice of hard_rss_limit_mb.
+# Runs COMMAND and kills it if its resident memory exceeds MIB. A limit of the address space does
+# not work under ThreadSanitizer, which maps terabytes, and ThreadSanitizer ignores
+# hard_rss_limit_mb.
 #
 # usage: limit_resident.sh MIB COMMAND...    the command's exit code, or 125
 mib=$1
@@ -9,7 +10,7 @@ shift
 exec {never}<> <(:)
 "$@" &
 process=$!
-# A process that has ended holds nothing.
+# A process that has ended has no resident memory.
 while read -r _ resident _ 2>/dev/null <"/proc/$process/statm" && [ "$resident" -gt 0 ]; do
   if [ "$resident" -gt "$most" ]; then
     kill -KILL "$process"

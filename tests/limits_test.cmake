@@ -1,4 +1,5 @@
-# No test without a limit of time and of memory: those that are added past pelagic_test.cmake are named.
+# Checks that every test has a limit of time and of memory: tests that were added without
+# pelagic_test.cmake are named.
 #
 # usage: cmake -D CTEST=... -D BUILD=... -P limits_test.cmake
 execute_process(COMMAND ${CTEST} --test-dir ${BUILD} --show-only=json-v1 OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)

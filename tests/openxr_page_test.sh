@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Every command line of docs/users/openxr.md, in a folder that has the build where the page has it, with the stand-in for a
-# runtime. What goes on until its user leaves is left by the stand-in's after six frames, of which the first is not seen.
+# Runs every command line of docs/users/openxr.md, in a folder with the build at the page's path and
+# with the stand-in as the runtime. The stand-in ends programs that run until their user leaves
+# after six frames, of which the first is not displayed.
 #
 # usage: openxr_page_test.sh SOURCE_FOLDER BUILD_FOLDER RUNTIME_JSON
 set -euo pipefail
@@ -15,7 +16,8 @@ cd "$work"
 sed -n 's/^    //p' "$source/docs/users/openxr.md" >lines
 [ "$(wc -l <lines)" -eq 5 ] || { echo "the page has other lines than this test knows"; exit 1; }
 while read -r line; do
-  # The preset would configure this very build anew while it is tested; that there is one of this name is enough here.
+  # The preset would reconfigure this build while it is tested; here it is enough that the preset
+  # exists.
   [ "$line" != "cmake --preset release" ] || line="cmake --list-presets=configure -S $source"
   echo "$line"
   case $line in *--frames*) unset PELAGIC_STAND_IN_EVENTS ;; *) export PELAGIC_STAND_IN_EVENTS=6:exit ;; esac
@@ -26,7 +28,7 @@ while read -r line; do
     *bin/openxr_application*) grep -q '^5 frames shown' out ;;
   esac
 done <lines
-# The last frame's images and a hash a frame, as the page says.
+# The last frame's images and one hash a frame, as documented on the page.
 [ "$(wc -l <seas.txt)" -eq 20 ]
 [ "$(head -c 9 left.ppm | tr '\n' ' ')" = "P6 32 32 " ]
 ! cmp -s left.ppm right.ppm || { echo "both eyes see the same"; exit 1; }

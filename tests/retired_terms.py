@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Looks for retired names and phrases in headers, docs, examples and the command's help texts, and prints each with its place.
+"""Searches headers, docs, examples and the command's help texts for retired names and phrases, and
+prints each with its file and line.
 
 usage: retired_terms.py SOURCE_FOLDER TERMS [PELAGIC]
 """

@@ -1,4 +1,5 @@
-# The reader of presets/ takes a good file and stops at each mistake, in one place. It runs itself for each file.
+# The reader of presets/ accepts a valid file and reports each error with one line. The script runs
+# itself for each file.
 #
 # usage: cmake -D SOURCE=... -D WORK=... -P sea_presets_reader_test.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -12,7 +13,7 @@ endif()
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-# usage: read(TEXT WORKS EXPECTED): what is said holds EXPECTED.
+# usage: read(TEXT WORKS EXPECTED): the output contains EXPECTED.
 function(read text works expected)
   file(WRITE ${WORK}/sea.toml "${text}")
   execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE=${SOURCE} -D FOLDER=${WORK} -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}

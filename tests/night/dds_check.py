@@ -1,5 +1,6 @@
-# What others' readers find in the DDS files of an export: nvddsinfo the formats, ffmpeg the pixels of gradient and displacement,
-# Pillow those of gradient, if it is there.
+# Checks the DDS files of an export with independent readers: nvddsinfo the formats, ffmpeg the
+# pixels of gradient and displacement, and Pillow, if it is installed, those of gradient.
+#
 # usage: dds_check.py FOLDER
 import subprocess
 import sys
@@ -24,7 +25,8 @@ for name, dxgi in (("displacement", "R16G16B16A16_FLOAT"), ("gradient", "R8G8B8A
 
 gradient = folder / "gradient_0000.dds"
 level = gradient.read_bytes()[HEADER:HEADER + 4 * 128 * 128]
-# ffmpeg 5.1 takes either for blue, green, red and alpha, and halves for words: asked for that, it hands them on as they are.
+# ffmpeg 5.1 reads both as blue, green, red and alpha, and halves as 16-bit integers; with these
+# formats it returns the bytes unchanged.
 assert decoded(gradient, "bgra") == level, "ffmpeg sees another gradient"
 displacement = folder / "displacement_0000.dds"
 assert decoded(displacement, "bgra64le") == displacement.read_bytes()[HEADER:HEADER + 8 * 128 * 128], "ffmpeg sees another displacement"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A fresh copy of the tree, ./demo.sh, then cmake --install of what it built: all that an install has is there, and runs.
+# Runs ./demo.sh in a fresh copy of the tree, then cmake --install on its build, and checks that
+# everything is installed and runs.
 #
 # usage: demo_install_test.sh SOURCE_FOLDER CMAKE
 set -euo pipefail

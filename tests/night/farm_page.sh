@@ -1,14 +1,17 @@
-# Sourced by the tests of docs/users/farm.md: runs the page's lines in a folder of their own, for a small shot.
+# Sourced by the tests of docs/users/farm.md: runs the page's lines in a temporary folder, for a
+# small shot.
 #
-#   open_page PELAGIC   goes to a new folder, removed at the end, in which `pelagic` and contrib/ are as the page has them
-#   run_page HEADING    the lines of that section, in this shell, so that the page's variables stay
+#   open_page PELAGIC   changes to a new folder, removed at the end, in which `pelagic` and
+#                       contrib/ have the page's paths
+#   run_page HEADING    runs the lines of a section in this shell, so that its variables stay
 #   is_in_the_middle SHARD   true if its journal in waves/ has some frames
-#   wait_for SECONDS COMMAND...   until it is true
-#   same_as_one_run     the merged export in waves/ has the files of the one in one/, with their bytes, and no others
+#   wait_for SECONDS COMMAND...   waits until the command succeeds
+#   same_as_one_run     checks that the merged export in waves/ has the same files as the export
+#                       in one/, byte for byte, and no others
 #
-# The first export of each of the shards in SLOW_SHARDS has a disk on which every fdatasync takes a quarter of a second, and so half a
-# minute for its 12 frames: there is time to interrupt it in its middle. (strace can delay calls too, but loses threads that are
-# sent a signal meanwhile.)
+# The first export of each shard in SLOW_SHARDS writes to a disk on which every fdatasync takes a
+# quarter of a second. Its 12 frames take half a minute, enough to interrupt it. (strace can delay
+# calls too, but loses threads that receive a signal meanwhile.)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 page=$root/docs/users/farm.md
 # 96 frames of 64 texels in 8 shards.

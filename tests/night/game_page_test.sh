@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Executes the lines of docs/users/game.md in their order, then has others' readers look at what they left: npm's ktx-parse and
-# zstddec, a checker of Khronos' rules, NVIDIA's nvddsinfo, ffmpeg, Pillow, and `pelagic query` for heights. Exits 77, which
-# ctest calls skipped, where a program is missing.
-# usage: game_page_test.sh PELAGIC FOLDER    FOLDER keeps what npm installed between runs
+# Executes the lines of docs/users/game.md in order, then checks their output with independent
+# readers: npm's ktx-parse and zstddec, a checker of Khronos' rules, NVIDIA's nvddsinfo, ffmpeg,
+# Pillow, and `pelagic query` for heights. Exits with 77, "skipped" in ctest, if a program is
+# missing.
+#
+# usage: game_page_test.sh PELAGIC FOLDER    FOLDER keeps npm's packages between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 pelagic=$1
@@ -13,7 +15,7 @@ mkdir -p "$2"
 cd "$2"
 rm -rf sea sea_dds book
 cp "$here"/../../docs/users/recipes/game/sample.mjs "$here"/ktx2_check.mjs .
-echo {} >package.json  # npm installs here, whatever the folders above have
+echo {} >package.json  # npm installs here, regardless of the folders above
 PATH=$(dirname "$pelagic"):$PATH
 
 # Indented lines that begin with a program, as a reader types them.

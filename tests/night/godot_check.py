@@ -1,4 +1,6 @@
-# Runs the recipe's project in Godot 3 under a virtual X server, and compares what it drew.
+# Runs the recipe's project in Godot 3 under a virtual X server, and compares its vertices with
+# queries.
+#
 # usage: godot_check.py FOLDER IMAGE.png PELAGIC RECIPE
 import json
 import os

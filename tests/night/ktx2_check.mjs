@@ -1,4 +1,6 @@
-// Reads every KTX2 of an export with npm's ktx-parse and zstddec, and compares its levels with those of the DDS beside it.
+// Reads every KTX2 file of an export with npm's ktx-parse and zstddec, and compares its levels with
+// those of the DDS file beside it.
+//
 // usage: node ktx2_check.mjs FOLDER_OF_KTX2 FOLDER_OF_DDS
 import { readFileSync, readdirSync } from "node:fs";
 import { read } from "ktx-parse";

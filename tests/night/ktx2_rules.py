@@ -1,5 +1,7 @@
-# Checks KTX2 files by the rules of the KTX File Format Specification 2.0 (revision 4) and of the Khronos Data Format Specification
-# 1.4, for two-dimensional textures that are not compressed in blocks. Nothing of it comes from who wrote the files.
+# Checks KTX2 files by the rules of the KTX File Format Specification 2.0 (revision 4) and of the
+# Khronos Data Format Specification 1.4, for two-dimensional textures without block compression. It
+# shares no code with the writer.
+#
 # usage: ktx2_rules.py FILE...
 import math
 import struct
@@ -27,7 +29,7 @@ def check(data):
     rule(scheme in (0, 2), "supercompressionScheme")
     rule(sgd_size == 0 and sgd_at == 0, "supercompression global data without need")
 
-    # Parts follow each other: index, descriptor, key/value data, levels.
+    # The sections follow each other: index, descriptor, key/value data, levels.
     rule(dfd_at == 80 + 24 * levels, "dfdByteOffset")
     (total,) = struct.unpack_from("<I", data, dfd_at)
     rule(total == dfd_size and kvd_at - dfd_at == total, "dfdTotalSize")

@@ -1,7 +1,8 @@
-"""A Job of Kubernetes without Kubernetes: as JSON, or its container's command run here for each index.
+"""Reads a Kubernetes Job without Kubernetes: prints it as JSON, or runs its container's command for
+each index.
 
 usage: kubernetes_job.py json FILE
-       kubernetes_job.py run FILE FOLDER    FOLDER takes the place of the mounted volume
+       kubernetes_job.py run FILE FOLDER    FOLDER replaces the mounted volume
 """
 import json
 import os

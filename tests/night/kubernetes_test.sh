@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# contrib/kubernetes: its Jobs against the types that the Kubernetes project generates from its API, and what their containers
-# run, for every index, against one run. There is no cluster.
+# Tests contrib/kubernetes: its Jobs match the types that the Kubernetes project generates from its
+# API, and the commands of their containers, for every index, give the files of one run. There is no
+# cluster.
+#
 # usage: kubernetes_test.sh PELAGIC FOLDER    FOLDER keeps the types between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,4 +1,5 @@
-# Reads the meshes of an export in Blender, and asks `pelagic query` whether that is the sea.
+# Reads the meshes of an export in Blender, and compares them with `pelagic query`.
+#
 # usage: blender -b --python-exit-code 1 -P mesh_check.py -- FOLDER IMAGE.png PELAGIC
 import json
 import math
@@ -8,7 +9,7 @@ from pathlib import Path
 import bpy
 import numpy
 
-numpy.bool = bool  # Debian's importer of glTF is older than Debian's numpy
+numpy.bool = bool  # Debian's glTF importer is older than Debian's numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from compare_with_query import ask, compare
@@ -21,7 +22,7 @@ loop_s = record["sea"]["loop_period_s"]
 
 
 def read(operator, name):
-    """The one mesh of a file, in an empty scene."""
+    """Returns the single mesh of a file, in an empty scene."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     group, call = operator.split(".")
     getattr(getattr(bpy.ops, group), call)(filepath=str(Path(folder).resolve() / name))
@@ -31,7 +32,8 @@ def read(operator, name):
 
 
 def places_of(mesh, is_rotated=True):
-    """In Pelagic's axes: importers that know that y is up turn it to Blender's z."""
+    """Returns vertices in Pelagic's axes: importers of formats with y up rotate it to Blender's z.
+    """
     drawn = mesh.evaluated_get(bpy.context.evaluated_depsgraph_get())
     vertices = [drawn.matrix_world @ vertex.co for vertex in drawn.to_mesh().vertices]
     drawn.to_mesh_clear()
@@ -39,7 +41,7 @@ def places_of(mesh, is_rotated=True):
 
 
 def check_look(mesh, frame, places, colour, has_normals):
-    """Normals, foam and texture coordinates of a file's frame."""
+    """Checks normals, foam and texture coordinates of a file's frame."""
     sea = ask(pelagic, folder, frame, places, "--foam")
     data = mesh.data
     assert max(row["foam"] for row in sea) > 0.1, "a sea without foam tells nothing about it"
@@ -64,7 +66,7 @@ def check_look(mesh, frame, places, colour, has_normals):
 
 
 for frame in (0, frames - 1):
-    # Colours of OBJ and PLY are sRGB to Blender, those of glTF are linear by its specification.
+    # Blender treats colours of OBJ and PLY as sRGB; those of glTF are linear by its specification.
     for operator, name, colour, is_rotated in (("wm.obj_import", f"mesh_{frame:04}.obj", "color_srgb", True),
                                               ("import_mesh.ply", f"mesh_{frame:04}.ply", "color_srgb", False),
                                               ("import_scene.gltf", f"mesh_{frame:04}.glb", "color", True)):
@@ -72,7 +74,8 @@ for frame in (0, frames - 1):
         mesh = read(operator, name)
         places = places_of(mesh, is_rotated)
         compare(pelagic, folder, frame, places)
-        check_look(mesh, frame, places, colour, has_normals=is_rotated)  # Blender 3.4 reads no normals of PLY
+        # Blender 3.4 reads no normals of PLY
+        check_look(mesh, frame, places, colour, has_normals=is_rotated)
 
 print("modifier Mesh Cache, mesh.mdd")
 mesh = read("wm.obj_import", "mesh_0000.obj")
@@ -85,12 +88,12 @@ for frame in range(frames):
 print("import_scene.gltf mesh.glb")
 mesh = read("import_scene.gltf", "mesh.glb")
 scene = bpy.context.scene
-for frame in range(frames + 1):  # the last one is the first
+for frame in range(frames + 1):  # the last frame equals the first
     at = frame * loop_s / frames * scene.render.fps
     scene.frame_set(int(at), subframe=at - int(at))
     compare(pelagic, folder, frame % frames, places_of(mesh))
 
-# An image for whoever wants to look: the last file with its own material, foam by colour, under a sky.
+# Renders an image for inspection: the last file with its own material, foam by colour, under a sky.
 scene.frame_set(0)
 world = scene.world = bpy.data.worlds.new("sky")
 world.use_nodes = True

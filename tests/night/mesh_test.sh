@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Meshes of `pelagic export --mesh` and `pelagic quadtree` in programs that nobody here wrote: Khronos' validator of glTF, and Blender,
-# which reads every format and plays the point cache and the animation. Exits 77, which ctest calls skipped, where a program is missing.
+# Checks the meshes of `pelagic export --mesh` and `pelagic quadtree` with independent programs:
+# Khronos' validator of glTF, and Blender, which reads every format and plays the point cache and
+# the animation. Exits with 77, "skipped" in ctest, if a program is missing.
+#
 # usage: mesh_test.sh PELAGIC FOLDER    FOLDER keeps the image, and the validator between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

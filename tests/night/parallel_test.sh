@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# The line of docs/users/farm.md for GNU parallel, with an export killed in the middle of its shard.
+# Runs the line of docs/users/farm.md for GNU parallel, with an export killed in the middle of its
+# shard.
+#
 # usage: parallel_test.sh PELAGIC
 set -euo pipefail
 . "$(dirname "$0")/farm_page.sh"

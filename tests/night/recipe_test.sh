@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Runs a recipe of docs/users/recipes as its page says, and compares every vertex that the program draws with
-# `pelagic query`. Exits 77, which ctest calls skipped, where the program is missing.
-# usage: recipe_test.sh blender|three|godot PELAGIC FOLDER    FOLDER keeps the images, and three.js between runs
+# Runs a recipe of docs/users/recipes as documented, and compares every vertex of the program with
+# `pelagic query`. Exits with 77, "skipped" in ctest, if the program is missing.
+#
+# usage: recipe_test.sh blender|three|godot PELAGIC FOLDER
+# FOLDER keeps the images, and three.js between runs.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 recipe=$1 pelagic=$2
@@ -17,7 +19,7 @@ needs() {
 }
 waves=$(mktemp -d)
 trap 'rm -rf "$waves"' EXIT
-# Two frames, so that a program that shows the wrong one is found out.
+# Two frames, to detect a program that shows the wrong one.
 make_waves() { "$pelagic" export --out "$waves" --preset "$1" --patch-size 300 --resolution 128 --loop-period 90 --loop-frames 2; }
 
 case $recipe in

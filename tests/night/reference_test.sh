@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The images of `pelagic render` beside those of a path tracer, by docs/images/reference/compare.py. Exits 77, which ctest calls
-# skipped, where Blender is missing.
+# Compares images of `pelagic render` with those of a path tracer, by
+# docs/images/reference/compare.py. Exits with 77, "skipped" in ctest, if Blender is missing.
+#
 # usage: reference_test.sh PELAGIC FOLDER    FOLDER keeps the images and the table
 set -euo pipefail
 reference=$(cd "$(dirname "$0")/../../docs/images/reference" && pwd)

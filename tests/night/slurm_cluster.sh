@@ -1,13 +1,14 @@
-# Sourced: a Slurm cluster of two nodes on this machine, for whoever calls it, without munge and without root.
+# Sourced: a Slurm cluster of two nodes on this machine, for the calling user, without munge and
+# without root. Needs wait_for of farm_page.sh.
 #
-# Needs wait_for of farm_page.sh.
+#   start_cluster FOLDER   starts slurmctld and the nodes n1 and n2, configured with eight
+#                          processors each; state, spools and logs are in FOLDER
+#   stop_cluster           stops the cluster after the last job
+#   cut_off NODE           disconnects a node: its daemons are killed, its jobs' processes continue
+#   processes_on NODE      prints the process ids of its jobs
 #
-#   start_cluster FOLDER   slurmctld and the nodes n1 and n2, of eight processors each by their word; state, spools and logs in FOLDER
-#   stop_cluster           after the last job
-#   cut_off NODE           Slurm loses the node: its daemons are killed, its jobs' processes go on
-#   processes_on NODE      of jobs there, as process ids
-#
-# Jobs get a credential of five seconds' life: a requeued one waits for the end of the old one's, by default two minutes.
+# A job's credential is valid for five seconds, because a requeued job waits until the old one
+# expires, by default two minutes.
 
 free_ports() {
   python3 -c 'import socket, sys
@@ -59,7 +60,7 @@ EOF
   PATH=$PATH:/usr/sbin
   slurmctld -D &>"$cluster/slurmctld.out" &
   for node in n1 n2; do slurmd -D -N "$node" &>"$cluster/$node.out" & done
-  disown -a  # bash says nothing of their ends
+  disown -a  # bash prints nothing when they end
   wait_for 60 nodes_are_idle
 }
 
@@ -67,7 +68,7 @@ nodes_are_idle() { [ "$(sinfo --noheader --Node --format=%T 2>/dev/null | sort |
 no_job_is_left() { [ -z "$(squeue --noheader)" ]; }
 
 stop_cluster() {
-  wait_for 60 no_job_is_left  # a step that is ending would make slurmd hang
+  wait_for 60 no_job_is_left  # slurmd hangs if a step is still ending
   scontrol shutdown
   wait_for 60 no_daemon_is_left
 }

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# docs/users/farm.md line by line on a real Slurm of two nodes: one is lost in the middle of two shards, and a lock
-# with it; one shard is requeued, one told that its time is up, and one cancelled and submitted again. Then
-# every file is as from one run without shards.
+# Runs docs/users/farm.md line by line on a real Slurm cluster of two nodes. One node is lost in the
+# middle of two shards, with a lock. One shard is requeued, one receives its time limit signal, and
+# one is cancelled and submitted again. Afterwards every file is identical to that of one run
+# without shards.
 #
-# It runs in a process namespace of its own, so that nothing outlives it, and exits 77, which ctest calls skipped, where the
-# system refuses that.
+# The test runs in a process namespace of its own, so that no process outlives it. It exits with 77,
+# "skipped" in ctest, if the system does not allow that.
 # usage: slurm_test.sh PELAGIC
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -39,7 +40,7 @@ lock_holder=$!
 
 echo "== $requeued is requeued, the time of $late is up, 5 is cancelled"
 scontrol requeue "${array}_$requeued"
-scancel --signal=USR1 --batch "${array}_$late" &  # it asks again while the task is being requeued
+scancel --signal=USR1 --batch "${array}_$late" &  # retries while the task is being requeued
 wait_for 60 is_in_the_middle 5
 scancel "${array}_5"
 

@@ -1,4 +1,6 @@
-# Serves docs/users/recipes/three as its page says, opens it in Chromium without a window, and compares what it drew.
+# Serves docs/users/recipes/three as documented, opens it in headless Chromium, and compares its
+# vertices with queries.
+#
 # usage: three_check.py FOLDER IMAGE.png PELAGIC RECIPE NODE_MODULES
 import array
 import http.server
@@ -40,7 +42,7 @@ with tempfile.TemporaryDirectory() as site:
     os.symlink(Path(node_modules).resolve(), Path(site) / "node_modules")
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), lambda *a: Page(*a, directory=site))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    # Software GL, and no sandbox, which root can't have.
+    # Software GL, and no sandbox, because root cannot use it.
     browser = subprocess.Popen(["chromium", "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
                                 "--enable-unsafe-swiftshader", "--user-data-dir=" + site + "/profile",
                                 f"http://127.0.0.1:{server.server_port}/three_check.html"],
@@ -56,8 +58,8 @@ for number in range(len(record["frames"])):
     places = [tuple(floats[4 * k:4 * k + 3]) for k in range((N + 1) ** 2)]
     compare(pelagic, folder, number, places)
 
-    # The decoded normals against those of a query would differ by half a byte; against heights of the neighbours they
-    # tell an exchanged or mirrored axis, which is what can go wrong here.
+    # The decoded normals differ from those of a query by up to half a byte. Compared with the
+    # heights of the neighbours they show an exchanged or mirrored axis, the likely error here.
     gradients = array.array("f", received[f"gradients_{number}"])
     wrong = 0
     for j in range(1, N):
@@ -69,7 +71,8 @@ for number in range(len(record["frames"])):
             size = sum(n * n for n in normal) ** 0.5
             jacobian = normal[1] / (2 * length / N) ** 2
             said = gradients[4 * at:4 * at + 4]
-            # A byte stands for 2/255, so its middle is within 1/255; the y of a unit vector follows from the others.
+            # A byte has a step of 2/255, so its value is within 1/255. The y of a unit vector
+            # follows from the other components.
             off = max(abs(normal[0] / size - said[0]), abs(normal[2] / size - said[2]),
                       abs(max(-1, min(1, jacobian)) - said[3]))
             wrong += off > 1 / 255 + 1e-4

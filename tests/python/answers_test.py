@@ -1,4 +1,4 @@
-"""What a frame tells, against what can be worked out without it."""
+"""Values of a frame, compared with independent computations."""
 
 import warnings
 
@@ -8,7 +8,7 @@ import pytest
 
 
 def at_points(array, cascade, x, z):
-    """Bilinear and periodic on a cascade's own grid, in double."""
+    """Interpolates bilinearly and periodically on a cascade's grid, in double."""
     cosine, sine = cascade.rotation
     step = cascade.patch_size_m / cascade.resolution
     u, v = (cosine * x + sine * z) / step, (cosine * z - sine * x) / step
@@ -34,7 +34,8 @@ def test_displaced_is_the_sum_of_cascades(places):
         moved += np.stack([x, np.zeros_like(x), z], -1)
         shown = frame.displaced(places)
         assert shown.dtype == np.float32 and shown.shape == (40, 50, 3)
-        np.testing.assert_allclose(shown, moved, rtol=0, atol=5e-5)  # half of a float's last digit at 900 m is 3e-5
+        # half of a float's last digit at 900 m is 3e-5
+        np.testing.assert_allclose(shown, moved, rtol=0, atol=5e-5)
         np.testing.assert_array_equal(frame.displaced(x, z), shown)
 
         foam = np.max([at_points(cascade.foam, cascade, x, z) for cascade in frame.cascades], axis=0) / 255
@@ -42,7 +43,7 @@ def test_displaced_is_the_sum_of_cascades(places):
         np.testing.assert_allclose(frame.displaced_foam(places), foam, rtol=0, atol=1e-6)
 
 
-def test_resting_points_are_told_all_at_once(places):
+def test_undisplaced_points_are_sampled_at_once(places):
     points = places.reshape(-1, 2)
     with pelagic.Ocean(pelagic.preset("rough"), foam=True, velocities=True) as ocean:
         frame = ocean.frame_at(3)
@@ -50,10 +51,12 @@ def test_resting_points_are_told_all_at_once(places):
         assert {name: (array.dtype.str, array.shape) for name, array in water.items()} == {
             "displacement": ("<f4", (2000, 3)), "velocity": ("<f4", (2000, 3)), "foam": ("<f4", (2000,))}
         drawn = water["displacement"] + np.stack([points[:, 0], np.zeros(2000), points[:, 1]], -1)
-        np.testing.assert_allclose(drawn, frame.displaced(points), rtol=0, atol=4e-5)  # half of a float's last digit at 900 m
+        # half of a float's last digit at 900 m
+        np.testing.assert_allclose(drawn, frame.displaced(points), rtol=0, atol=4e-5)
         np.testing.assert_array_equal(water["foam"], frame.displaced_foam(points))
         moving = frame.query(drawn[:, [0, 2]], fields=["velocity"])["velocity"]
-        np.testing.assert_allclose(water["velocity"], moving, rtol=0, atol=5e-3)  # a millimetre aside it is another
+        # a millimetre away it differs
+        np.testing.assert_allclose(water["velocity"], moving, rtol=0, atol=5e-3)
         for wrong in ([1.0, 2.0], [[1.0, 2.0, 3.0]], [[np.nan, 0.0]], [[0.0, 2e9]]):
             with pytest.raises(ValueError, match="^points.* (expected|is out of range) "):
                 frame.sample_undisplaced(wrong)
@@ -61,7 +64,7 @@ def test_resting_points_are_told_all_at_once(places):
         assert list(ocean.frame_at(3).sample_undisplaced(points)) == ["displacement"]
 
 
-def test_a_query_finds_the_water_that_is_drawn_there(places):
+def test_a_query_returns_the_displaced_water_at_a_point(places):
     with pelagic.Ocean(pelagic.preset("moderate"), velocities=True) as ocean:
         frame = ocean.frame_at(3)
         drawn = frame.displaced(places)
@@ -75,13 +78,13 @@ def test_a_query_finds_the_water_that_is_drawn_there(places):
         some = frame.query(drawn[..., 0], drawn[..., 2], fields=["height", "velocity"])
         assert sorted(some) == ["height", "velocity"]
         np.testing.assert_array_equal(some["velocity"], answers["velocity"])
-        # A number for z goes with all x, as in NumPy.
+        # A scalar z is broadcast to all x, as in NumPy.
         np.testing.assert_array_equal(frame.query([1.0, 2.0], 5.0)["height"], frame.query([[1.0, 5.0], [2.0, 5.0]])["height"])
         assert frame.query(1.0, 5.0)["height"].shape == ()
         assert frame.query(np.empty((0, 2)))["normal"].shape == (0, 3)
 
 
-def test_velocities_are_the_displacements_derivative():
+def test_velocities_are_the_derivative_of_the_displacement():
     with pelagic.Ocean(pelagic.preset("moderate"), velocities=True) as ocean:
         step_s = 0.01
         before, after = (ocean.frame_at(5 + sign * step_s).cascades[0].height.astype(float) for sign in (-1, 1))
@@ -101,7 +104,8 @@ def test_rays_end_on_the_water():
         np.testing.assert_allclose(origins + directions / np.linalg.norm(directions, axis=1)[:, None] * hits["distance"][:, None],
                                    hits["position"], rtol=0, atol=1e-6)
         water = frame.query(hits["position"][:, 0], hits["position"][:, 2])
-        np.testing.assert_allclose(water["height"], hits["position"][:, 1], rtol=0, atol=5e-3)  # a millimetre along the ray
+        # a millimetre along the ray
+        np.testing.assert_allclose(water["height"], hits["position"][:, 1], rtol=0, atol=5e-3)
         np.testing.assert_allclose(water["normal"], hits["normal"], rtol=0, atol=0.05)
 
         up = frame.rays([0, -20, 0], [[0, 1, 0], [0, -1, 0]], [100, 50])
@@ -122,18 +126,18 @@ def test_chains_halve_from_level_to_level(small):
             assert cascade.foam_level(level).shape == (side, side)
         for name in ("gradient", "slopes", "moments", "foam"):
             np.testing.assert_array_equal(getattr(cascade, name), getattr(cascade, f"{name}_level")(0))
-        # Slopes are the heights' five-point differences of docs/equations.md.
+        # Slopes are five-point differences of heights, as in docs/equations.md.
         h_x = (cascade.slopes[..., 0].astype(float) - 128) / 127 * cascade.slope_range
         far = -0.2194
         near = 0.5 - 2 * far
         heights = cascade.height.astype(float)
         slopes = sum(weight * (np.roll(heights, -step, axis=1) - np.roll(heights, step, axis=1)) for step, weight in ((1, near), (2, far)))
         np.testing.assert_allclose(h_x, slopes / (250 / 64), rtol=0, atol=0.6 * cascade.slope_range / 127)
-        # Foam of the halves is that of the bytes.
+        # The foam of the halves equals that of the bytes.
         np.testing.assert_allclose(cascade.displacement[..., 3].astype(float), cascade.foam / 255, rtol=0, atol=1e-3)
 
 
-def test_measured_waves_are_as_high_as_the_sea_says():
+def test_measured_height_is_that_of_the_sea():
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
         frame = ocean.frame_at(3)
         waves = ocean.sea.report()
@@ -144,7 +148,7 @@ def test_measured_waves_are_as_high_as_the_sea_says():
             4 * np.sqrt(sum(np.var(cascade.height.astype(float)) for cascade in frame.cascades)), rel=1e-6)
 
 
-def test_a_frame_between_two_seas_tells_of_both():
+def test_a_frame_between_two_seas_has_both():
     first = pelagic.Sea(wind_speed_mps=10, roughness=0.2)
     then = pelagic.Sea(spectrum="phillips", spreading="hasselmann", swell_height_m=2, wind_speed_mps=8)
     with pelagic.Ocean(first, largest_peak_m=then.report().peak_wavelength_m) as ocean:
@@ -156,7 +160,7 @@ def test_a_frame_between_two_seas_tells_of_both():
         ocean.schedule_sea(then, from_s=10, over_s=10)
 
 
-def test_a_series_is_queries_of_frames():
+def test_a_series_equals_queries_of_frames():
     points, times = np.random.default_rng(4).uniform(-300, 300, (5, 7, 2)), [3.5, 0.0, 7.25]
     with pelagic.Ocean(pelagic.Sea(resolution=64), velocities=True, foam=True) as ocean:
         for interpolation in ("linear", "cubic"):
@@ -173,7 +177,7 @@ def test_a_series_is_queries_of_frames():
         cubic = ocean.series(points, times)["height"]
         np.testing.assert_array_equal(cubic, ocean.series(points, times, interpolation="cubic")["height"])
 
-        # A view of a frame is safe from a series, and what goes wrong halfway leaves the ocean as it was.
+        # A view of a frame is safe from a series, and an error does not change the ocean.
         view = ocean.frame_at(1).displacement
         with pytest.raises(BufferError):
             ocean.series(points, times)
@@ -187,7 +191,7 @@ def test_a_series_is_queries_of_frames():
         still.series(points, times, fields=["velocity"])
 
 
-def test_a_series_that_outlasts_the_loop_is_refused():
+def test_a_series_longer_than_the_loop_is_rejected():
     with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250)) as ocean:
         with pytest.raises(ValueError, match=r"^times span 400 s, but the sea repeats after 200 s: loop_period_s=600 is long enough, "
                                              r"and repeats=True permits repetition$"):
@@ -199,7 +203,7 @@ def test_a_series_that_outlasts_the_loop_is_refused():
         assert len(set(ocean.series([0, 0], [0, 200, 400])["height"])) == 3
 
 
-def test_points_that_span_more_than_the_sea_are_noted(small):
+def test_points_beyond_the_repeat_length_give_a_warning(small):
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(0)
         for ask in (frame.query, lambda points: ocean.series(points, [0])):

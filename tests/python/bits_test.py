@@ -1,4 +1,4 @@
-"""The package has the bits that the command line has, and those that are kept for every application."""
+"""The package is bit-identical to the command line and to the golden hashes."""
 
 import json
 
@@ -19,7 +19,7 @@ def test_frames_have_the_golden_hashes(options):
             for text, time_s in TIMES.items():
                 seen[f"{name}@{text}"] = ocean.frame_at(time_s).hash
     assert seen == {name: int(GOLDEN[name], 16) for name in seen}
-    # All that there are, but for those of other questions than frames.
+    # All hashes, except those of queries and of foam.
     assert {name for name in GOLDEN if name not in seen} == {
         "foam-folded", "foam-cascades", "queries-analytic", "queries-pond", "queries-folded", "queries-smooth", "queries-cascades"}
 
@@ -30,7 +30,7 @@ def test_foam_has_the_golden_hash():
 
 
 @pytest.mark.parametrize("name", ["lake", "storm", "analytic-moderate", "pond", "beaufort-7"])
-def test_presets_are_the_commands(name):
+def test_presets_are_those_of_the_command(name):
     said = json.loads(run_pelagic("info", "--json", "--preset", name))
     with pelagic.Ocean(pelagic.preset(name)) as ocean:
         frame = ocean.frame_at(0)
@@ -62,7 +62,7 @@ def csv_columns(text):
 
 
 def assert_same_answers(answers, told):
-    """Every digit that the command prints reads back as the float that it had."""
+    """Every number that the command prints is read back as the original float."""
     def column(name):
         return told[name].astype(np.float32)
 
@@ -76,7 +76,7 @@ def assert_same_answers(answers, told):
 
 
 @pytest.mark.parametrize("sea", SEAS)
-def test_queries_have_the_commands_bits(sea):
+def test_queries_are_bit_identical_to_the_command(sea):
     options, flags = SEAS[sea]
     where = points()
     given = "".join(f"{x!r},{z!r}\n" for x, z in where.tolist())
@@ -96,11 +96,12 @@ def test_queries_have_the_commands_bits(sea):
         for i in (0, 1700, len(where) - 1):  # alone as well
             assert frame.query(where[i])["height"] == answers["height"][i]
     if sea == "steep":
-        assert answers["jacobian"].min() < 0.3  # crests are sharp there
+        assert answers["jacobian"].min() < 0.3  # crests are sharp
 
 
 def read_exr(path, resolution, number):
-    """Displacements of an uncompressed EXR file: after the header come the lines, each y, bytes, and blue, green and red."""
+    """Reads the displacements of an uncompressed EXR file: after the header the lines follow, each
+    with y, byte count, and blue, green and red."""
     line = np.dtype([("y", "<i4"), ("bytes", "<i4"), ("bgr", np.dtype(number), (3, resolution))])
     lines = np.frombuffer(path.read_bytes()[-resolution * line.itemsize:], line)
     np.testing.assert_array_equal(lines["y"], np.arange(resolution))
@@ -108,7 +109,7 @@ def read_exr(path, resolution, number):
 
 
 @pytest.mark.parametrize("flags, number", [(["--half"], "<f2"), ([], "<f4")], ids=["halves", "floats"])
-def test_arrays_have_the_bits_of_exported_images(tmp_path, flags, number):
+def test_arrays_are_bit_identical_to_exported_images(tmp_path, flags, number):
     run_pelagic("export", "--out", tmp_path, "--preset", "rough", "--start", "12.34", "--maps", "displacement", "--compression", "none", *flags)
     hash_ = json.loads((tmp_path / "sea.json").read_text())["frames"][0]["hash"]
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
@@ -123,7 +124,7 @@ def test_arrays_have_the_bits_of_exported_images(tmp_path, flags, number):
         np.testing.assert_array_equal(frame.height, frame.cascades[0].height)
 
 
-def test_seas_change_as_the_commands_do(tmp_path):
+def test_transitions_are_identical_to_the_command(tmp_path):
     weather = tmp_path / "weather.toml"
     weather.write_text('preset = "calm"\n\n[[change]]\nfrom = 10\nover = 20\npreset = "storm"\n')
     where = points()[:200]

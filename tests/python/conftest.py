@@ -1,4 +1,5 @@
-"""What the tests of the package for Python share: the native command, and the seas of the golden hashes."""
+"""Shared by the tests of the Python package: the native command, and the seas of the golden hashes.
+"""
 
 import os
 import subprocess
@@ -12,7 +13,7 @@ GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read
 
 
 def run_pelagic(*arguments, given=None):
-    """What the command prints; its path comes from whoever runs the tests."""
+    """Returns the output of the command, whose path is in the environment variable PELAGIC."""
     done = subprocess.run([os.environ["PELAGIC"], *map(str, arguments)], input=given, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -37,5 +38,5 @@ def golden_seas():
 
 @pytest.fixture
 def small():
-    """A sea of one cascade whose frames take no time."""
+    """Returns a sea of one cascade whose frames are fast to compute."""
     return pelagic.Sea(resolution=64, patch_size_m=250)

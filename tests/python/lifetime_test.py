@@ -1,4 +1,4 @@
-"""Frames that are over, arrays that stay, oceans that are closed."""
+"""Lifetimes of frames, arrays and oceans."""
 
 import gc
 import os
@@ -27,11 +27,11 @@ def test_a_view_is_the_oceans_memory_and_read_only(small):
         assert frame.height.any()
 
 
-def test_a_view_keeps_its_memory_from_being_written_over(small):
+def test_a_view_protects_its_memory_from_being_overwritten(small):
     with pelagic.Ocean(small) as ocean:
         kept = ocean.frame_at(1).displacement
         copy = kept.copy()
-        ocean.frame_at(2)  # the memory of another frame
+        ocean.frame_at(2)  # uses the memory of another frame
         np.testing.assert_array_equal(kept, copy)
         for ask in (ocean.frame_at, ocean.schedule):
             with pytest.raises(BufferError, match=r"an array of the frame of 1 s is still in use"):
@@ -46,14 +46,14 @@ def test_a_view_keeps_its_memory_from_being_written_over(small):
         np.testing.assert_array_equal(ocean.frame_at(1).displacement, copy)
 
 
-def test_a_loop_that_keeps_the_last_array_is_never_refused(small):
+def test_a_loop_that_keeps_the_last_array_raises_no_error(small):
     with pelagic.Ocean(small) as ocean:
         for time_s in range(20):
             displacement = ocean.frame_at(time_s).displacement
         assert displacement.any()
 
 
-def test_a_frame_that_is_over_says_so(small):
+def test_a_frame_that_is_over_raises_an_error(small):
     with pelagic.Ocean(small, foam=True) as ocean:
         frame = ocean.frame_at(1)
         cascade = frame.cascades[0]
@@ -68,7 +68,8 @@ def test_a_frame_that_is_over_says_so(small):
                     lambda: frame.displaced_foam([[0, 0]]), lambda: frame.sample_undisplaced([[0, 0]]), frame.measured_significant_wave_height_m):
             with pytest.raises(pelagic.StaleFrame, match="holds a later one"):
                 ask()
-        assert frame.time_s == 1 and frame.sea == small and frame.bounds.height_max_m > 0  # what it said about itself
+        # its own data stays valid
+        assert frame.time_s == 1 and frame.sea == small and frame.bounds.height_max_m > 0
         ocean.complete()
 
 
@@ -86,7 +87,7 @@ def test_frames_overlap_with_the_next(small):
         assert ocean.is_ready()
 
 
-def test_what_comes_in_the_wrong_order_is_refused(small):
+def test_calls_in_the_wrong_order_are_rejected(small):
     with pelagic.Ocean(small) as ocean:
         with pytest.raises(RuntimeError, match=r"no frame is in flight, expected schedule\(\) first"):
             ocean.complete()
@@ -97,7 +98,7 @@ def test_what_comes_in_the_wrong_order_is_refused(small):
         assert ocean.complete().time_s == 1
 
 
-def test_a_closed_ocean_says_so(small):
+def test_a_closed_ocean_raises_an_error(small):
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(1)
         kept = frame.displacement
@@ -110,12 +111,12 @@ def test_a_closed_ocean_says_so(small):
                 lambda: cascade.height, lambda: frame.query([[0, 0]])):
         with pytest.raises(ValueError, match="the ocean is closed"):
             ask()
-    ocean.close()  # once more does no harm
+    ocean.close()  # closing again is allowed
     gc.collect()
     np.testing.assert_array_equal(kept, copy)
 
 
-def test_an_exception_closes_the_ocean_and_goes_on(small):
+def test_an_exception_closes_the_ocean_and_propagates(small):
     with pytest.raises(KeyError):
         with pelagic.Ocean(small) as ocean:
             ocean.schedule(1)  # in flight
@@ -168,7 +169,8 @@ MEMORY = """
         gc.collect()
         print(bytes_resident() - before, max(abs(now - then) for now, then in zip(references(), held)))
 
-    # Oceans, too: each of these has 4 megabytes, which go when it is closed, whoever still has it or a frame of it.
+    # Oceans, too: each of these uses 4 megabytes, which are freed when it is closed, even if it or
+    # a frame of it is still referenced.
     kept = []
     for i in range(100):
         with pelagic.Ocean(pelagic.Sea(), queries=False) as ocean:
@@ -180,7 +182,7 @@ MEMORY = """
 """
 
 
-def test_ten_thousand_frames_take_no_more_memory():
+def test_ten_thousand_frames_use_constant_memory():
     printed = subprocess.run([sys.executable, "-c", textwrap.dedent(MEMORY)], check=True, capture_output=True, text=True,
                              env={**os.environ, "MALLOC_ARENA_MAX": "2"}).stdout
     frames, references, oceans = map(int, printed.split())

@@ -1,4 +1,4 @@
-"""The example measures the sea that it asks for."""
+"""The example measures the spectrum of its sea."""
 
 import sys
 
@@ -10,17 +10,18 @@ sys.path.insert(0, str(SOURCE / "python/examples"))
 import measured_spectrum as example  # noqa: E402
 
 
-def test_buoys_measure_the_waves_that_were_drawn():
+def test_buoys_measure_the_drawn_waves():
     frequencies, measured = example.spectrum_of_buoys(example.SEA_OF_BUOYS)
     height_m = 4 * np.sqrt(measured.sum() / example.SEA.loop_period_s)
     assert height_m == pytest.approx(example.SEA_OF_BUOYS.report().drawn_significant_wave_height_m, rel=0.03)
     asked = example.SEA.energy_by_frequency(frequencies)
     for low, high in ((0.1, 0.12), (0.12, 0.15), (0.15, 0.2), (0.2, 0.3)):
         band = (frequencies >= low) & (frequencies < high)
-        assert measured[band].sum() == pytest.approx(asked[band].sum(), rel=0.2)  # one draw of some hundred waves
+        # one draw of some hundred waves
+        assert measured[band].sum() == pytest.approx(asked[band].sum(), rel=0.2)
 
 
-def test_a_frame_has_the_spectrum_that_was_asked_for():
+def test_a_frame_has_the_spectrum_of_its_sea():
     edges, measured = example.spectrum_of_frame(example.SEA)
     widths = np.diff(edges)
     assert 4 * np.sqrt((measured * widths).sum()) == pytest.approx(example.SEA.report().drawn_significant_wave_height_m, rel=0.03)
@@ -31,6 +32,6 @@ def test_a_frame_has_the_spectrum_that_was_asked_for():
         assert (measured * widths)[band].sum() == pytest.approx((asked * widths)[band].sum(), rel=0.15)
 
 
-def test_it_draws_a_picture(tmp_path):
+def test_it_draws_an_image(tmp_path):
     example.main(str(tmp_path / "spectrum.png"))
     assert (tmp_path / "spectrum.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"

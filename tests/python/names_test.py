@@ -1,4 +1,5 @@
-"""Names, defaults, docstrings and messages, against the library's own table and the stub."""
+"""Names, defaults, docstrings and error messages, compared with the library's table and the stub.
+"""
 
 import ast
 import dataclasses
@@ -28,7 +29,7 @@ def test_a_sea_has_the_fields_and_defaults_of_the_library():
     assert here == {name: default for name, default, _ in _pelagic.sea_fields()}
 
 
-def test_each_field_says_what_it_accepts():
+def test_each_field_documents_its_range():
     docs = docstrings_of_fields(pelagic.Sea)
     assert set(docs) == {field.name for field in dataclasses.fields(pelagic.Sea)}
     ranges = {name: re.search(r"[\[(]-?[\d.].*?[\])]", accepted) for name, _, accepted in _pelagic.sea_fields()}
@@ -54,7 +55,7 @@ def members(cls):
     return {part.name for part in cls.body if isinstance(part, ast.FunctionDef)}
 
 
-def test_the_stub_has_what_the_module_has():
+def test_the_stub_has_the_names_of_the_module():
     stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
     only_types = {"Answers", "Hits", "UndisplacedSamples"}
     named = {part.name for part in stub.body if isinstance(part, (ast.ClassDef, ast.FunctionDef))} - only_types | {"version"}
@@ -65,12 +66,12 @@ def test_the_stub_has_what_the_module_has():
             assert there == {name for name in members(part) if not name.startswith("_")}, part.name
 
 
-def test_help_says_something_about_everything():
+def test_everything_has_a_docstring():
     for cls in (getattr(pelagic, name) for name in CLASSES):
         assert cls.__doc__
         for name, value in vars(cls).items():
             if not name.startswith("_"):
-                # After the line that pybind11 writes of a method's arguments.
+                # After the signature line that pybind11 writes.
                 assert re.sub(r"^\w+\(self: .*\n", "", value.__doc__).strip(), name
 
 
@@ -101,20 +102,20 @@ def test_the_package_is_typed_and_has_the_projects_version():
     ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, expected paper, cosine-2s, hasselmann or donelan-banner"),
     ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, expected 1 where the side of the cascade is given"),
 ], ids=str)
-def test_a_bad_sea_gets_one_line(bad, kind, line):
+def test_an_invalid_sea_raises_a_one_line_error(bad, kind, line):
     with pytest.raises(kind) as refused:
         pelagic.Sea(**bad)
     said = str(refused.value)
     assert said.startswith(line) and "\n" not in said and len(said) < 300
 
 
-def test_numbers_of_numpy_are_numbers():
+def test_numpy_scalars_are_accepted():
     sea = pelagic.Sea(wind_speed_mps=np.float32(9.5), resolution=np.int64(64), seed=np.uint32(4294967295), patch_size_m=250)
     with pelagic.Ocean(sea) as ocean, pelagic.Ocean(pelagic.Sea(wind_speed_mps=9.5, resolution=64, seed=4294967295, patch_size_m=250.0)) as same:
         assert ocean.frame_at(1).hash == same.frame_at(1).hash
 
 
-def test_bad_questions_get_one_line(small):
+def test_invalid_arguments_raise_a_one_line_error(small):
     with pytest.raises(ValueError, match=r"^preset is strom, expected pond, .* or beaufort-12 \(the nearest is storm\)$"):
         pelagic.preset("strom")
     with pytest.raises(ValueError, match=r" or beaufort-12$"):
@@ -159,10 +160,10 @@ def test_bad_questions_get_one_line(small):
             ocean.frame_at(float("nan"))
         with pytest.raises(ValueError, match="over_s"):
             ocean.schedule_sea(small, 10, 0)
-        assert ocean.frame_at(1).hash  # none of that did any harm
+        assert ocean.frame_at(1).hash  # none of the errors had an effect
 
 
-def test_arguments_that_do_not_fit_are_named(small):
+def test_arguments_of_a_wrong_type_are_named(small):
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(0)
         for line, call in {
@@ -183,7 +184,7 @@ def test_arguments_that_do_not_fit_are_named(small):
             assert str(refused.value) == line and refused.value.__context__ is None
 
 
-def test_signatures_are_those_of_the_stub():
+def test_signatures_match_the_stub():
     stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
     seen = 0
     for part in stub.body:
@@ -204,11 +205,11 @@ def test_signatures_are_those_of_the_stub():
     assert list(inspect.signature(pelagic.Ocean).parameters)[:2] == ["sea", "queries"]
 
 
-def test_nothing_else_is_in_the_package():
+def test_the_package_has_no_other_names():
     assert {name for name in dir(pelagic) if not name.startswith("_")} == set(pelagic.__all__)
 
 
-def test_an_ocean_says_what_it_was_made_of():
+def test_an_ocean_has_the_properties_of_its_options():
     for isa in pelagic.isas_here():
         with pelagic.Ocean(pelagic.Sea(cascades=3, resolution=32), threads=3, isa=isa) as ocean:
             assert (ocean.threads, ocean.isa, ocean.resolution, ocean.cascade_count) == (3, isa, 32, 3)

@@ -1,4 +1,4 @@
-"""Dynamic waves, shores and wave inputs, beside the native command and closed forms."""
+"""Dynamic waves, shores and wave inputs, compared with the native command and closed forms."""
 
 import dataclasses
 import json
@@ -35,13 +35,14 @@ def test_options_have_the_fields_defaults_and_ranges_of_the_library(cls):
     assert here == {name: default for name, default, _ in FIELDS[cls]()}
     docs = docstrings_of_fields(cls)
     assert set(docs) == {field.name for field in dataclasses.fields(cls)}
-    if cls is not pelagic.DynamicWavesOptions:  # shared docstrings of x_m and z_m have the range, too
+    # shared docstrings of x_m and z_m have the range, too
+    if cls is not pelagic.DynamicWavesOptions:
         for name, _, accepted in FIELDS[cls]():
             assert not re.match(r"[\[(]", accepted) or accepted in docs[name], name
 
 
 def events_file(folder):
-    """The commands of play(): a stone at 0.5 s, a boat from 0.7 s on for 1.5 s."""
+    """Writes the commands of play(): a stone at 0.5 s, a boat from 0.7 s for 1.5 s."""
     file = folder / "events.csv"
     file.write_text("time,x,z,radius,height,velocity,heading,duration,length,mode\n"
                     "0.5,3,-2,2,0.4,,,,,impulse\n"
@@ -50,7 +51,7 @@ def events_file(folder):
 
 
 def play(ocean, until_s):
-    """Yields the frame and its time of each tick, from the one before the first command on."""
+    """Yields the frame and its time for each tick, from the tick before the first command."""
     waves = ocean.dynamic_waves
     waves.set_center(0, 0)
     number = None
@@ -64,7 +65,7 @@ def play(ocean, until_s):
         yield ocean.frame_at(tick / 60), tick
 
 
-def test_dynamic_waves_have_the_commands_hashes_and_answers(tmp_path):
+def test_dynamic_waves_are_identical_to_the_command(tmp_path):
     grid = ["--events", events_file(tmp_path), "--events-resolution", 64, "--events-at", "0,0"]
     run_pelagic("export", "--out", tmp_path / "out", *SEA_FLAGS, "--fps", 4, "--frames", "2-11", "--maps", "displacement", "--no-sync", *grid)
     wanted = {entry["time_s"]: entry for entry in json.loads((tmp_path / "out/sea.json").read_text())["frames"]}
@@ -83,7 +84,7 @@ def test_dynamic_waves_have_the_commands_hashes_and_answers(tmp_path):
     assert len({hash_ for _, hash_ in seen.values()}) == 10
 
 
-def test_a_view_has_the_waves_at_their_place():
+def test_a_view_has_the_waves_at_their_position():
     with pelagic.Ocean(SEA, dynamic_waves=dataclasses.replace(GRID, border_m=8)) as ocean:
         ocean.dynamic_waves.set_center(30.2, -7)
         ocean.frame_at(0)
@@ -111,7 +112,7 @@ def test_a_view_has_the_waves_at_their_place():
                 ask()
 
 
-def test_sources_rain_and_saved_states_continue_bit_for_bit():
+def test_sources_rain_and_restored_states_are_reproducible():
     def frames(ocean, first):
         return [ocean.frame_at((first + tick) * TICK_S).dynamic_waves.hash for tick in range(30)]
 
@@ -168,7 +169,7 @@ def png_of(pixels):
 
 
 def island():
-    """Bytes of heights from -20 to 10 m: an island in a bay, 40 rows of 48."""
+    """Returns the bytes of heights from -20 to 10 m: an island in a bay, 40 rows of 48."""
     z, x = np.mgrid[-1:1:40j, -1:1:48j]
     return np.clip(220 * np.exp(-4 * (x**2 + z**2)) + 30 * x, 0, 255).astype(np.uint8)
 
@@ -179,7 +180,7 @@ def island_shore(**options):
     return pelagic.ShoreOptions(heights, metres_a_sample=metres, corner_x_m=-0.5 * metres * 47, corner_z_m=-0.5 * metres * 39, **options)
 
 
-def test_shores_have_the_commands_answers(tmp_path):
+def test_shores_are_identical_to_the_command(tmp_path):
     floor = tmp_path / "floor.png"
     floor.write_bytes(png_of(island()))
     where = np.random.default_rng(6).uniform(-600, 600, (400, 2))
@@ -268,16 +269,17 @@ def test_wave_inputs_add_their_waves(small):
         for input_ in (waves, rings):
             with pytest.raises(ValueError, match=r"^inputs\[0\] is in use, expected an input of its own$"):
                 pelagic.Ocean(small, inputs=[input_])
-    waves.set([pelagic.AnalyticWave()])  # of a closed ocean
+    waves.set([pelagic.AnalyticWave()])  # belongs to a closed ocean
     again = [pelagic.GerstnerInput([pelagic.AnalyticWave(**flat, direction_rad=np.pi / 2)], choppiness=0),
              pelagic.RippleInput(pelagic.Ripple(**flat, x_m=125, z_m=125))]
     with pytest.raises(ValueError):
         pelagic.Ocean(small, threads=2000, inputs=again)
-    with pelagic.Ocean(small, threads=1, inputs=again) as ocean:  # free, because that ocean was not made
+    # free, because that ocean was not created
+    with pelagic.Ocean(small, threads=1, inputs=again) as ocean:
         assert ocean.frame_at(3).hash == both
 
 
-def test_wrong_values_get_one_line(small):
+def test_invalid_values_raise_a_one_line_error(small):
     heights = np.zeros((4, 4))
     cases = {
         "radius_m 0 is out of range [0.001, 1000]": (ValueError, lambda: pelagic.Disturbance(radius_m=0)),
@@ -329,4 +331,4 @@ def test_wrong_values_get_one_line(small):
             with pytest.raises(kind) as refused:
                 ask()
             assert str(refused.value).startswith(line) and "\n" not in str(refused.value), line
-        assert ocean.frame_at(0).dynamic_waves.hash == hash_  # none of that did any harm
+        assert ocean.frame_at(0).dynamic_waves.hash == hash_  # none of the errors had an effect

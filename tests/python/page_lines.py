@@ -1,4 +1,5 @@
-"""Every line of docs/users/python.md: its lines for a shell make the package, its Python prints what the page says.
+"""Runs every line of docs/users/python.md: its shell lines build the package, and its Python blocks
+print the documented output.
 
 usage: page_lines.py SOURCE_FOLDER
 """
@@ -11,7 +12,7 @@ import sys
 from pathlib import Path
 
 source = Path(sys.argv[1])
-# Debian's python3, for which Debian's packages are, before any other.
+# Debian's python3, which Debian's packages are for, before any other.
 environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "PIP_NO_INDEX": "1", "PYTHONDONTWRITEBYTECODE": "1"}
 blocks = re.findall(r"^```(\w+)\n(.*?)^```$", (source / "docs/users/python.md").read_text(), re.MULTILINE | re.DOTALL)
 assert {"bash": 3, "python": 7, "text": 6} == {kind: sum(language == kind for language, _ in blocks) for kind in ("bash", "python", "text")}
@@ -26,7 +27,7 @@ def run(*command, **options):
 
 shutil.rmtree(source / "build/python-venv", ignore_errors=True)
 
-# One program, as a reader types one block after the other; what each prints ends with a mark.
+# One program of all blocks, in order; a mark separates their outputs.
 mark = "-- the next block --"
 program = ""
 expected = []

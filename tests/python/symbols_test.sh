@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The module has one name to be found by the loader: what Python calls to begin.
+# The module exports a single symbol, Python's entry point.
 #
 # usage: symbols_test.sh NM PYTHON
 set -euo pipefail

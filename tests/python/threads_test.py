@@ -1,4 +1,4 @@
-"""Other threads of Python run while the sea is computed and asked, and may ask it themselves."""
+"""Other Python threads run while the sea is computed and queried, and may query it themselves."""
 
 import sys
 import threading
@@ -11,7 +11,8 @@ import pytest
 
 @pytest.fixture
 def counter():
-    """Counts up in another thread, which runs only where this one lets go of the interpreter: it is never interrupted."""
+    """Counts in another thread, which runs only when this thread releases the interpreter lock,
+    because the switch interval is practically infinite."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1e6)
     counts = [0]
@@ -20,7 +21,7 @@ def counter():
     def count():
         while not is_over.is_set():
             counts[0] += 1
-            time.sleep(0)  # lets go, too
+            time.sleep(0)  # releases the lock, too
 
     thread = threading.Thread(target=count)
     thread.start()
@@ -49,9 +50,9 @@ def calls():
 
 
 @pytest.mark.parametrize("name", calls())
-def test_another_thread_runs_meanwhile(counter, name):
+def test_calls_release_the_interpreter_lock(counter, name):
     with pelagic.Ocean(pelagic.Sea(resolution=256), threads=1) as ocean:
-        for _ in range(1000):  # a busy machine may not get to it the first time
+        for _ in range(1000):  # a busy machine may not schedule the other thread the first time
             call = calls()[name](ocean)
             before = counter[0]
             call()
@@ -60,13 +61,13 @@ def test_another_thread_runs_meanwhile(counter, name):
         pytest.fail(f"{name} keeps all other threads of Python from running")
 
 
-def test_the_counter_stands_still_where_nothing_lets_go(counter):
+def test_the_counter_stops_while_the_lock_is_held(counter):
     before = counter[0]
     sum(range(3_000_000))
     assert counter[0] == before
 
 
-def test_threads_that_ask_at_once_get_the_same_bits():
+def test_concurrent_queries_are_bit_identical():
     points = np.random.default_rng(2).uniform(-1000, 1000, (5000, 2))
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
         frame = ocean.frame_at(1)
@@ -86,7 +87,7 @@ def test_threads_that_ask_at_once_get_the_same_bits():
         assert wrong == []
 
 
-def test_asking_while_frames_go_on_gives_the_frames_bits_or_says_that_it_is_over(small):
+def test_queries_during_other_frames_are_bit_identical_or_raise_an_error(small):
     points = np.random.default_rng(2).uniform(-1000, 1000, (3000, 2))
     with pelagic.Ocean(small, threads=2) as ocean:
         expected = {}
@@ -120,7 +121,7 @@ def test_asking_while_frames_go_on_gives_the_frames_bits_or_says_that_it_is_over
         assert wrong == []
 
 
-def test_threads_may_ask_one_ocean_for_frames(small):
+def test_threads_may_share_one_ocean(small):
     with pelagic.Ocean(small) as ocean:
         expected = {time_s: ocean.frame_at(time_s).hash for time_s in range(8)}
         wrong, right = [], []
@@ -141,7 +142,7 @@ def test_threads_may_ask_one_ocean_for_frames(small):
         assert wrong == [] and right
 
 
-def test_closing_waits_for_who_asks():
+def test_closing_waits_for_queries():
     points = np.random.default_rng(2).uniform(-1000, 1000, (20000, 2))
     for _ in range(10):
         ocean = pelagic.Ocean(pelagic.Sea(), threads=1)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# mypy takes the example strictly, knows what arrays hold, and refuses what is wrong.
+# mypy accepts the example in strict mode, knows the types of arrays, and rejects errors.
 #
 # usage: types_test.sh SOURCE_FOLDER PYTHON
 set -euo pipefail

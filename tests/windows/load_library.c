@@ -1,12 +1,12 @@
-/* An application in C that finds pelagic.dll at run time: loads it, computes the golden frames of the default sea, lets it go, and does all
- * that again. Prints them, each as "default@TIME HASH", after every load.
+/* A C application that loads pelagic.dll at run time, computes the golden frames of the default
+ * sea, and unloads it, twice. Prints each frame as "default@TIME HASH" after every load.
  *
  * usage: load_library PELAGIC.DLL */
 #include <pelagic/pelagic.h>
 #include <stdio.h>
 #include <windows.h>
 
-/* Each function that is called, by the header's type. */
+/* The called functions, with the types of the header. */
 #define FUNCTIONS(DO)                                                                                   \
     DO(pelagic_last_error) DO(pelagic_sea_defaults) DO(pelagic_executor_create) DO(pelagic_executor_destroy) \
     DO(pelagic_ocean_create) DO(pelagic_ocean_destroy) DO(pelagic_ocean_schedule) DO(pelagic_ocean_complete) \
