@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a sea; installs what is missing, then builds:
+# Builds Pelagic on a fresh Debian 12, after installing missing packages, and generates a sea:
 #
 #   ./demo.sh                              a looping sea on disk, in out/
 #   ./demo.sh web [PORT] [--build-only]    the sea in a page, served on localhost until Ctrl-C
@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
 
-# Runs a function whose output is for nobody unless it fails.
+# Runs a function and prints its output only if it fails.
 quietly() {
   local log
   log=$(mktemp)
@@ -33,7 +33,7 @@ serve_page() {
   build() { cmake --preset web && cmake --build --preset web -j "$(nproc)" --target pelagic_page; }
   quietly build
   [ -n "$serves" ] || return 0
-  echo "The sea is at this address until Ctrl-C:"
+  echo "The page is served at this address until Ctrl-C:"
   exec node web/page/serve.mjs build/web/page "$port"
 }
 
@@ -48,27 +48,28 @@ pelagic_install_dependencies
 echo "Building (a minute or two the first time) ..."
 build() {
   cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF &&
-    cmake --build --preset release -j "$(nproc)"  # libraries, too, so that cmake --install finds them
+    cmake --build --preset release -j "$(nproc)"  # libraries, too, so that cmake --install works
 }
 quietly build
 
-# 60 seconds are nine periods of the highest waves, so the loop looks like a sea and not like a machine. The shortest wave of
-# this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.
+# 60 seconds are nine periods of the highest waves, so the loop is not obvious. The shortest wave of
+# this coarse grid has a period of 1.6 seconds, so 4 frames a second suffice if the player
+# interpolates between them.
 command=(build/release/bin/pelagic export --out out --patch-size 250 --resolution 128 --loop-period 60 --loop-frames 240 --mips --overwrite)
 "${command[@]}"
 image=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
 "${image[@]}" ||
-  echo "No image: see above what is missing; the export needs none of it."
+  echo "No image was rendered, for the reason above. The export does not depend on it."
 cat <<END
 
 Your sea is in out/:
   displacement_0000.exr ... displacement_0239.exr   metres: red = Dx, green = height, blue = Dz
   gradient_0000.png ... gradient_0239.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
-  sea.json                                          every option, what pixels mean, a hash for each frame
+  sea.json                                          every option, the meaning of pixels, a hash for each frame
   sea_files.json                                    a hash for each file, for --resume and pelagic verify
-Play the 240 frames at 4 a second, blended: after the last one the first follows without a seam.
-  sea.png                                           a sea in that wind, with its smaller waves
-They were made by:
+Play the 240 frames at 4 frames a second with interpolation; they loop without a seam.
+  sea.png                                           a rendered sea in the same wind, with shorter waves too
+These commands generated the files:
   ${command[*]}
   ${image[*]}
 Try also:

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# The tests, in tiers:
+# Runs the tests, in tiers:
 #
-#   ./test.sh quick     as released, without soak, sweeps and slow images: two minutes after the build
-#   ./test.sh           all that guards a landing
-#   ./test.sh hosts     what needs large packages of other programs: browsers, their compilers
-#   ./test.sh night     what takes hours: a long soak, full sweeps, ten minutes of each fuzzer
-#   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them ("workflowPresets"), each with its tier
+#   ./test.sh quick     the release build without soak, sweeps and slow images: two minutes
+#                       after the build
+#   ./test.sh           the tests that every change must pass
+#   ./test.sh hosts     tests that need large packages of other programs: browsers, their compilers
+#   ./test.sh night     tests that take hours: a long soak, full sweeps, ten minutes of each fuzzer
+#   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them
+#                       ("workflowPresets"), each with its tier
 #
-# A part that fails does not keep the others from running. Installs what is missing, as demo.sh does. docs/testing.md has
-# what each part costs and how to run one test.
+# If a part fails, the others still run. Installs missing packages, like demo.sh. docs/testing.md
+# has the cost of each part and describes how to run one test.
 set -uo pipefail
 cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh
@@ -25,22 +27,25 @@ parts=("$@")
 if [ ${#parts[@]} -eq 0 ]; then
   mapfile -t parts < <(cmake --workflow --list-presets | sed -n "s/^ *\"\(.*\)\" *- $tier: .*/\1/p")
 fi
-[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/#arm64*/}")  # there, release is that already, but for libc++
+# release is the same there, except for libc++
+[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/#arm64*/}")
 
 jobs=$(nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL=$jobs CTEST_PARALLEL_LEVEL=$jobs
 logs=build/logs
 mkdir -p "$logs"
-# What root builds in somebody else's clone would be in the way of its owner's next run.
+# Files that root builds in the clone of another user would block that user's next run.
 [ "$(id -u)" -ne 0 ] || trap 'chown -Rh --reference=. build' EXIT
 
-# Seconds of processor time that finished children have taken, user and system. Not in a subshell, which has none.
+# Computes the processor time of finished children in seconds, user and system. Not in a subshell,
+# which has none.
 count_processor_seconds() {
   times >"$logs/times"
   processor_seconds=$(awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4) }' "$logs/times")
 }
 
-# Why GoogleTest's cases were skipped, instruction sets that this machine lacks above all, in logs newer than FILE.
+# Prints why GoogleTest's tests were skipped, mainly instruction sets that this machine lacks, from
+# logs newer than FILE.
 skipped_since() {
   find build -maxdepth 4 -name LastTest.log -newer "$1" -exec awk '/: Skipped\r?$/ { getline; sub(/\r$/, ""); print }' {} +
 }
@@ -59,7 +64,8 @@ for part in ${parts[@]+"${parts[@]}"}; do
     part_failed=0 of=0
   if [ "$status" -ne 0 ]; then
     failed_parts+=("$part")
-    [ "$part_failed" -gt 0 ] || { part_failed=1 && of=$((of + 1)); }  # it didn't get as far as its tests
+    # the build failed before the tests
+    [ "$part_failed" -gt 0 ] || { part_failed=1 && of=$((of + 1)); }
   fi
   while read -r why; do skipped+=("$part: $why"); done < <(
     skipped_since "$logs/started" | sort -u

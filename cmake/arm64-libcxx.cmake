@@ -1,5 +1,6 @@
-# clang++ with libc++ for 64-bit Arm Linux: what the Android NDK compiles with, but for its C library. Tests run under qemu's user
-# mode. Debian's libc++ for Arm can't be installed beside that of this machine, so it is unpacked into a folder, once.
+# clang++ with libc++ for 64-bit Arm Linux: the compiler and C++ library of the Android NDK, with
+# another C library. Tests run under qemu's user mode. Debian's libc++ for Arm cannot be installed
+# beside that of the build machine, so it is unpacked into a folder once.
 set(PELAGIC_ARM64_LIBCXX_FOLDER ${CMAKE_CURRENT_LIST_DIR}/../build/arm64-libcxx-packages CACHE PATH "libc++ for 64-bit Arm")
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PELAGIC_ARM64_LIBCXX_FOLDER)
 if(NOT EXISTS ${PELAGIC_ARM64_LIBCXX_FOLDER})

@@ -1,4 +1,5 @@
-# Cross-compiles for 64-bit Arm Linux with Debian's multiarch packages; tests run under qemu's user mode.
+# Cross-compiles for 64-bit Arm Linux with Debian's multiarch packages. Tests run under qemu's user
+# mode.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -1,7 +1,7 @@
-# Sourced by demo.sh and test.sh: makes sure that what Pelagic builds with is there.
+# Sourced by demo.sh and test.sh: checks that Pelagic's build dependencies are installed.
 #
-# On Debian 12 it installs the missing packages, saying which, with sudo only if you are not root. On another system
-# it prints the list and stops; PELAGIC_SKIP_SETUP=1 goes on with what that system has.
+# On Debian 12 it prints and installs missing packages, with sudo only if you are not root. On
+# another system it prints the list and stops; PELAGIC_SKIP_SETUP=1 continues without them.
 
 pelagic_packages=(
   g++ cmake make
@@ -10,8 +10,8 @@ pelagic_packages=(
   libxxhash-dev            # XXH3: the hash of a frame
   libglm-dev               # GLM: cameras, in the quadtree
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
-  libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
-  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: letters of a preview
+  libegl1 libgles2 libgl1-mesa-dri  # and a driver that renders without a GPU: pelagic render
+  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: text in previews
   libopenxr-dev            # OpenXR: examples/openxr_application
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
@@ -21,29 +21,30 @@ pelagic_packages=(
   libgtest-dev             # GoogleTest
   libbenchmark-dev         # Google Benchmark
   libopenexr-dev           # OpenEXR: EXR files
-  libpng-dev               # tests read PNG files back with another reader than the one that wrote them
-  libfftw3-dev             # FFTW: what Pelagic is measured against
+  libpng-dev               # tests read PNG files with another reader than Pelagic's writer
+  libfftw3-dev             # FFTW: comparison in benchmarks
 )
 
-# What only tests need: an X server with a mouse, for the window's; pkg-config, as applications use it; the reference compiler of GLSL,
-# for shaders that no driver here compiles; strace, to see that files are synced before they count; valgrind and Python, to
-# count instructions; a validation layer for OpenXR.
+# Packages for tests only: an X server with a mouse, for the window; pkg-config, as applications use
+# it; the reference compiler of GLSL, for shaders that no driver here compiles; strace, to check
+# that files are synced; valgrind and Python, to count instructions; a validation layer for OpenXR.
 pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3
                        openxr-layer-corevalidation)
 
-# What only test.sh's secondary parts need: another compiler, whose sanitizers and libFuzzer they use, the C++ library that
-# headsets have, and 64-bit Arm to build for and to run.
+# Packages for further parts of test.sh: clang with its sanitizers and libFuzzer, the C++ library of
+# headsets, and a compiler and an emulator for 64-bit Arm.
 pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
-# What a page is built and served with: a compiler to WebAssembly, and node.
+# Packages to build and serve a page: a compiler to WebAssembly, and node.
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
-# What only the tests inside other programs need: a compiler to WebAssembly and node, which runs what it makes, and a browser; an engine, with
-# a window (for xvfb-run, which wants xauth) and without; pybind11 and Python's headers to build its package, NumPy, which it needs,
-# matplotlib, which its example does, pytest and mypy; Blender; a compiler to Windows, and wine.
+# Packages for tests inside other programs: a compiler to WebAssembly, node and a browser; a game
+# engine, with a window (for xvfb-run, which needs xauth) and without; pybind11 and Python's
+# headers, NumPy, matplotlib for the Python example, pytest and mypy; Blender; a compiler to
+# Windows, and wine.
 pelagic_hosts_packages=(emscripten chromium)
 pelagic_hosts_packages+=(godot3 godot3-server xauth)
 pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
@@ -52,15 +53,16 @@ pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
 command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 
-# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, what makes one on a
-# farm by docs/users/farm.md, and what reads textures and films by docs/users/game.md. three.js and the types of Kubernetes come
-# by npm, of which Debian's package is large and Node's own does as well.
+# Packages for nightly tests: programs that import an export by the recipes of
+# docs/users/exporter.md, schedulers of docs/users/farm.md, and readers of textures and films of
+# docs/users/game.md. three.js and the types of Kubernetes come from npm. Debian's npm package is
+# large; the one of Node.js works too.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
 pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil)
 command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
-# usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages
+# usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages
 pelagic_install_dependencies() {
   local packages=("${pelagic_packages[@]}" "$@")
   [ -n "${PELAGIC_SKIP_SETUP:-}" ] && return 0

@@ -1,14 +1,16 @@
-# Run after a GoogleTest program was built (pelagic_test.cmake): writes one ctest test for each of its suites. A process a
-# suite, not a case: hundreds of processes take longer to start than to run, above all under a sanitizer.
+# Runs after a GoogleTest program was built (pelagic_test.cmake) and writes one ctest test for each
+# of its suites. There is one process for each suite, not for each test, because hundreds of
+# processes take longer to start than to run, above all under a sanitizer.
 cmake_minimum_required(VERSION 3.25)
 
 execute_process(COMMAND ${EMULATOR} ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result TIMEOUT 120)
 if(NOT result EQUAL 0)
-  file(REMOVE ${PROGRAM})  # so that the next build asks again
+  file(REMOVE ${PROGRAM})  # so that the next build lists them again
   message(FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${result}\n${listed}")
 endif()
 
-# "Kinds/EachExecutor.  # GetParam() = ..." and "Seas/EachExecutor." are both the suite EachExecutor.
+# "Kinds/EachExecutor.  # GetParam() = ..." and "Seas/EachExecutor." both belong to the suite
+# EachExecutor.
 string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." names "${listed}")
 list(TRANSFORM names REPLACE "^\n" "")
 list(TRANSFORM names REPLACE "\\.$" "")
@@ -24,7 +26,8 @@ function(add_suite test suite timeout environment labels)
     string(APPEND command " [==[${word}]==]")
   endforeach()
   list(JOIN PROPERTIES " " properties)
-  # Where no earlier run has timed them, long ones come first: one that is left for the end keeps a core alone.
+  # Without times of an earlier run, long tests start first: a long test at the end would use only
+  # one core.
   if("slow" IN_LIST labels)
     string(PREPEND properties "COST 100 ")
   endif()

@@ -1,10 +1,11 @@
-# cmake --install: libraries, the headers that applications include, package files for CMake and pkg-config, and the tool.
+# cmake --install: libraries, public headers, package files for CMake and pkg-config, and the tool.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelagic)
 
-# A file of targets for each component, so that an application needs the packages of what it asks for and no others.
+# A targets file for each component, so that an application needs only the packages of its
+# components.
 function(pelagic_install_component component target)
   install(TARGETS ${target} EXPORT pelagic_${component})
   install(EXPORT pelagic_${component} NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagic_${component}_targets.cmake)
@@ -22,7 +23,7 @@ endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pelagicConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake INSTALL_DESTINATION ${package_folder})
-# A minor version may change the bits of the sea and, before 1.0, the interface.
+# A minor version may change the sea's reproducible values and, before 1.0, the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake ${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
@@ -36,7 +37,7 @@ if(PELAGIC_TBB)
   set(pelagic_pc_requires "Requires: tbb")
   set(pelagic_pc_definitions " -DPELAGIC_HAS_TBB")
 endif()
-# A C compiler links the static library if it is told about the C++ library: pkg-config --static.
+# A C compiler links the static library if it gets the C++ library: pkg-config --static.
 set(pelagic_pc_runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
 list(FILTER pelagic_pc_runtime INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|c\\+\\+abi|m)$")
 list(REMOVE_DUPLICATES pelagic_pc_runtime)

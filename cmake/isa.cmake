@@ -2,12 +2,12 @@
 #
 # PELAGIC_ISAS                the list for the target processor, weakest first
 # PELAGIC_ISA_FLAGS_<isa>     compiler flags of its one object
-# PELAGIC_XSIMD_ARCH_<isa>    what xsimd calls it
+# PELAGIC_XSIMD_ARCH_<isa>    the name in xsimd
 #
-# xsimd selects its code by these flags: avx512 means F, CD, DQ and BW, which every AVX-512 server and desktop
-# core has. FMA is left out on purpose: products and sums round apart on every instruction set, so that SSE4.2,
-# which has no fused form, yields the same bits.
-if(EMSCRIPTEN)  # which says that its processor is x86
+# xsimd selects its code by these flags: avx512 means F, CD, DQ and BW, which every AVX-512 server
+# and desktop core has. FMA is disabled on purpose: products and sums round separately on every
+# instruction set, so that SSE4.2, which has no fused instruction, gives bit-identical results.
+if(EMSCRIPTEN)  # its CMAKE_SYSTEM_PROCESSOR is x86
   set(PELAGIC_ISAS wasm128)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   set(PELAGIC_ISAS sse4_2 avx2 avx512)
@@ -20,7 +20,8 @@ set(PELAGIC_ISA_FLAGS_sse4_2 -msse4.2)
 set(PELAGIC_ISA_FLAGS_avx2 -mavx2 -mf16c)
 set(PELAGIC_ISA_FLAGS_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
 set(PELAGIC_ISA_FLAGS_neon)
-# xsimd 8.1 knows no WebAssembly, but emscripten has most of SSE4.2 as 128-bit instructions; what it has lane by lane is replaced.
+# xsimd 8.1 does not support WebAssembly, but emscripten implements most of SSE4.2 with 128-bit
+# instructions. Those that it emulates lane by lane are replaced.
 set(PELAGIC_ISA_FLAGS_wasm128 -msimd128 -msse4.2 -include ${PROJECT_SOURCE_DIR}/simd/wasm128_intrinsics.kernel.hpp)
 set(PELAGIC_XSIMD_ARCH_sse4_2 sse4_2)
 set(PELAGIC_XSIMD_ARCH_avx2 avx2)
@@ -28,26 +29,28 @@ set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)
 set(PELAGIC_XSIMD_ARCH_neon neon64)
 set(PELAGIC_XSIMD_ARCH_wasm128 sse4_2)
 
-# Windows aligns stacks to 16 bytes, and g++ as it is released spills registers of 32 and 64 there as if they were aligned to as
-# much (GCC bug 54412, mended in Debian's mingw-w64). So no move of such a register asks for it; on these processors that costs nothing.
+# Windows aligns stacks to 16 bytes, and g++ spills registers of 32 and 64 bytes there as if they
+# were aligned to their size (GCC bug 54412, fixed in Debian's mingw-w64). So no move of such a
+# register requires alignment; on these processors that costs nothing.
 if(MINGW)
   foreach(isa avx2 avx512)
     list(APPEND PELAGIC_ISA_FLAGS_${isa} -Wa,-muse-unaligned-vector-move)
   endforeach()
 endif()
 
-# Instrumented for a sanitizer, -O3 compiles for minutes and finds nothing more.
+# With a sanitizer, -O3 takes minutes to compile and detects nothing more.
 set(kernel_optimisation -O3)
 if(PELAGIC_SANITIZE)
   set(kernel_optimisation -O1)
 endif()
 set(PELAGIC_KERNEL_OPTIMISATION ${kernel_optimisation} CACHE STRING "Optimisation of the kernels, in every build type")
 
-# xsimd is header-only; Debian's CMake target of it links an xtl that the package does not ship.
+# xsimd is header-only. Debian's CMake target links xtl, which the package does not include.
 find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 
-# One object of kernels for one instruction set. It is optimised in every build type: unoptimised xsimd is a hundred
-# times slower, and its functions would no longer be inlined but kept by the linker as common ones.
+# Adds an object of kernels for one instruction set. It is optimised in every build type:
+# unoptimised xsimd is a hundred times slower, and its functions would not be inlined, so the linker
+# could share them with other code.
 function(pelagic_kernel_objects target isa source)
   add_library(${target} OBJECT ${source})
   pelagic_target(${target})
@@ -55,12 +58,14 @@ function(pelagic_kernel_objects target isa source)
   target_compile_options(${target} PRIVATE ${PELAGIC_KERNEL_OPTIMISATION} -fno-exceptions -Wno-conversion
                                            ${PELAGIC_ISA_FLAGS_${isa}})
   target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_XSIMD_INCLUDE_DIR})
-  # g++ marks the scope of each vector that a function returns: ten times the code, for values that nobody points to. clang sees
-  # that and leaves them out, so `asan` and `fuzz` do look for what is used after its scope, in kernels too.
+  # g++ marks the scope of each vector that a function returns: ten times the code, for values that
+  # nothing points to. clang omits these marks, so `asan` and `fuzz` do detect use after scope in
+  # kernels too.
   if(PELAGIC_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fno-sanitize-address-use-after-scope)
   endif()
-  # g++ 12 takes the undefined lanes that its own AVX-512 header passes on purpose for uninitialised variables.
+  # g++ 12 reports the undefined lanes that its AVX-512 header passes on purpose as uninitialised
+  # variables.
   if(isa STREQUAL "avx512" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()

@@ -1,5 +1,6 @@
-# Header-only packages of the build machine for a compiler of another system, whose own headers must come first: /usr/include
-# anywhere on its path hides them. So each header or folder is linked into a folder of the build's. For toolchain files.
+# For toolchain files: makes header-only packages of the build machine available to a cross
+# compiler, whose own headers must come first. /usr/include on its path would hide them, so each
+# header or folder is linked into a folder of the build.
 set(pelagic_linked_headers ${CMAKE_BINARY_DIR}/linked-headers)
 file(MAKE_DIRECTORY ${pelagic_linked_headers})
 foreach(header xsimd glm xxhash.h Imath CLI nlohmann stb toml++)
@@ -23,6 +24,6 @@ foreach(package XSIMD XXHASH STB TOMLPLUSPLUS)
   set(PELAGIC_${package}_INCLUDE_DIR ${pelagic_linked_headers})
 endforeach()
 set(PELAGIC_IMATH_INCLUDE_DIR ${pelagic_linked_headers}/Imath)
-set(PELAGIC_IMATH_LIBRARY m)  # none: without its table of halves Imath is headers alone
+set(PELAGIC_IMATH_LIBRARY m)  # none: without its table of halves Imath is header-only
 set(pelagic_linked_headers_flags -DIMATH_HALF_NO_LOOKUP_TABLE)
 set(PELAGIC_GTEST_SOURCE /usr/src/googletest)

@@ -1,6 +1,7 @@
-# One include root: every include reads "pelagic/sim/ocean.hpp", here and in an installed tree, and no folder name of ours
-# stands on anybody's path, where an application's own sim/frame.hpp could take its place. The top-level folders are linked below
-# it; pelagic.h, which C applications include as <pelagic/pelagic.h>, stands beside them.
+# One include root: every include is of the form "pelagic/sim/ocean.hpp", here and in an installed
+# tree. No folder of Pelagic is itself on an include path, where an application's own sim/frame.hpp
+# could hide a header. The top-level folders are linked below the root, beside pelagic.h, which C
+# applications include as <pelagic/pelagic.h>.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
 foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web python bench tests examples)
@@ -8,32 +9,37 @@ foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web 
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
 
-# What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
+# Sets the properties of every target of Pelagic: language, floating-point policy, warnings,
+# sanitizers.
 function(pelagic_target target)
-  # An application may build all it has with -ffast-math or a part of it. Target options come behind his, so these win.
+  # An application may set -ffast-math or parts of it for everything. Target options come later on
+  # the command line, so these take precedence.
   set(strict_floats -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math
                     -fno-finite-math-only -fsigned-zeros)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # Objects are compiled once, for the static library and for the shared one, which shows nothing but the C interface.
+  # Objects are compiled once, for the static library and for the shared one, which exports only the
+  # C interface.
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  if(EMSCRIPTEN)  # has no shared one
+  if(EMSCRIPTEN)  # has no shared library
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PELAGIC_INCLUDE_ROOT}> $<INSTALL_INTERFACE:include>)
-  # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
-  # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
+  # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice,
+  # so each instruction set would compute a different sea. Disabled everywhere, because
+  # bit-identical results are part of the interface.
   target_compile_options(${target} PRIVATE ${strict_floats} -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
-  # g++ 12 sees overlapping copies in every `"text" + std::string` (GCC bug 105651).
+  # g++ 12 reports overlapping copies in every `"text" + std::string` (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
-  # clang 14 says for each file on 64-bit Arm that it can't keep track of floating-point exceptions there; nobody asks for them.
+  # clang 14 warns for each file on 64-bit Arm that it does not track floating-point exceptions;
+  # Pelagic does not use them.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(${target} PRIVATE -Wno-unsupported-floating-point-opt)
   endif()
-  # At the end of a link -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
+  # When linking, -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
   target_link_options(${target} PRIVATE -fno-fast-math)
   if(PELAGIC_FUZZ)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
@@ -44,8 +50,8 @@ function(pelagic_target target)
   endif()
 endfunction()
 
-# For what waits for files and processes rather than computes: instrumented for a sanitizer, it compiles twice as fast
-# unoptimised, and runs as fast as before.
+# For sources that wait for files and processes rather than compute: with a sanitizer they compile
+# twice as fast without optimisation and run as fast.
 function(pelagic_compile_quickly target)
   if(PELAGIC_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)

@@ -1,16 +1,20 @@
-# How tests run. Each is one process with a limit of time and of memory, and carries labels, by which the presets choose.
+# Registers tests. Each is one process with a limit of time and of memory, and has labels, by which
+# the presets select tests.
 #
-#   pelagic_add_suites(pelagic_query_tests LABELS bits SWEEPS SurfaceQuery)   every suite of a GoogleTest program
-#   pelagic_add_test(CInterfaceSoak LABELS night COMMAND pelagic_soak 1000000)  any other program
+#   every suite of a GoogleTest program:
+#       pelagic_add_suites(pelagic_query_tests LABELS bits SWEEPS SurfaceQuery)
+#   any other program:
+#       pelagic_add_test(CInterfaceSoak LABELS night COMMAND pelagic_soak 1000000)
 #
-# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, gl-small, fuzz, slow and soak
-#              (not in `quick`), night
-# SLOW         suites that `quick` leaves out (label slow)
-# SWEEPS       suites that walk a sample in the gate (label slow, left out by `quick`) and everything as Night.SUITE
+# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface,
+#              gl-small, fuzz, slow and soak (not in `quick`), night
+# SLOW         suites that `quick` omits (label slow)
+# SWEEPS       suites that test a sample by default (label slow, omitted by `quick`) and the full
+#              range as Night.SUITE
 # TIMEOUT_S    wall-clock seconds, far more than a loaded machine needs
-# MEMORY_MIB   address space; resident under a sanitizer, which maps terabytes
+# MEMORY_MIB   address space; resident memory under a sanitizer, which maps terabytes
 #
-# The target tests-LABEL builds the programs that carry a label.
+# The target tests-LABEL builds the programs with a label.
 set(PELAGIC_TEST_TIMEOUT_S 600)
 set(PELAGIC_NIGHT_TIMEOUT_S 7200)
 set(PELAGIC_TEST_MEMORY_MIB 4096)
@@ -18,14 +22,16 @@ if(CMAKE_HOST_SYSTEM_NAME STREQUAL Linux)
   find_program(PELAGIC_PRLIMIT prlimit REQUIRED)
 endif()
 
-# What goes before a command, and into its environment, so that it gets no more than `mib`.
+# Sets a command prefix and environment variables that limit a command's memory to `mib`.
 function(pelagic_memory_limit mib launcher environment)
   set(${launcher} PARENT_SCOPE)
   set(${environment} PARENT_SCOPE)
   if(PELAGIC_SANITIZE MATCHES thread)
     set(${launcher} ${PROJECT_SOURCE_DIR}/tests/limit_resident.sh ${mib} PARENT_SCOPE)
   elseif(EMSCRIPTEN OR NOT PELAGIC_PRLIMIT)
-    return()  # node reserves more addresses than it uses, and a module's own memory ends at 4 GiB; other systems have no such limit
+    # node reserves more addresses than it uses, and a module's memory ends at 4 GiB; other systems
+    # have no such limit
+    return()
   elseif(PELAGIC_SANITIZE)
     set(${environment} ASAN_OPTIONS=path_list_append:hard_rss_limit_mb=${mib} PARENT_SCOPE)
   else()
@@ -71,7 +77,7 @@ function(pelagic_add_test name)
                        ENVIRONMENT_MODIFICATION "${environment}" ${test_PROPERTIES})
 endfunction()
 
-# The program is asked for its suites each time it has been built.
+# The program lists its suites after each build.
 function(pelagic_add_suites target)
   pelagic_test_arguments()
   pelagic_label(${target} ${test_LABELS})
@@ -87,7 +93,7 @@ function(pelagic_add_suites target)
             -D "TIMEOUT_S=${test_TIMEOUT_S}" -D "NIGHT_TIMEOUT_S=${PELAGIC_NIGHT_TIMEOUT_S}"
             -D "PROPERTIES=${test_PROPERTIES}" -D "SUITES=${suites}" -P ${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake
     BYPRODUCTS ${suites} VERBATIM)
-  # A program that a preset forgot to build is a failure of that preset.
+  # If a preset does not build a program, a test of that preset fails.
   file(WRITE ${not_built} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"
     "  add_test(${target}_was_not_built ${target}_was_not_built)\n"
     "  set_tests_properties(${target}_was_not_built PROPERTIES TIMEOUT 1 LABELS \"${test_LABELS}\")\nendif()\n")

@@ -1,12 +1,15 @@
-# Seas by name. presets/NAME.toml, which users copy, is also the table behind sea_presets(): this reads it while the build is
-# configured, again whenever a file changes, and refuses all that it does not know. The library needs no TOML parser.
+# Sea presets. presets/NAME.toml, which users copy, is also the source of the table behind
+# sea_presets(). This file reads it when the build is configured, again whenever a file changes, and
+# rejects unknown keys and values. The library needs no TOML parser.
 #
-# The first line is "# NAME: SUMMARY". Others are empty, comments, or `key = value` with a number or a "name"; keys are those of
-# the command's config files, members of SeaState without their unit, angles in degrees.
+# The first line is "# NAME: SUMMARY". Others are empty, comments, or `key = value` with a number or
+# a "name". Keys are those of the command's config files: members of SeaState without their unit,
+# angles in degrees.
 #
-#   pelagic_write_sea_presets(FOLDER presets HEADER sim/sea_state.hpp OUTPUT sea_presets.inc NAMES calm ... beaufort-12)
+#   pelagic_write_sea_presets(FOLDER presets HEADER sim/sea_state.hpp OUTPUT sea_presets.inc
+#                             NAMES calm ... beaufort-12)
 
-# Members of SeaState in the order of the struct, as "type|name".
+# Returns the members of SeaState in the order of the struct, as "type|name".
 function(pelagic_sea_members header members)
   file(READ ${header} text)
   string(FIND "${text}" "struct SeaState {" begin)
@@ -21,7 +24,7 @@ function(pelagic_sea_members header members)
   set(${members} ${found} PARENT_SCOPE)
 endfunction()
 
-# The C++ of a value for a member, in `code`.
+# Returns the C++ code of a value for a member in `code`.
 function(pelagic_preset_value place header type member value code)
   set(number "^-?[0-9]+([.][0-9]+)?(e-?[0-9]+)?$")
   if(type MATCHES "^(double|int|std::uint32_t)$")
@@ -44,7 +47,7 @@ function(pelagic_preset_value place header type member value code)
   set(${code} "${type}::${name}" PARENT_SCOPE)
 endfunction()
 
-# A file as an element of the table, in `code`.
+# Returns the code of a file's element of the table in `code`.
 function(pelagic_read_sea_preset file name header code)
   pelagic_sea_members(${header} members)
   file(READ ${file} text)

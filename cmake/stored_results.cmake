@@ -1,7 +1,8 @@
-# Figures that the project keeps, as text in the command, so that an installed one needs no files. They are read while the
-# build is configured, again whenever a file changes.
+# Embeds the project's stored benchmark results as text in the command, so that an installed command
+# needs no files. They are read when the build is configured, again whenever a file changes.
 #
-#   pelagic_write_stored_results(RESULTS bench/results INSTRUCTIONS bench/budgets.json OUTPUT stored_results.inc)
+#   pelagic_write_stored_results(RESULTS bench/results INSTRUCTIONS bench/budgets.json
+#                                OUTPUT stored_results.inc)
 function(pelagic_write_stored_results)
   cmake_parse_arguments(PARSE_ARGV 0 stored "" "RESULTS;INSTRUCTIONS;OUTPUT" "")
   file(GLOB results CONFIGURE_DEPENDS ${stored_RESULTS}/*.json)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Unpacks Debian's libc++ for 64-bit Arm into FOLDER, which is not there yet, for arm64-libcxx.cmake. The packages for Arm of
-# dependencies.sh come first: with them apt learns of that architecture.
+# Unpacks Debian's libc++ for 64-bit Arm into FOLDER, which must not exist, for arm64-libcxx.cmake.
+# Install the packages for Arm of dependencies.sh first: they register the architecture with apt.
 #
 # usage: unpack_arm64_libcxx.sh FOLDER
 set -euo pipefail

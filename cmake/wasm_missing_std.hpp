@@ -1,5 +1,5 @@
-// What the C++ library of emscripten 3.1.6, libc++ 13, lacks of C++20, included before all else (cmake/wasm.cmake). With a newer
-// one nothing is left of this file.
+// Functions of C++20 that the C++ library of emscripten 3.1.6, libc++ 13, lacks; included before
+// everything else (cmake/wasm.cmake). With a newer library this file is empty.
 #pragma once
 
 #if defined(__cplusplus) && __cplusplus > 201703L
@@ -18,7 +18,8 @@ constexpr To bit_cast(const From& from) noexcept {
     return __builtin_bit_cast(To, from);
 }
 
-/// `value` is finite and there is room: the C library prints, and reads to see how many digits are enough.
+/// \pre `value` is finite and the buffer is large enough. Uses the C library to print, and to read
+///     back which number of digits suffices.
 template <class Number>
 requires(is_floating_point_v<Number>) to_chars_result
     to_chars(char* first, char* last, Number value, chars_format format, int precision) {
