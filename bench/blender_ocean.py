@@ -1,9 +1,11 @@
-# Pelagic's ocean beside Blender's own Ocean modifier, in one Blender: 256 faces a side, a step of the timeline until the moved mesh is there.
-# Both take turns, frame by frame; medians.
+# Benchmark of Pelagic's ocean and Blender's own Ocean modifier in one Blender: 256 faces a side,
+# and the time from a step of the timeline to the moved mesh. Both take turns, frame by frame;
+# prints medians.
 #
 #   blender -b --python-exit-code 1 -P bench/blender_ocean.py [-- --resolution 16 --frames 40]
 #
-# --resolution is the modifier's: its mesh and its transform have the square of it, 256 by 256 for 16.
+# --resolution is the modifier's: its mesh and its transform have the square of it, 256 by 256 for
+# 16.
 import argparse
 import statistics
 import sys
@@ -33,7 +35,8 @@ def make_own(foam):
     modifier.use_foam = foam
     if foam:
         modifier.foam_layer_name = "foam"
-    # As its makers have it follow the timeline: time keyed, a second a second.
+    # The modifier follows the timeline as intended by its authors: a driven time, one second a
+    # second.
     curve = modifier.driver_add("time")
     curve.driver.expression = "frame / 24"
     return ocean
@@ -49,7 +52,7 @@ def make_ours(settings):
 
 
 def step(scene, ocean, frame):
-    """Milliseconds until the frame's mesh is there."""
+    """Returns the milliseconds until the frame's mesh exists."""
     layer = scene.view_layers[0]
     before = time.perf_counter()
     scene.frame_set(frame)
@@ -69,7 +72,7 @@ def beside(what, foam, settings):
     times = {"own": [], "ours": []}
     for frame in range(1, options.frames + 4):
         pair = step(own_scene, own, frame), step(our_scene, ours, frame)
-        if frame > 3:  # both have made their tables
+        if frame > 3:  # both have computed their tables
             times["own"].append(pair[0])
             times["ours"].append(pair[1])
     assert all(len(heights) > options.frames // 2 for heights in step.heights.values()), "a sea stands still"

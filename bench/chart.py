@@ -2,10 +2,10 @@
 """Charts of bench/results for README and docs/benchmarks.md.
 
     bench/chart.py            writes docs/images/bench_frames.svg and bench_threads.svg
-    bench/chart.py --check    fails if they are not those of today's results
+    bench/chart.py --check    fails if the files differ from charts of the current results
 
-A row of panels for each machine. Lines carry their names, and the background is white, so that they read the same on light
-and dark pages.
+There is a row of panels for each machine. Lines are labelled, and the background is white, so that
+charts are readable on light and dark pages.
 """
 import argparse
 import html
@@ -20,11 +20,12 @@ OURS, FFTW, PAPER, AXIS, TEXT = "#0b5cad", "#b45309", "#6b7280", "#d7dce2", "#24
 ISA_COLOURS = {"sse4.2": "#0f766e", "neon": "#0b5cad", "avx2": "#0b5cad", "avx512": "#7e3aa8"}
 THREAD_COLOURS = ["#0b5cad", "#0f766e", "#7e3aa8", "#b45309", "#be185d", "#4d7c0f", "#6b7280"]
 WIDTH, ROW, PLOT_WIDTH, PLOT_HEIGHT, LEFTS, TOP = 900, 372, 290, 250, (56, 504), 66
-INSET = 26  # of the first and the last N
+INSET = 26  # offset of the first and the last N
 
 
 class Machine:
-    """A file of bench/results: frames of one cascade by instruction set and threads, in the order of N."""
+    """A file of bench/results: frames of one cascade by instruction set and threads, ordered by N.
+    """
 
     def __init__(self, file):
         results = json.loads(file.read_text())
@@ -39,7 +40,7 @@ class Machine:
 
 
 class Panel:
-    """Axes with N along x, and lines whose names stand at their right ends."""
+    """Axes with N along x, and lines with their names at the right ends."""
 
     def __init__(self, left, top, title, sizes, ticks, low, high, logarithmic=False):
         self.left, self.top, self.logarithmic, self.low, self.high = left, top, logarithmic, low, high
@@ -71,7 +72,7 @@ class Panel:
         self.names.append((at[-1][1], name, colour))
 
     def values(self, points, colour, below):
-        """Writes each point's milliseconds beside it."""
+        """Writes the milliseconds beside each point."""
         for n, value in points:
             digits = f"{value:#.2g}" if value < 1 else f"{value:#.3g}" if value < 100 else f"{value:.0f}"
             self.svg.append(text(self.x(n), self.y(value) + (18 if below else -10), digits, colour, "middle", size=11))
@@ -87,7 +88,7 @@ class Panel:
         self.names.append((y, name, PAPER))
 
     def drawn(self):
-        """Names keep a line's height from one another."""
+        """Names have at least one line height between them."""
         named, last = [], -math.inf
         for y, name, colour in sorted(self.names):
             last = max(y, last + 16)
@@ -96,13 +97,13 @@ class Panel:
 
 
 def text(x, y, words, colour, anchor="start", weight=400, size=12.5):
-    """In a white rim, so that it may stand on a line."""
+    """With a white outline, so that text is readable on lines."""
     return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{colour}" text-anchor="{anchor}" font-weight="{weight}" '
             f'font-size="{size}" stroke="#ffffff" stroke-width="3" paint-order="stroke">{html.escape(words)}</text>')
 
 
 def linear_ticks(highest):
-    """From 0 up past the highest value, at most seven."""
+    """Returns ticks from 0 to above the highest value, at most seven."""
     step = next(step for step in (0.1, 0.2, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000) if highest / step <= 6)
     return [step * i for i in range(math.ceil(highest / step) + 1)]
 

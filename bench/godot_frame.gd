@@ -1,6 +1,8 @@
-# What a frame of the node PelagicOcean costs the engine's thread: medians of its _process and of a query of 1000 points.
+# Benchmark of a frame of the node PelagicOcean on the engine's thread: medians of its _process and
+# of a query of 1000 points.
 #
-#   THREADS=0 xvfb-run -a godot3 --path build/release/godot --audio-driver Dummy --resolution 64x36 -s $PWD/bench/godot_frame.gd
+#   THREADS=0 xvfb-run -a godot3 --path build/release/godot --audio-driver Dummy \
+#     --resolution 64x36 -s $PWD/bench/godot_frame.gd
 extends SceneTree
 
 const FRAMES = 200
@@ -26,7 +28,7 @@ func _idle(_seconds):
 	start = OS.get_ticks_usec()
 	ocean.query(places)
 	query_us.append(OS.get_ticks_usec() - start)
-	OS.delay_msec(12) # as another frame's drawing
+	OS.delay_msec(12) # like the rendering of another frame
 	if process_us.size() == FRAMES:
 		process_us.sort()
 		query_us.sort()

@@ -1,5 +1,6 @@
-// A frame in node beside the native command's, one thread each, SSE4.2 as that has registers as wide. They take turns, and the least of all
-// turns counts, so that whatever else the machine does meets both alike.
+// Benchmark of a frame in node and of the native command, one thread each, with SSE4.2, which has
+// registers of equal width. They take turns, and the minimum over the turns counts, so that other
+// load on the machine affects both equally.
 //
 //   node bench/web.mjs [PACKAGE [PELAGIC [TURNS]]]
 import { execFileSync } from 'node:child_process';
@@ -29,7 +30,7 @@ function takeNative() {
 async function takeNode() {
   for (const [name, sea] of seas) {
     const ocean = await createOcean({ ...sea, threads: 1 });
-    for (let i = 0; i < 200; ++i) ocean.frameAt(i);  // until the engine has compiled it for good
+    for (let i = 0; i < 200; ++i) ocean.frameAt(i);  // until the engine has optimised it
     const times = [];
     for (let time = 0, begin = performance.now(); performance.now() - begin < 1000; time += 1 / 60) {
       const before = performance.now();

@@ -1,5 +1,6 @@
-"""Writes the docstrings of a stub as C++, so that help() says what editors show: {"Ocean.schedule", "Starts ..."}, one a line. Those of
-functions begin with the signature, in the form from which Python makes __text_signature__.
+"""Writes the docstrings of a stub as C++, so that help() and editors show the same:
+{"Ocean.schedule", "Starts ..."}, one on each line. Docstrings of functions begin with the
+signature, in the form from which Python makes __text_signature__.
 
 usage: docs_of_stub.py STUB.pyi OUT.inc
 """
@@ -11,7 +12,7 @@ from pathlib import Path
 
 
 def text_signature(function):
-    """"schedule($self, time_s)\\n--\\n\\n"."""
+    """Returns "schedule($self, time_s)\\n--\\n\\n"."""
     given = function.args
     defaults = [None] * (len(given.args) - len(given.defaults)) + given.defaults
     texts = [("$self" if argument.arg == "self" else argument.arg) + (f"={ast.unparse(default)}" if default else "")
@@ -38,6 +39,6 @@ def docs_in(node, prefix=""):
 
 
 stub, out = map(Path, sys.argv[1:])
-# A text of JSON is one of C++ as long as it is ASCII.
+# An ASCII string of JSON is also a string of C++.
 lines = [f"{{{json.dumps(name)}, {json.dumps(text)}}},\n" for name, text in docs_in(ast.parse(stub.read_text("utf-8")))]
 out.write_text("".join(lines), "utf-8")

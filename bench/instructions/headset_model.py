@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""Cycles of a frame on a headset's cores, by a model: for those who have none.
+"""Estimates the cycles of a frame on a headset's cores with a model, without a headset.
 
-    cmake --preset arm64-libcxx && cmake --build build/arm64-libcxx --target pelagic_count_jobs
-    bench/instructions/headset_model.py [--seas 1x128 1x256 3x128]     each job on one thread
-    bench/instructions/headset_model.py --table                        the table of docs/users/headset.md
+  cmake --preset arm64-libcxx
+  cmake --build build/arm64-libcxx --target pelagic_count_jobs
 
-qemu says how often each block of instructions runs; llvm-mca (19 or newer, Debian's llvm-19) says how many cycles a core takes
-for it, over and over, when every load hits the first cache. neoverse-v2 is near a Cortex-X3, neoverse-n2 near a Cortex-A710 or
-A715. Left out: misses, mispredicted branches, what neighbouring blocks overlap or hinder, and how long threads take to wake. A
-device takes longer.
+  bench/instructions/headset_model.py [--seas 1x128 1x256 3x128]    each job on one thread
+  bench/instructions/headset_model.py --table       the table of docs/users/headset.md
+
+qemu counts how often each block of instructions runs. llvm-mca (19 or newer, Debian's llvm-19)
+computes the cycles that a core takes for repetitions of a block if every load hits the first-level
+cache. neoverse-v2 is similar to a Cortex-X3, neoverse-n2 to a Cortex-A710 or A715. The model omits
+cache misses, mispredicted branches, interaction of neighbouring blocks, and the time to wake
+threads. A device takes longer.
 """
 import argparse
 import itertools
@@ -23,14 +26,16 @@ import instructions
 CORES = {"neoverse-v2": "X3-like", "neoverse-n2": "A715-like"}
 CLOCKS_GHZ = (2.0, 2.8)
 ITERATIONS = 100
-# The table's ranges: from the model at the higher clock to it at the lower one, longer by a guess of what it leaves out; the speed-up of
-# more threads is then 0.7 of the ideal one, which is the least that docs/benchmarks.md has of two threads: 1.42 at N = 128.
+# The table's ranges: from the model's time at the higher clock to its time at the lower clock times
+# an estimated factor for omitted effects. The speed-up by more threads is then 0.7 of the ideal,
+# the minimum for two threads in docs/benchmarks.md: 1.42 at N = 128.
 LEFT_OUT = 1.5
 SPEED_UP_KEPT = 0.7
 
 
 def blocks_of(program, sea):
-    """Of each job of the frame: its items, in how many parts threads can share it, and how often each block ran, by its bytes."""
+    """Returns for each job of the frame its items, the number of blocks that threads can share, and
+    how often each block of instructions ran, by its bytes."""
     with tempfile.TemporaryDirectory() as folder:
         out = f"{folder}/counts"
         plug_in = instructions.built_plug_in(folder)
@@ -49,7 +54,7 @@ def blocks_of(program, sea):
 
 
 def cycles_of(blocks, core):
-    """Cycles a run of each block on a core."""
+    """Returns the cycles of one run of each block on a core."""
     names = list(blocks)
     words = "\n".join(" ".join(f"0x{name[i:i + 2]}" for i in range(0, len(name), 2)) for name in names)
     text = subprocess.run(["llvm-mc-19", "--disassemble", "-triple=aarch64", f"-mcpu={core}"], input=words,
@@ -70,7 +75,8 @@ def cycles_of(blocks, core):
 
 
 def threads_ms(jobs, cycles, threads, clock_ghz):
-    """Of a frame: its jobs one after the other, a job's blocks shared evenly by threads that wait for nothing else."""
+    """Returns the milliseconds of a frame: its jobs in sequence, a job's blocks shared evenly by
+    threads without other waits."""
     total = 0
     for _, count, blocks in jobs.values():
         job = sum(cycles[block] * runs for block, runs in blocks.items())
@@ -79,7 +85,7 @@ def threads_ms(jobs, cycles, threads, clock_ghz):
 
 
 def of_frame(job):
-    """What every frame has: not queries, nor what prepares for them, nor the sum of all."""
+    """Returns true for jobs of every frame: not queries, their preparation, or the total."""
     return not job.startswith(("query", "folds")) and job != "frame"
 
 
@@ -97,8 +103,8 @@ def print_jobs(options):
 
 
 def print_table(options):
-    """The rows of docs/users/headset.md, which are those of `pelagic bench --headset`."""
-    # SSE4.2's registers are as wide as NEON's, so frames are padded alike.
+    """Prints the rows of docs/users/headset.md, which are those of `pelagic bench --headset`."""
+    # SSE4.2 has registers as wide as NEON's, so frames have equal padding.
     printed = subprocess.run([options.command, "bench", "--headset", "--isa", "sse4.2", "--threads", "3", "--seconds", "0.1",
                               "--json", "-"], stdout=subprocess.PIPE, check=True).stdout
     print("| sea | threads | X3-like, ms | A715-like, ms | of 11.1 ms | memory, MB | uploaded, MB |\n|" + "---|" * 7)

@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Instructions of every job, counted: they don't depend on what else the machine does.
+"""Counts the instructions of every job. Counts do not depend on other load on the machine.
 
-    bench/instructions/instructions.py                   a table of build/release's jobs
-    bench/instructions/instructions.py --check           fails if a job takes over 2 % more than bench/budgets.json says
-    bench/instructions/instructions.py --update          makes today's counts the budgets
-    bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
-                                                         bytes moved through the end of a second cache of that size
-    bench/instructions/instructions.py --of PROGRAM ...  counts of any program with marks: a name and a figure a line
+  bench/instructions/instructions.py             prints a table of build/release's jobs
+  bench/instructions/instructions.py --check     fails if a job takes over 2 % more than its
+                                                 budget in bench/budgets.json
+  bench/instructions/instructions.py --update    writes the current counts as budgets
+  bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
+                                                 bytes between memory and a second-level
+                                                 cache of this size
+  bench/instructions/instructions.py --of PROGRAM ...
+                                                 counts of any program with marks, one line
+                                                 with a name and a number each
 
-x86 is counted by valgrind, which knows SSE4.2 and AVX2 but not AVX-512; NEON by a plug-in of qemu's user mode
-(--program build/arm64/bin/pelagic_count_jobs). Counts are for one texel of the sea, and for one point of queries. They
-depend on the compiler, so budgets are for one version of it; with another --check skips (exit status 77).
+valgrind counts x86, with SSE4.2 and AVX2 but not AVX-512; a plug-in of qemu's user mode counts NEON
+(--program build/arm64/bin/pelagic_count_jobs). Counts are for one texel of the sea, and for one
+point of queries. They depend on the compiler, so budgets are for one version of it; with another
+version --check skips (exit status 77).
 
-Bytes are those of valgrind's model of a cache: lines of 64 bytes fetched, whether for reading or because a part of them is
-written, and lines written back.
+Bytes are those of valgrind's cache model: lines of 64 bytes fetched, to read or to write a part of
+them, and lines written back.
 """
 import argparse
 import itertools
@@ -32,17 +37,17 @@ SKIPPED = 77
 
 
 class CannotCount(Exception):
-    """The tool that counts is missing, or the budgets are for another compiler."""
+    """The counting tool is missing, or the budgets are for another compiler."""
 
 
 def is_arm(program):
-    """EM_AARCH64 in the header of an ELF file."""
+    """Checks for EM_AARCH64 in the header of an ELF file."""
     with open(program, "rb") as file:
         return file.read(20)[18:20] == b"\xb7\x00"
 
 
 def isas_of(program):
-    """Those that can be counted here."""
+    """Returns the instruction sets that can be counted here."""
     if is_arm(program):
         return ["neon"]
     with open("/proc/cpuinfo") as info:
@@ -57,7 +62,8 @@ def needed(tool):
 
 
 def valgrind_counts(command, folder, options=()):
-    """What `command` prints, and the events of each count as a dictionary: Ir, and with --cache-sim=yes many more."""
+    """Returns the output of `command`, and the events of each count as a dictionary: Ir, and with
+    --cache-sim=yes many more."""
     run = subprocess.run(
         [needed("valgrind"), "--tool=callgrind", f"--callgrind-out-file={folder}/counts", "--zero-before=pelagic_count_begin",
          "--dump-before=pelagic_count_end", *options, *command],
@@ -68,7 +74,8 @@ def valgrind_counts(command, folder, options=()):
     while os.path.exists(dump := f"{folder}/counts.{len(counts) + 1}"):
         lines = dict(line.split(": ", 1) for line in open(dump) if line.startswith(("events: ", "summary: ")))
         events, figures = lines["events"].split(), map(int, lines["summary"].split())
-        counts.append(dict(itertools.zip_longest(events, figures, fillvalue=0)))  # zeros at the end are left out
+        # trailing zeros are omitted
+        counts.append(dict(itertools.zip_longest(events, figures, fillvalue=0)))
     return run.stdout, counts
 
 
@@ -79,7 +86,7 @@ def built_plug_in(folder):
 
 
 def qemu_counts(command, folder):
-    """The same of a program for 64-bit Arm; instructions only."""
+    """Like valgrind_counts() for a program for 64-bit Arm; instructions only."""
     plug_in, out = built_plug_in(folder), f"{folder}/counts"
     run = subprocess.run([needed("qemu-aarch64"), "-plugin", f"{plug_in},out={out}", *command], stdout=subprocess.PIPE,
                          stderr=subprocess.PIPE, text=True)
@@ -89,7 +96,8 @@ def qemu_counts(command, folder):
 
 
 def count(command, options=()):
-    """Runs a program with marks. Its figures (compiler, ...) and a list of (name, items, events)."""
+    """Runs a program with marks. Returns its properties (compiler, ...) and a list of (name, items,
+    events)."""
     command = [str(word) for word in command]
     with tempfile.TemporaryDirectory() as folder:
         printed, counts = (qemu_counts(command, folder) if is_arm(command[0]) else
@@ -103,7 +111,7 @@ def count(command, options=()):
 
 
 def rows_of(program, isas, seas):
-    """The compiler, and for each job and instruction set a row as in budgets.json."""
+    """Returns the compiler, and for each job and instruction set a row as in budgets.json."""
     rows = []
     for isa in isas:
         compiler, counts = count([program, isa, *seas])
@@ -116,7 +124,7 @@ def rows_of(program, isas, seas):
 def print_bytes(program, isa, seas, cache_bytes):
     print(f"{isa}, beyond {cache_bytes} bytes of cache, a texel")
     print(f"{'sea':8}{'job':24}{'read':>8}{'for writing':>12}{'written':>8}{'all':>8}  bytes")
-    # A second cache has 16 ways in most of today's processors.
+    # The second-level cache of most current processors has 16 ways.
     options = ["--cache-sim=yes", "--simulate-wb=yes", f"--LL={cache_bytes},16,64"]
     for name, texels, events in count([program, isa, *seas], options)[1]:
         sea, job = name.split("/", 1)

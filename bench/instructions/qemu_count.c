@@ -3,9 +3,10 @@
  *   cc -shared -fPIC -o qemu_count.so qemu_count.c
  *   qemu-aarch64 -plugin ./qemu_count.so,out=COUNTS[,blocks=on] program ...
  *
- * COUNTS gets a line for each count, in order; with blocks, before it a line for each block of instructions that ran: how often,
- * and its bytes. One thread. The interface is version 1 of qemu's plug-ins (qemu 4.2 to 8.2);
- * Debian ships no header of it, so what is used of it is declared here. */
+ * Writes one line for each count to COUNTS, in order; with blocks=on, before it one line for each
+ * block of instructions that ran, with its number of runs and its bytes. For one thread. The
+ * interface is version 1 of qemu's plug-ins (qemu 4.2 to 8.2). Debian has no header for it, so this
+ * file declares the functions that it uses. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
-// The same frame on FFTW, as an expert would write it: PATIENT plans, real fields as real
+// The frame computed with FFTW, as an expert would write it: PATIENT plans, real fields as real
 // transforms or two in one complex transform, everything else vectorised with Pelagic's own
 // kernels. One thread.
 //
-// FFTW chooses its code by itself, whatever the instruction set here; Debian's build knows SSE2 and
-// AVX.
+// FFTW selects its code itself, regardless of the instruction set here; Debian's build supports
+// SSE2 and AVX.
 #pragma once
 
 #include <cstddef>
@@ -21,34 +21,35 @@
 
 namespace pelagic::peers {
 
-/// How the three real fields go through FFTW.
+/// Arrangement of the three real fields in FFTW transforms.
 enum class FftwArrangement {
-    packed,   ///< Dx + i Dz in one complex transform, the height in a real one
+    packed,   ///< Dx + i Dz in one complex transform, the height in a real transform
     separate  ///< three real transforms
 };
 
-/// Where FFTW's plans come from.
+/// Source of FFTW's plans.
 enum class FftwPlanning {
-    measured,  ///< here and now: seconds to minutes
-    read       ///< by read_fftw_plans(), as a program must that is counted and runs fifty times slower
+    measured,  ///< measured in this process: seconds to minutes
+    read       ///< by read_fftw_plans(), for instruction counts, where programs run fifty times slower
 };
 
-/// All plans that this process has measured, for another one. Throws std::runtime_error.
+/// Writes all plans that this process has measured, for another process. Throws std::runtime_error.
 void write_fftw_plans(const std::string& file);
 void read_fftw_plans(const std::string& file);
 
 class FftwFrame {
    public:
-    /// Plans and bakes. Throws std::runtime_error if plans that were read lack this one.
+    /// Plans and bakes. Throws std::runtime_error if plans that were read do not include this plan.
     /// \pre check(sea) is empty, runs_here(isa), N >= 2 lanes of isa
     FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement,
               FftwPlanning planning = FftwPlanning::measured);
     ~FftwFrame();
 
-    /// The frame at `time_s`, finite; valid until the next call. Never allocates.
+    /// Computes the frame at `time_s`, which must be finite. The result is valid until the next
+    /// call. Never allocates.
     const PeerFrame& frame_at(double time_s);
 
-    /// What breaks is white.
+    /// Sets the foam of breaking waves.
     void set_foam(const FoamSource& source) { foam_ = source; }
 
    private:
@@ -69,7 +70,7 @@ class FftwFrame {
     AlignedBuffer<std::uint32_t> harmonics_;
     AlignedBuffer<float> height_spectrum_;
     AlignedBuffer<float> horizontal_spectrum_, horizontal_;  ///< of the packed arrangement
-    AlignedBuffer<float> dx_spectrum_, dz_spectrum_;         ///< of the separate one
+    AlignedBuffer<float> dx_spectrum_, dz_spectrum_;         ///< of the separate arrangement
     AlignedBuffer<float> planes_;                            ///< dx, height, dz
     MipAverages mip_averages_;
     std::unique_ptr<Plans> plans_;

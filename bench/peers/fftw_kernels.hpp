@@ -1,5 +1,5 @@
-// What the FFTW frame does besides FFTW, in the widest registers: one table an instruction set, as
-// in sim/kernels/kernels.hpp, and from the same pieces wherever the data's layout allows.
+// Kernels of the FFTW frame outside of FFTW, in the widest registers: one table for each
+// instruction set, as in sim/kernels/kernels.hpp, with shared code where the data's layout allows.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@
 namespace pelagic::peers {
 
 /// Waves (kx, kz) and (kx, -kz) for kx in [0, N/2), planes of N/2 floats each for one kz: S' of
-/// both, then k / |k| of the first, as in sim/kernels/wave_blocks.hpp but with kz turned instead of
-/// kx.
+/// both, then k / |k| of the first, as in sim/kernels/wave_blocks.hpp but with kz negated instead
+/// of kx.
 struct FftwWaves {
     const float* planes;             ///< 10 rows of N/2
     const std::uint32_t* harmonics;  ///< N/2
 };
 
-/// The spectra of rows kz and -kz at a moment, in FFTW's layout; Nyquist's stay zero. For kz = 0
-/// both are one row.
+/// The spectra of rows kz and -kz at a time, in FFTW's layout; those of Nyquist stay zero. For kz =
+/// 0 both are one row.
 struct FftwEvolveJob {
     FftwWaves waves;
     std::size_t half_size;  ///< N/2
     std::uint32_t fraction;
     bool is_one_row;
-    float* height[2];      ///< rows kz and -kz of N/2 + 1 numbers
-    float* horizontal[2];  ///< packed: rows of N numbers of Dx + i Dz
-    float* dx[2];          ///< separate: rows of N/2 + 1 numbers, as height
+    float* height[2];      ///< rows kz and -kz of N/2 + 1 complex numbers
+    float* horizontal[2];  ///< packed: rows of N complex numbers of Dx + i Dz
+    float* dx[2];          ///< separate: rows of N/2 + 1 complex numbers, like height
     float* dz[2];
 };
 

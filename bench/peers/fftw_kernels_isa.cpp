@@ -54,7 +54,7 @@ void evolve(const FftwEvolveJob& job, Store store_waves) {
                                   row(first + 1, x) * rotation.cosine + row(first + 3, x) * rotation.sine};
             store(job.height[sign], x, h);
             const V z = sign == 0 ? across : V(0.f) - across;
-            // i h times the direction's parts.
+            // i h times the components of the direction.
             store_waves(sign, x, Complex<Arch>{V(0.f) - along * h.im, along * h.re},
                         Complex<Arch>{V(0.f) - z * h.im, z * h.re});
         }

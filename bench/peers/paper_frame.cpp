@@ -23,7 +23,7 @@ using paper::GradientTexel;
 using paper::Horizontal;
 using paper::PackedWave;
 
-constexpr std::uint32_t largest_resolution = 2048;  // of a SeaState
+constexpr std::uint32_t largest_resolution = 2048;  // maximum of a SeaState
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 
 Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
@@ -35,9 +35,9 @@ Horizontal operator+(Horizontal a, Horizontal b) { return {a.x + b.x, a.z + b.z}
 Horizontal operator-(Horizontal a, Horizontal b) { return {a.x - b.x, a.z - b.z}; }
 Horizontal operator*(Horizontal a, Complex b) { return {a.x * b, a.z * b}; }
 
-/// e^{i angle}, to 1e-7, of an angle of at most some turns. Quarter turns come off in two parts,
-/// the first with few bits so that its product is exact (Cody and Waite); the polynomials are those
-/// of Cephes' sinf and cosf (Moshier).
+/// Returns e^{i angle}, to 1e-7, for angles of at most some turns. Quarter turns are subtracted in
+/// two parts, the first with few bits so that its product is exact (Cody and Waite). The
+/// polynomials are those of Cephes' sinf and cosf (Moshier).
 inline Complex rotation_of(float angle) {
     const float nearest = angle < 0 ? -0.5f : 0.5f;
     const int quarter = static_cast<int>(angle * (4 / two_pi) + nearest);
@@ -75,7 +75,7 @@ struct Line {
     Horizontal* horizontal;
 };
 
-/// The stack buffers of equation 38: a line and what its stages swap it with.
+/// The stack buffers of equation 38: a line and the buffer that its stages alternate with.
 struct LineBuffers {
     Complex height_local[largest_resolution];
     Horizontal horizontal_local[largest_resolution];
@@ -86,7 +86,7 @@ struct LineBuffers {
     Line temp() { return {height_temp, horizontal_temp}; }
 };
 
-/// All butterfly stages of one line whose local buffers hold it in bit-reversed order (3.6.2,
+/// Runs all butterfly stages of one line whose local buffers have it in bit-reversed order (3.6.2,
 /// 3.6.3, 3.6.6). Returns the buffers that the last stage wrote.
 Line transform(LineBuffers& buffers, std::uint32_t resolution) {
     Line local = buffers.local();
@@ -159,8 +159,8 @@ PaperFrame::PaperFrame(const SeaState& sea)
     bake_spectrum();
 }
 
-// Equations 16 to 22 on the centred grid of equation 2. Waves on the Nyquist row and column, index
-// 0, are none, so it does no harm that each of them is its own partner in the wrapped index below.
+// Equations 16 to 22 on the centred grid of equation 2. There are no waves on the Nyquist row and
+// column, index 0, so it does no harm that each is its own partner in the wrapped index below.
 void PaperFrame::bake_spectrum() {
     const CascadeWaves waves(sea_, plan_cascades(sea_).front());
     const int centre = sea_.resolution / 2;
@@ -199,8 +199,8 @@ const PeerFrame& PaperFrame::frame_at(double time_s) {
     return frame_;
 }
 
-// The paper's listing of section 3.4.3. Its phase is omega t in floats, which is off by 1e-4 rad
-// late in a loop; Pelagic's integer phase is exact, and its top bit as a sign keeps the angle
+// The paper's listing of section 3.4.3. Its phase is omega t in floats, with an error of 1e-4 rad
+// late in a loop. Pelagic's integer phase is exact, and its top bit as a sign keeps the angle
 // within half a turn.
 void PaperFrame::evolve(std::uint32_t index) {
     constexpr float radians_per_step = two_pi * 0x1p-32f;
@@ -252,7 +252,7 @@ void PaperFrame::vertical_pass(std::uint32_t column) {
     }
 }
 
-// Equations 42 to 44, written as floats and as halves; foam waits for the Jacobian.
+// Equations 42 to 44, written as floats and as halves; foam is computed with the Jacobian.
 void PaperFrame::finalize(std::uint32_t index) {
     const std::uint32_t x = index & (resolution_ - 1);
     const std::uint32_t y = index >> log_resolution_;
@@ -295,7 +295,7 @@ void PaperFrame::gradient(std::uint32_t index) {
     float n_x = h_z * dz_x - h_x * (1.f + dz_z);
     float n_y = jacobian;
     float n_z = h_x * dx_z - h_z * (1.f + dx_x);
-    // A surface crushed to a point has no normal; the guard keeps it finite.
+    // A surface that is compressed to a point has no normal; the guard keeps it finite.
     const float inverse_length = 1.f / std::sqrt(std::max(n_x * n_x + n_y * n_y + n_z * n_z, 1e-30f));
     n_x *= inverse_length;
     n_y *= inverse_length;
@@ -308,7 +308,7 @@ void PaperFrame::gradient(std::uint32_t index) {
     chain_[index] = {n_x * normal_length_, n_y * normal_length_, n_z * normal_length_, clamped_jacobian};
 }
 
-// Equations 52 and 53 for one texel of `level`, from the floats of the finer one (errata).
+// Equations 52 and 53 for one texel of `level`, from the floats of the finer level (errata).
 void PaperFrame::halve(int level, std::uint32_t index) {
     const int log_side = log_resolution_ - level;
     const std::uint32_t x = index & ((1u << log_side) - 1);

@@ -1,16 +1,14 @@
-// VR Ocean's frame typed in from the paper, sections 3.4 to 3.9: what a reader of it gets in plain
-// scalar C++.
+// VR Ocean's frame, implemented from the paper, sections 3.4 to 3.9, in plain scalar C++.
 //
-// The stages of its table 1, an item at a time on the calling thread: all N^2 waves evolve in a
+// The stages of its table 1, one item at a time on the calling thread: all N^2 waves evolve in a
 // centred spectrum; three full complex transforms, rows then columns, radix 2, with twiddles
 // computed in every butterfly (section 3.6.3); sign correction; gradients by central differences; a
-// chain of mipmaps. Only errata that make the sea wrong are mended (docs/equations.md): the
+// chain of mipmaps. Only errata that give a wrong sea are corrected (docs/equations.md): the
 // transform's sign, the full normal, the sign in equation 49, mipmaps from floats, and rounded
-// frequencies. Amplitudes, frequencies and time are Pelagic's, so it is the same sea.
+// frequencies. Amplitudes, frequencies and time are Pelagic's, so both compute the same sea.
 //
 // The paper's sine and cosine are one intrinsic that its compiler inlines at reduced precision;
-// here a polynomial stands for it. There are no SIMD intrinsics, and what the optimiser makes of
-// the loops is its own affair.
+// here it is a polynomial. There are no SIMD intrinsics; the optimiser may vectorise the loops.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +37,7 @@ struct PackedWave {
     Complex of_cosine, of_sine;
 };
 
-/// A texel of the mip chain before it is packed: the scaled normal and the clamped Jacobian.
+/// A texel of the mip chain before packing: the scaled normal and the clamped Jacobian.
 struct GradientTexel {
     float n_x, n_y, n_z, jacobian;
 };
@@ -60,13 +58,15 @@ struct Outputs {
 
 class PaperFrame {
    public:
-    /// Bakes the spectrum and allocates all there is. \pre check(sea) is empty
+    /// Bakes the spectrum and allocates all memory. \pre check(sea) is empty
     explicit PaperFrame(const SeaState& sea);
 
-    /// The frame at `time_s`, finite; valid until the next call. Never allocates.
+    /// Computes the frame at `time_s`, which must be finite. The result is valid until the next
+    /// call. Never allocates.
     const PeerFrame& frame_at(double time_s);
 
-    /// What breaks is white; before that half of the area is lost, as the paper has it.
+    /// Sets the foam of breaking waves. The default is the paper's: white where half of the area is
+    /// lost.
     void set_foam(const FoamSource& source) { foam_ = source; }
 
    private:
@@ -86,15 +86,15 @@ class PaperFrame {
     float half_texels_per_metre_;
     float normal_length_;
     float smoothness_;
-    std::uint32_t turns_ = 0;  ///< LoopFraction of the frame at hand
+    std::uint32_t turns_ = 0;  ///< LoopFraction of the current frame
 
     std::vector<paper::PackedWave> initial_amplitudes_;
     std::vector<std::uint32_t> harmonics_;
-    std::vector<float> orbit_ratios_;  ///< beside the paper, which knows deep water alone
+    std::vector<float> orbit_ratios_;  ///< not in the paper, which is for deep water only
     paper::Fields a_, b_;              ///< figure 4: evolve writes A, rows A to B, columns B to A
     std::vector<paper::GradientTexel> chain_;
     paper::Outputs outputs_;
-    PeerFrame frame_;  ///< views of them
+    PeerFrame frame_;  ///< views of outputs_
 };
 
 }  // namespace pelagic::peers

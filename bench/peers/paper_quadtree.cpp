@@ -13,10 +13,12 @@ PaperQuadtree::PaperQuadtree(const Options& options)
 bool PaperQuadtree::is_visible(const Node& node, const Frustum& view) const {
     const double side = options_.size_m / (1 << node.level);
     const double height =
-        options_.height_max_m > 0 ? options_.height_max_m : 0.03 * options_.size_m;  // section 5.2.2
+        // section 5.2.2
+        options_.height_max_m > 0 ? options_.height_max_m : 0.03 * options_.size_m;
     return view.may_see(
         {{(node.x + 0.5) * side - options_.size_m / 2, 0, (node.y + 0.5) * side - options_.size_m / 2},
-         {side * options_.cull_scale / 2, height / 2, side * options_.cull_scale / 2}});  // equation 61
+         // equation 61
+         {side * options_.cull_scale / 2, height / 2, side * options_.cull_scale / 2}});
 }
 
 std::uint8_t PaperQuadtree::flag(std::int32_t x, std::int32_t y, std::int32_t level, int bit) const {
@@ -41,7 +43,7 @@ const std::vector<PaperQuadtree::Patch>& PaperQuadtree::select(const glm::dvec3&
         bool rendered = node.rendered;
         if (!subdivides && !rendered) {
             // The map stores the level of the covering patch, also of culled patches, which the
-            // paper leaves undefined.
+            // paper does not define.
             const std::int32_t stride = std::int32_t{1} << (deepest_ - node.level);
             for (std::int32_t row = node.y * stride; row < (node.y + 1) * stride; ++row)
                 for (std::int32_t column = node.x * stride; column < (node.x + 1) * stride; ++column)
@@ -56,9 +58,10 @@ const std::vector<PaperQuadtree::Patch>& PaperQuadtree::select(const glm::dvec3&
     for (Patch& patch : patches_) {
         const std::int32_t stride = std::int32_t{1} << (deepest_ - patch.level);  // equation 62
         const std::int32_t gx = patch.x * stride, gy = patch.y * stride;
-        patch.flags = static_cast<std::uint8_t>(
-            flag(gx + stride, gy, patch.level, 0) | flag(gx, gy + stride, patch.level, 1) |
-            flag(gx - 1, gy, patch.level, 2) | flag(gx, gy - 1, patch.level, 3));  // equations 63 and 64
+        patch.flags =
+            static_cast<std::uint8_t>(flag(gx + stride, gy, patch.level, 0) | flag(gx, gy + stride, patch.level, 1) |
+                                      // equations 63 and 64
+                                      flag(gx - 1, gy, patch.level, 2) | flag(gx, gy - 1, patch.level, 3));
     }
     return patches_;
 }

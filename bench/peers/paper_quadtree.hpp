@@ -1,6 +1,6 @@
-// The quadtree traversal as the VR paper prints it (section 5.2): every node down to the leaves, a
-// level map of the finest cells, then the neighbours' flags. To be timed against, not to be drawn:
-// see docs/equations.md for its errata.
+// The quadtree traversal as printed in the VR paper (section 5.2): every node down to the leaves, a
+// level map of the finest cells, then the neighbours' flags. For timing only: see docs/equations.md
+// for its errata.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class PaperQuadtree {
         double size_m = 8192;
         double lod_scale = 2;
         double cull_scale = 1;
-        double height_max_m = 0;  ///< 0: 0.03 S, as the paper computes it
+        double height_max_m = 0;  ///< 0: 0.03 S, as in the paper
     };
     struct Patch {
         std::int32_t x, y, level;
@@ -28,7 +28,8 @@ class PaperQuadtree {
 
     explicit PaperQuadtree(const Options& options);
 
-    /// Patches that the view sees, in the order of the traversal. The grid is around the origin.
+    /// Returns the patches in the view, in the order of the traversal. The grid is centred at the
+    /// origin.
     const std::vector<Patch>& select(const glm::dvec3& viewer_m, const Frustum& view);
 
     std::uint32_t nodes_visited() const { return nodes_visited_; }

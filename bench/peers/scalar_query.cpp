@@ -31,7 +31,7 @@ float bilinear(float v00, float v10, float v01, float v11, float u, float v) {
     return between(between(v00, v10, u), between(v01, v11, u), v);
 }
 
-/// The step from a place to the next, as the kernel does it.
+/// The step from one position to the next, as in the kernel.
 void move(int& cell, float& within, float by) {
     const float moved = within - by;
     const auto cut = static_cast<float>(static_cast<int>(moved));

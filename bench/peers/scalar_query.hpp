@@ -1,6 +1,6 @@
-// Surface queries one point at a time, in plain code: the same method as sim/surface_query where
-// the surface does not fold, and the same bits (tests/peers_test.cpp); and the floor, a bilinear
-// lookup that ignores the displacement.
+// Surface queries one point at a time, in plain code: the method of sim/surface_query where the
+// surface does not fold, bit-identical to it (tests/peers_test.cpp); and the lower bound of the
+// cost, a bilinear sample that ignores the displacement.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"
@@ -16,7 +16,7 @@ struct ScalarSample {
 ScalarSample scalar_query(const Frame& frame, double x_m, double z_m,
                           double tolerance_m = SurfaceQuery::default_tolerance_m);
 
-/// The height at the point of rest instead of at the point.
+/// Returns the height at the reference position instead of the displaced position.
 float scalar_lookup(const Frame& frame, double x_m, double z_m);
 
 }  // namespace pelagic::peers

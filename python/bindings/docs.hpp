@@ -1,4 +1,4 @@
-// Docstrings, which stand in the stub pelagic/_pelagic.pyi.
+// Docstrings, which are written in the stub pelagic/_pelagic.pyi.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,8 @@
 
 namespace pelagic::python {
 
-/// Of "Ocean" or "Ocean.schedule". Throws std::logic_error if the stub has none.
+/// Returns the docstring of a name such as "Ocean" or "Ocean.schedule". Throws std::logic_error if
+/// the stub has none.
 const char* doc_of(const char* name);
 
 /// Adds the property `name` to a class, with its docstring.

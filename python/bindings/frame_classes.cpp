@@ -38,7 +38,7 @@ py::array halves_of(const CascadeHandle& handle) {
     return view_of(*handle.of, py::dtype("e"), {side, side, 4}, cascade.displacement_rgba16f.data());
 }
 
-/// A plane's blocks as an array of the caller's own.
+/// Returns a plane's blocks as an array that the caller owns.
 py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const char* option) {
     const auto reader = handle.of->read();
     const PlaneView& from = handle.cascade().*plane;
@@ -54,7 +54,7 @@ py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const
     return array;
 }
 
-/// One level of a chain, (N, N, 4) bytes of words or (N, N) bytes.
+/// Returns one level of a chain, (N, N, 4) bytes of words or (N, N) bytes.
 template <class Texel>
 py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::*chain, int level,
                    const char* option) {
@@ -78,7 +78,7 @@ std::vector<CascadeHandle> cascades_of(const std::shared_ptr<FrameHandle>& frame
     return cascades;
 }
 
-/// What takes long enough for other threads to run meanwhile.
+/// Wraps a slow function so that other threads run meanwhile.
 template <class Result>
 auto on_frame(Result (*of)(const Frame&)) {
     return [of](const FrameHandle& handle) {
@@ -102,7 +102,7 @@ std::string text_of(const FrameBounds& bounds) {
            ", horizontal_z_max_m=" + number_text(bounds.horizontal_z_max_m) + ")";
 }
 
-/// Of the frame's cascades, read as long as their memory is there.
+/// Wraps a value of a frame's cascades, read while their memory is valid.
 template <class Value>
 auto of_cascade(Value (*get)(const Cascade&)) {
     return [get](const CascadeHandle& handle) {

@@ -1,4 +1,4 @@
-// A frame as Python holds it, and a cascade of one.
+// A frame in Python, and a cascade of a frame.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -14,7 +14,8 @@ namespace pelagic::python {
 struct FrameHandle {
     std::shared_ptr<SharedOcean> ocean;
     std::uint64_t number;
-    Frame frame;  ///< its spans and their cascades belong to the ocean: only with a Reader or a View
+    /// its spans and their cascades belong to the ocean: valid only with a Reader or a View
+    Frame frame;
 
     std::unique_ptr<SharedOcean::Reader> read() const { return std::make_unique<SharedOcean::Reader>(ocean, number); }
 };
@@ -23,7 +24,7 @@ struct CascadeHandle {
     std::shared_ptr<FrameHandle> of;
     std::size_t index;
 
-    /// \pre a Reader or a View lives
+    /// \pre a Reader or a View exists
     const Cascade& cascade() const { return of->frame.cascades[index]; }
 };
 
@@ -32,12 +33,13 @@ void need_foam(const Frame& frame);
 
 using Shape = std::vector<pybind11::ssize_t>;
 
-/// A read-only array of `data`, which keeps the ocean's memory as it is until the last array that shares it is gone.
+/// Returns a read-only array of `data`, which keeps the ocean's memory unchanged until the last
+/// array that shares it is destroyed.
 pybind11::array view_of(const FrameHandle& handle, const pybind11::dtype& type, Shape shape, const void* data);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
 
-/// The classes Frame, Cascade and Bounds; what a frame is asked is added by add_questions().
+/// Adds the classes Frame, Cascade and Bounds. add_questions() adds the queries of a frame.
 FrameClass add_frame_classes(pybind11::module_& module);
 void add_questions(FrameClass& frame);
 

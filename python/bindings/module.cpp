@@ -1,4 +1,5 @@
-// The module pelagic._pelagic: the C++ interface for Python. What its names mean stands in pelagic/_pelagic.pyi and pelagic/__init__.py.
+// The module pelagic._pelagic: the C++ interface for Python. pelagic/_pelagic.pyi and
+// pelagic/__init__.py document its names.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 

@@ -1,4 +1,4 @@
-// What an ocean may have beside the waves of the wind: dynamic waves, a shore, wave inputs.
+// Optional parts of an ocean: dynamic waves, a shore, wave inputs.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,11 +13,12 @@
 
 namespace pelagic::python {
 
-/// Of any object that has the fields as attributes; None: none. Throws std::invalid_argument and TypeError.
+/// Reads the options from the attributes of any object; None gives no options. Throws
+/// std::invalid_argument and TypeError.
 std::optional<DynamicWavesOptions> dynamic_waves_options_of(pybind11::handle options);
 std::optional<ShoreOptions> shore_options_of(pybind11::handle options);
 
-/// A wave input and the ocean that has it.
+/// A wave input and the ocean that owns it.
 struct InputHandle {
     bool is_taken = false;
     std::weak_ptr<SharedOcean> ocean;
@@ -26,10 +27,12 @@ struct InputHandle {
     virtual std::shared_ptr<WaveInput> input() const = 0;
 };
 
-/// The inputs of one new ocean, which no other can have unless the ocean is not made.
+/// The inputs of one new ocean. No other ocean can have them, unless the creation of this ocean
+/// fails.
 class TakenInputs {
    public:
-    /// Throws TypeError for what is no list of inputs, and std::invalid_argument for an input that is taken.
+    /// Throws TypeError if `inputs` is not a list of inputs, and std::invalid_argument if another
+    /// ocean has an input.
     explicit TakenInputs(pybind11::handle inputs);
     ~TakenInputs();
     TakenInputs(const TakenInputs&) = delete;
@@ -43,7 +46,7 @@ class TakenInputs {
     bool are_given_ = false;
 };
 
-/// Each adds classes, the checks of the options in _options.py, and properties.
+/// Each function adds classes, the checks of the options in _options.py, and properties.
 void add_dynamic_waves(pybind11::module_& module, FrameClass& frame, OceanClass& ocean);
 void add_shore(pybind11::module_& module, FrameClass& frame);
 void add_inputs(pybind11::module_& module);

@@ -9,7 +9,7 @@ namespace py = pybind11;
 namespace pelagic::python {
 
 double number_of(py::handle value, const std::string& name, bool is_whole, std::string_view accepted) {
-    // Python's own conversions, which take NumPy's numbers too; a bool is a number only to Python.
+    // Python's conversions, which accept NumPy's numbers too; a bool is rejected here.
     PyObject* const converted = py::isinstance<py::bool_>(value) ? nullptr
                                 : is_whole                       ? PyNumber_Index(value.ptr())
                                 : py::isinstance<py::str>(value) ? nullptr
@@ -20,7 +20,7 @@ double number_of(py::handle value, const std::string& name, bool is_whole, std::
             invalid_value_message(name, std::string(py::repr(value)), is_whole ? "a whole number" : "a number"));
     }
     const double number = PyFloat_AsDouble(py::reinterpret_steal<py::object>(converted).ptr());
-    if (PyErr_Occurred()) {  // a whole number beyond all doubles
+    if (PyErr_Occurred()) {  // an integer beyond the range of double
         PyErr_Clear();
         throw std::invalid_argument(invalid_value_message(name, std::string(py::str(value)), accepted));
     }

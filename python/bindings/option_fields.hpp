@@ -13,12 +13,12 @@
 
 namespace pelagic::python {
 
-/// Converts any Python or NumPy number but a bool. Throws TypeError for anything else, and std::invalid_argument for a whole number
-/// that no double holds.
+/// Converts any Python or NumPy number except bool. Throws TypeError for any other type, and
+/// std::invalid_argument for an integer beyond the range of double.
 double number_of(pybind11::handle value, const std::string& name, bool is_whole, std::string_view accepted);
 
-/// Returns the index in `names` of the attribute `field`. Throws TypeError unless it is a str, and std::invalid_argument if it is none
-/// of them.
+/// Returns the index in `names` of the attribute `field`. Throws TypeError unless it is a str, and
+/// std::invalid_argument if it is none of them.
 std::size_t name_in(pybind11::handle object, const char* field, const std::vector<std::string>& names);
 
 /// Throws TypeError unless the object is of the class `name` of the package.

@@ -1,4 +1,5 @@
-// What a frame is asked about points and rays. Points have shape (..., 2), answers (...) or (..., 3).
+// Queries of a frame at points and along rays. Points have shape (..., 2), results (...) or (...,
+// 3).
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -47,7 +48,7 @@ Doubles doubles_of(py::handle given, const char* name) {
     throw std::invalid_argument(std::string(name) + " can't be made an array of numbers");
 }
 
-/// The same, each element so many numbers.
+/// Like doubles_of(), with `numbers` numbers in each element.
 Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const char* meaning) {
     Doubles array = doubles_of(given, name);
     if (array.ndim() == 0 || array.shape(array.ndim() - 1) != numbers)
@@ -56,14 +57,14 @@ Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const c
     return array;
 }
 
-/// Appends what an array has from an axis on, in order, whatever its strides.
+/// Appends the elements of an array from an axis on, in order, for any strides.
 void append_elements(const py::array& array, py::ssize_t axis, const char* at, std::vector<double>& out) {
     if (axis == array.ndim()) return out.push_back(*reinterpret_cast<const double*>(at));
     for (py::ssize_t i = 0; i < array.shape(axis); ++i)
         append_elements(array, axis + 1, at + i * array.strides(axis), out);
 }
 
-/// Arrays brought to one shape by NumPy's rules.
+/// Arrays broadcast to one shape by NumPy's rules.
 struct SameShape {
     Shape shape;
     std::vector<std::vector<double>> elements;  ///< of each array, in order
@@ -80,9 +81,9 @@ struct SameShape {
     }
 };
 
-/// Where to ask, x and z apart.
+/// Positions of a query, x and z separately.
 struct Places {
-    Shape shape;  ///< of what has a number a point
+    Shape shape;  ///< shape of results with one number a point
     std::vector<double> x, z;
 
     explicit Places(const Doubles& points) : shape(shape_of(points)) {
@@ -119,9 +120,9 @@ struct Vectors {
     }
 };
 
-constexpr double min_tolerance_m = 1e-6, max_tolerance_m = 1000;  // as the C interface has it
+constexpr double min_tolerance_m = 1e-6, max_tolerance_m = 1000;  // as in the C interface
 
-/// Which answers are wanted.
+/// The requested result fields.
 class Fields {
    public:
     explicit Fields(py::handle asked) : all_(asked.is_none()) {
@@ -144,11 +145,11 @@ class Fields {
     std::set<std::string> wanted_;
 };
 
-/// Arrays of answers, of one moment or of several.
+/// Result arrays of one time or of several.
 class AnswerArrays {
    public:
-    /// \param shape  of what has a number a point and a moment
-    /// \param count  points
+    /// \param shape shape of results with one number a point and a time
+    /// \param count number of points
     AnswerArrays(const Fields& fields, const Shape& shape, std::size_t count, bool has_velocities, bool has_foam)
         : count_(count) {
         const auto add = [&](const char* name, std::span<float> SurfaceSamples::*span) {
@@ -177,7 +178,7 @@ class AnswerArrays {
         if (fields.has("error")) add("error", &SurfaceSamples::error_m);
     }
 
-    /// Where the answers of a moment go; write() follows.
+    /// Returns the destinations of the results of a time; write() must follow.
     SurfaceSamples samples(std::size_t moment) {
         SurfaceSamples samples;
         for (const Numbers& numbers : numbers_) samples.*numbers.span = {numbers.data + moment * count_, count_};
@@ -219,7 +220,8 @@ SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolat
     return {.tolerance_m = tolerance_m, .interpolation = *named};
 }
 
-/// A UserWarning if points are farther apart than the sea is long before it repeats. Of the caller of the package's function.
+/// Issues a UserWarning if the points span more than the sea's repeat length. The warning points at
+/// the caller of the package's function.
 void warn_of_span(const Places& places, double repeat_m) {
     double span_m = 0;
     for (const std::vector<double>* along : {&places.x, &places.z}) {
@@ -229,7 +231,8 @@ void warn_of_span(const Places& places, double repeat_m) {
         span_m = std::max(span_m, max - min);
     }
     if (!(span_m > repeat_m)) return;
-    // Without the span: of warnings with one text Python shows and keeps one for each line of a program.
+    // Without the span: Python shows and stores warnings of equal text once for each line of a
+    // program.
     const std::string line =
         "the points span more than the " + number_text(repeat_m) + " m after which the longest waves repeat";
     if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 2) != 0) throw py::error_already_set();
@@ -252,7 +255,7 @@ py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::h
     return arrays.answers;
 }
 
-/// Throws std::invalid_argument if the moments span more than the loop, and names one that fits.
+/// Throws std::invalid_argument if the times span more than the loop, and names a loop that fits.
 void need_no_repetition(const std::vector<double>& times_s, double loop_s) {
     const auto [first, last] = std::minmax_element(times_s.begin(), times_s.end());
     const double span_s = *last - *first;
@@ -306,9 +309,9 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
     if (!(tolerance_m >= min_tolerance_m && tolerance_m <= max_tolerance_m))
         throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
     const SurfaceQuery surface(handle.frame, tolerance_m);
-    const py::object extended =
-        doubles_of(reach, "reach")
-            .attr("__getitem__")(py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
+    const py::object extended = doubles_of(reach, "reach")
+                                    // a reach for each of x, y and z
+                                    .attr("__getitem__")(py::make_tuple(py::ellipsis(), py::none()));
     const SameShape same({rows_of(origins, "origins", 3, "x, y and z of each ray"),
                           rows_of(directions, "directions", 3, "x, y and z of each ray"),
                           doubles_of(extended, "reach")});
@@ -350,7 +353,7 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
     return answers;
 }
 
-/// Where water rests that is to be looked at there, without a search.
+/// Returns the reference positions of points.
 Places reference_places_of(py::handle points, py::handle z) {
     constexpr double max_m = 1e9;  // as for rays
     Places places = places_of(points, z);

@@ -1,5 +1,5 @@
-// Displacement, velocity and foam of water at reference positions, for meshes of many vertices that move every frame. The cell of a
-// cascade is found once for all of its planes.
+// Displacement, velocity and foam of water at reference positions, for meshes of many vertices that
+// move every frame. The cell of a cascade is computed once for all of its planes.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -36,7 +36,7 @@ class ReferenceCascade {
     struct Cell {
         std::ptrdiff_t upper_left, upper_right, lower_left, lower_right;  ///< in floats of a plane
         std::int64_t x, z;
-        double u, v;  ///< where in it, [0, 1]
+        double u, v;  ///< position in the cell, [0, 1]
     };
 
     Cell cell_at(double x_m, double z_m) const {
@@ -71,12 +71,12 @@ class ReferenceCascade {
    private:
     const Cascade& cascade_;
     double texels_per_m_;
-    std::vector<std::ptrdiff_t> columns_;  ///< where each begins, in floats
+    std::vector<std::ptrdiff_t> columns_;  ///< offset of each column, in floats
 };
 
 constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
 constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
-constexpr double farthest_m = 1e9;  // at which doubles tell micrometres apart
+constexpr double farthest_m = 1e9;  // at this distance doubles still resolve micrometres
 
 /// Samples a frame at one reference position after the other.
 class ReferenceSampler {

@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const Names& all) {
     return names;
 }
 
-/// The option that a name stands for.
+/// Returns the option of a name.
 template <class Value, class All>
 Value named_in(py::handle sea, const char* field, const All& all) {
     return all[name_in(sea, field, names_of(all))];

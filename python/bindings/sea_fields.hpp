@@ -1,4 +1,4 @@
-// pelagic.Sea, which is Python's, from and to SeaState: fields go by their names.
+// Converts the Python class pelagic.Sea from and to SeaState. Fields are matched by name.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,14 +7,15 @@
 
 namespace pelagic::python {
 
-/// Of any object that has the fields as attributes. Throws std::invalid_argument with Pelagic's line for a value that can't be
-/// taken, and TypeError for what is no number or name; check() is for what doesn't go together.
+/// Reads the sea from the attributes of any object. Throws std::invalid_argument with Pelagic's
+/// message for an invalid value, and TypeError for a value that is neither a number nor a name.
+/// check() tests combinations.
 SeaState sea_state_of(pybind11::handle sea);
 
-/// A pelagic.Sea.
+/// Returns a pelagic.Sea.
 pybind11::object python_sea_of(const SeaState& sea);
 
-/// sea_fields, presets and what can be said of a sea without an ocean.
+/// Adds sea_fields, presets and functions of a sea that need no ocean.
 void add_sea_functions(pybind11::module_& module);
 
 }  // namespace pelagic::python

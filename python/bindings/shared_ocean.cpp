@@ -44,7 +44,7 @@ void SharedOcean::begin(double time_s) {
             throw MemoryInUse(
                 "an array of the frame of " + number_text(times_s_[next % 2]) +
                 " s is still in use, and the next frame needs its memory: drop the array, or keep a copy() of it");
-        scheduled_ = next;  // from here on nobody begins to read the old one
+        scheduled_ = next;  // from here on no new reader of the old frame is accepted
         times_s_[next % 2] = time_s;
         readers_left_.wait(lock, [&] { return use.readers == 0; });
         in_flight_ = true;
@@ -62,7 +62,7 @@ NumberedFrame SharedOcean::end() {
         const std::lock_guard lock(state_);
         need_open_now();
         if (!in_flight_) throw WrongOrder("no frame is in flight; call schedule() first");
-        in_flight_ = false;  // whatever comes
+        in_flight_ = false;  // also if complete() throws
     }
     return {ocean_->complete(), scheduled_};
 }

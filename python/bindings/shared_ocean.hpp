@@ -1,8 +1,9 @@
-// An ocean for a language in which anything may live longer than it should: frames know when their memory is gone, arrays keep it
-// from being written over, and threads take turns. Knows nothing of Python.
+// An ocean for languages in which objects may outlive others: frames detect that their memory is
+// reused, arrays prevent it from being overwritten, and threads take turns. It does not depend on
+// Python.
 //
-// An ocean has the memory of two frames, so the frame scheduled as number n is written over by number n + 2. Before that
-// schedule() waits for whoever reads frame n, and refuses while somebody has views of it.
+// An ocean has the memory of two frames, so frame n is overwritten by frame n + 2. Before that,
+// schedule() waits for readers of frame n, and throws if views of it exist.
 #pragma once
 
 #include <array>
@@ -21,29 +22,29 @@
 
 namespace pelagic::python {
 
-/// The frame's memory holds a later one.
+/// The frame's memory belongs to a later frame.
 struct StaleFrame : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The memory that a frame needs is on view.
+/// Views of the required memory exist.
 struct MemoryInUse : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Not now, such as a second schedule() without complete().
+/// A call in the wrong order, such as a second schedule() without complete().
 struct WrongOrder : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A frame and which one it is.
+/// A frame and its number.
 struct NumberedFrame {
     Frame frame;
     std::uint64_t number;
 };
 
-/// Methods may be called from any threads, and wait for one another where an ocean is for one thread at a time. After close() they
-/// throw std::invalid_argument.
+/// Methods may be called from any thread; they wait for one another where an ocean may be used by
+/// one thread only. After close() they throw std::invalid_argument.
 class SharedOcean {
    public:
     SharedOcean(const Forecast& forecast, const OceanOptions& options);
@@ -52,19 +53,20 @@ class SharedOcean {
     bool is_ready();
     NumberedFrame complete();
     NumberedFrame frame_at(double time_s);
-    /// Calls use(i, frame) with the frame of each time, in order, while the next one is computed. Frames made before are over then.
+    /// Calls use(i, frame) with the frame of each time, in order, while the next frame is computed.
+    /// Earlier frames become stale.
     void frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use);
     void schedule_sea(const SeaChange& change);
 
     bool has_dynamic_waves() const { return has_dynamic_waves_; }
     /// Calls use(waves). \pre has_dynamic_waves()
     void use_dynamic_waves(const std::function<void(DynamicWaves&)>& use);
-    /// The same where no frame may be in flight.
+    /// Like use_dynamic_waves(); throws WrongOrder if a frame is in flight.
     void use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use);
-    /// Calls change() while no other method runs, of a closed ocean too.
+    /// Calls change() while no other method runs, also if the ocean is closed.
     void alter_input(const std::function<void()>& change);
 
-    /// Waits for readers, and gives the memory back; what is on view goes when its last view does.
+    /// Waits for readers and frees the memory. Memory with views is freed with its last view.
     void close();
     bool is_closed();
     void need_open();
@@ -79,10 +81,11 @@ class SharedOcean {
     };
     Facts facts();
 
-    /// Frame `number` is neither written over nor closed.
+    /// Returns true if frame `number` is neither overwritten nor closed.
     bool is_alive(std::uint64_t number);
 
-    /// While one lives, the frame is not written over. Throws StaleFrame if it is gone already.
+    /// While a Reader exists, the frame is not overwritten. Throws StaleFrame if it was
+    /// overwritten.
     class Reader {
        public:
         Reader(std::shared_ptr<SharedOcean> ocean, std::uint64_t number);
@@ -94,7 +97,7 @@ class SharedOcean {
         std::shared_ptr<SharedOcean> ocean_;
         std::uint64_t number_;
     };
-    /// The same for as long as anybody likes: the ocean doesn't wait for it, but refuses.
+    /// Like a Reader without a time limit: the ocean does not wait for it, but throws MemoryInUse.
     class View {
        public:
         View(std::shared_ptr<SharedOcean> ocean, std::uint64_t number);
@@ -107,7 +110,7 @@ class SharedOcean {
         std::uint64_t number_;
     };
 
-    /// For one batch of queries on the ocean's threads. \pre a Reader lives meanwhile
+    /// Runs one batch of queries on the ocean's threads. \pre a Reader exists meanwhile
     void sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples);
 
    private:
@@ -122,7 +125,7 @@ class SharedOcean {
     void begin(double time_s);
     NumberedFrame end();
 
-    std::mutex turn_;  ///< held while the ocean works, and taken before the next
+    std::mutex turn_;  ///< held while the ocean works; locked before state_
     std::mutex state_;
     std::condition_variable readers_left_;
     std::shared_ptr<Executor> executor_;
@@ -131,7 +134,7 @@ class SharedOcean {
     bool has_velocities_, has_foam_, has_dynamic_waves_;
     std::array<Use, 2> uses_;
     std::array<double, 2> times_s_{};
-    std::uint64_t scheduled_ = 0;  ///< frames up to now
+    std::uint64_t scheduled_ = 0;  ///< number of frames so far
     bool in_flight_ = false;
     bool is_closed_ = false;
     std::vector<std::unique_ptr<SurfaceQueryJobs>> idle_jobs_;

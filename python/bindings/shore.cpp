@@ -1,4 +1,4 @@
-// Shores: the options of an ocean's, and what a frame shows of it.
+// Shores: the options of an ocean's shore, and the shore of a frame.
 #include "pelagic/sim/shore.hpp"
 
 #include <pybind11/stl.h>
@@ -19,7 +19,7 @@ namespace {
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-/// Fields that are the shape of heights_m here.
+/// Returns true for fields that follow from the shape of heights_m.
 bool is_shape(const NumericField<ShoreOptions>& field) { return field.name == "columns" || field.name == "rows"; }
 
 ShoreOptions read_options(py::handle object) {

@@ -1,6 +1,8 @@
-"""Makes a wheel of what the CMake target pelagic_python builds. PEP 517, with nothing but Python's own library and CMake.
+"""Builds a wheel of the CMake target pelagic_python. PEP 517, with only Python's standard library
+and CMake.
 
-CMAKE_ARGS holds more options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in build/python, for the next one.
+CMAKE_ARGS has additional options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in
+build/python, for the next one.
 """
 
 import base64
@@ -20,7 +22,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def field_of_project(name):
-    """A text of pyproject.toml's table [project]; Python reads TOML itself only from 3.11 on."""
+    """Returns a string of pyproject.toml's table [project]; Python reads TOML only from 3.11 on."""
     table = (SOURCE / "pyproject.toml").read_text("utf-8").split("[project]")[1]
     return re.search(rf'^{name} = "(.*)"$', table, re.MULTILINE).group(1)
 
@@ -65,9 +67,10 @@ def run(*command):
 
 
 def built_files():
-    """Of the package, by name. The folder is the preset's, which may have modules for other Pythons too."""
+    """Returns the files of the package, by name. The folder is the preset's, which may have modules
+    for other Pythons too."""
     build = SOURCE / "build" / "python"
-    # Not the one of a virtual environment, which may be gone when that folder is built next.
+    # Not that of a virtual environment, which may no longer exist at the next build.
     run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}",
         *shlex.split(os.environ.get("CMAKE_ARGS", "")))
     run("cmake", "--build", build, "--target", "pelagic_python",
@@ -97,7 +100,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """All that is in the folder but what was built."""
+    """All files of the folder except build products."""
     folder = f"{NAME}-{VERSION}"
     with tarfile.open(Path(sdist_directory) / f"{folder}.tar.gz", "w:gz", format=tarfile.PAX_FORMAT) as archive:
         for path in sorted(SOURCE.iterdir()):

@@ -1,5 +1,5 @@
-"""A sea's spectrum, measured in two ways beside the one that was asked for: by buoys that write down how high the water is for
-a whole loop, and by a Fourier transform of one frame.
+"""A sea's spectrum, measured in two ways and compared with the requested spectrum: by buoys that
+record the height of the water for a whole loop, and by a Fourier transform of one frame.
 
 usage: measured_spectrum.py [OUT.png]
 """
@@ -16,31 +16,34 @@ from numpy.typing import NDArray
 
 Doubles = NDArray[np.float64]
 
-#: Linear waves: with choppiness a buoy would see crests that are drawn together, and with them harmonics of the peak.
+#: Linear waves: with choppiness a buoy would measure sharpened crests, which are harmonics of the
+#: peak.
 SEA = pelagic.Sea(wind_speed_mps=12, fetch_m=100e3, choppiness=0, spreading="hasselmann", loop_period_s=400)
 
-#: The same on one cascade with a texel every 2 m. Water is straight between texels, which flattens waves of a few texels for buoys
-#: that lie anywhere; of four cascades each has such waves.
+#: The same sea on one cascade with a texel every 2 m. Interpolation between texels is linear, which
+#: flattens waves of a few texels at arbitrary positions; each of four cascades has such waves.
 SEA_OF_BUOYS = replace(SEA, patch_size_m=1000, resolution=512)
 
 
 def spectrum_of_buoys(sea: pelagic.Sea, step_s: float = 0.4, buoys: int = 300) -> Tuple[Doubles, Doubles]:
-    """Frequencies in Hz and the heights' spectrum in m^2/Hz, the mean over buoys at random places."""
+    """Returns frequencies in Hz and the spectrum of heights in m^2/Hz, the mean over buoys at
+    random positions."""
     places = np.random.default_rng(1).uniform(0, 1000, (buoys, 2))
     moments = round(sea.loop_period_s / step_s)
     heights = np.empty((moments, buoys))
     with pelagic.Ocean(sea) as ocean:
         for i in range(moments):
             heights[i] = ocean.frame_at(i * step_s).query(places, fields=["height"])["height"]
-    # The loop ends where it begins, so a transform needs no window. Frequencies below zero count for those above.
+    # The loop ends where it begins, so a transform needs no window function. Negative frequencies
+    # are added to positive ones.
     energy = 2 * np.abs(np.fft.rfft(heights, axis=0) / moments) ** 2
     frequencies = np.arange(1, moments // 2) / sea.loop_period_s
     return frequencies, energy[1:-1].mean(axis=1) * sea.loop_period_s
 
 
 def spectrum_of_frame(sea: pelagic.Sea, time_s: float = 0) -> Tuple[Doubles, Doubles]:
-    """Bands of wave numbers by their edges, rad/m, and the heights' spectrum in them, m^3, all directions together. Each cascade holds
-    a part of the waves."""
+    """Returns bands of wave numbers by their edges, rad/m, and the spectrum of heights in them,
+    m^3, summed over all directions. Each cascade has a band of the waves."""
     edges = np.geomspace(0.01, 20, 80)
     energy = np.zeros(len(edges) - 1)
     with pelagic.Ocean(sea) as ocean:

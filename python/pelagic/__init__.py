@@ -1,4 +1,4 @@
-"""An open sea on CPU jobs and SIMD, the same bits everywhere.
+"""Simulation of FFT ocean waves on the CPU, with reproducible results.
 
     import pelagic
 
@@ -7,7 +7,8 @@
         answers = frame.query([[3.0, 4.0], [100.0, -20.0]])
         print(answers["height"], hex(frame.hash))
 
-Conventions: SI units, named in each field; right-handed, +y up, rest level y = 0; angles in radians; time in seconds.
+Conventions: SI units, named in each field; right-handed, +y up, still water at y = 0; angles in
+radians; time in seconds.
 """
 
 from types import MappingProxyType as _MappingProxyType
@@ -25,10 +26,11 @@ __all__ = [
     "isas_here", "preset", "preset_summaries", "presets",
 ]
 
-#: Named seas, mildest first, and then the open sea of each force of wind, "beaufort-0" to "beaufort-12".
+#: Named seas, mildest first, followed by the open sea of each Beaufort number, "beaufort-0" to
+#: "beaufort-12".
 presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _preset_list()})
 
-#: A line about each of them.
+#: A one-line summary of each preset.
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
 
 _explain(AnalyticWave, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Ocean, Rain, Ripple, RippleInput, Sea,
@@ -36,7 +38,7 @@ _explain(AnalyticWave, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, 
 
 
 def preset(name: str) -> Sea:
-    """The sea of that name, which is one of `presets`."""
+    """Returns the sea of a name of `presets`."""
     try:
         return presets[name]
     except KeyError:

@@ -1,4 +1,4 @@
-"""Calls with wrong arguments get one line that names them."""
+"""Reports wrong arguments of calls with one line that names them."""
 
 import functools
 import inspect
@@ -9,7 +9,7 @@ _EMPTY = inspect.Parameter.empty
 
 
 def nearest_hint(name: str, names: Iterable[str]) -> str:
-    """A hint such as (the nearest is rough) after a blank, or nothing."""
+    """Returns a hint such as " (the nearest is rough)", or an empty string."""
     near = get_close_matches(name, list(names), 1)
     return f" (the nearest is {near[0]})" if near else ""
 
@@ -19,7 +19,7 @@ def _listed(names: Tuple[str, ...]) -> str:
 
 
 def _reason(name: str, signature: inspect.Signature, args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Optional[str]:
-    """Why the arguments do not fit the signature, None if they do."""
+    """Returns the reason why the arguments do not fit the signature, or None if they do."""
     try:
         signature.bind(*args, **kwargs)
         return None
@@ -45,7 +45,8 @@ def _reason(name: str, signature: inspect.Signature, args: Tuple[Any, ...], kwar
 
 
 def _explained(function: Callable[..., Any], name: str, qualified: str) -> Callable[..., Any]:
-    """The method, with a signature for inspect, and a TypeError that names what is missing or unknown."""
+    """Returns the method with a signature for inspect, and a TypeError that names missing or
+    unknown arguments."""
     native = inspect.signature(function)
     this = inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY)
     signature = native.replace(parameters=[this, *(p for p in native.parameters.values() if p.name != "self")])

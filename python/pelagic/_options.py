@@ -1,4 +1,5 @@
-"""Options of dynamic waves, shores and wave inputs, with units, defaults and ranges. A value out of range raises ValueError."""
+"""Options of dynamic waves, shores and wave inputs, with units, defaults and ranges. A value out of
+range raises ValueError."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ class DynamicWavesOptions:
     """The grid of an ocean's dynamic waves: Ocean(sea, dynamic_waves=DynamicWavesOptions())."""
 
     step: str = "spectral"
-    """"spectral": the exact dispersion of water of depth_m. "verlet": one speed for all waves, for ponds and rings."""
+    """"spectral": the exact dispersion of water of depth_m. "verlet": one speed for all waves, for
+    ponds and rings."""
     resolution: int = 256
     """N, texels along a side; 64, 128, 256, 512 or 1024."""
     side_m: float = 64.0
@@ -24,17 +26,19 @@ class DynamicWavesOptions:
     ticks_per_s: int = 60
     """Steps of the simulation a second; [10, 240]."""
     border_m: float = 12.0
-    """Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves wrap around."""
+    """Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
+    wrap around."""
     depth_m: float = 10000.0
     """Depth of the water ("spectral"); [0.01, 11000]."""
     viscosity_m2ps: float = 0.002
     """Eddy viscosity ("spectral"); [0, 1]."""
     wave_speed_mps: float = 3.0
-    """Speed of all waves ("verlet"); (0, 1000], and (wave_speed_mps / (ticks_per_s texel))^2 is at most 0.4."""
+    """Speed of all waves ("verlet"); (0, 1000], and (wave_speed_mps / (ticks_per_s texel))^2 is at
+    most 0.4."""
     decay_per_s: float = 0.01
     """Decay rate of amplitudes; [0, 10]."""
     foam_height_m: float = 0.2
-    """Foam begins above this height and is full at twice it; [0.001, 100]."""
+    """Foam begins above this height and is full at twice this height; [0.001, 100]."""
 
     def __post_init__(self) -> None:
         _pelagic.check_dynamic_waves_options(self)
@@ -42,25 +46,26 @@ class DynamicWavesOptions:
 
 @dataclass(frozen=True)
 class Disturbance:
-    """What moves the water: an impulse, or a source that acts in every tick."""
+    """A disturbance of the water: an impulse, or a source that acts in every tick."""
 
     shape: str = "gauss"
-    """"gauss": height_m exp(-(r / radius_m)^2). "hull": half an ellipsoid of half length length_m and half beam radius_m."""
+    """"gauss": height_m exp(-(r / radius_m)^2). "hull": half an ellipsoid of half length length_m
+    and half beam radius_m."""
     mode: str = "pressure"
-    """"pressure": the weight of the shape's own water; adds no water. "relaxation": the water approaches the shape at rate_per_s.
-    "impulse": the shape is added at once."""
+    """"pressure": the weight of the shape's volume of water; adds no water. "relaxation": the water
+    approaches the shape at rate_per_s. "impulse": the shape is added at once."""
     x_m: float = 0.0
     """Position in the world; [-1e8, 1e8]."""
     z_m: float = 0.0
     """Position in the world; [-1e8, 1e8]."""
     radius_m: float = 1.0
-    """Radius; of a hull half its beam; [0.001, 1000]."""
+    """Radius; for a hull half its beam; [0.001, 1000]."""
     length_m: float = 1.0
     """Half the length of a hull; [0.001, 1000]."""
     heading_rad: float = 0.0
     """Direction of a hull's length, from +x towards +z; [-2 pi, 2 pi]."""
     height_m: float = 0.0
-    """Height of the shape, below 0 for what floats; [-100, 100]."""
+    """Height of the shape, negative for floating bodies; [-100, 100]."""
     rate_per_s: float = 10.0
     """Rate of a relaxation; (0, 1000]."""
     velocity_x_mps: float = 0.0
@@ -77,13 +82,13 @@ class Rain:
     """Rain on dynamic waves. set_rain() checks the ranges, which depend on the grid."""
 
     drops_per_m2_s: float = 0.0
-    """Mean rate of drops; 0: no rain. At most 16 on a texel in a tick."""
+    """Mean rate of drops; 0: no rain. At most 16 drops on a texel in a tick."""
     radius_m: float = 0.25
-    """Radius of a crater at the height of rest; [0.001, side_m / 16]."""
+    """Radius of a crater at the still water level; [0.001, side_m / 16]."""
     height_m: float = 0.02
     """Depth of a crater; [-10, 10]."""
     seed: int = 1
-    """Selects the drops; any 32-bit number."""
+    """Seed of the drops; any 32-bit number."""
 
     def __post_init__(self) -> None:
         _pelagic.check_rain(self)
@@ -91,11 +96,12 @@ class Rain:
 
 @dataclass(frozen=True, eq=False)
 class ShoreOptions:
-    """A sea floor that waves feel: Ocean(sea, shore=ShoreOptions(heights_m)). Needs a sea of 2 to 4 cascades that never changes."""
+    """A sea floor that affects waves: Ocean(sea, shore=ShoreOptions(heights_m)). Requires a sea of
+    2 to 4 cascades without transitions."""
 
     heights_m: ArrayLike
-    """Heights of the floor above rest, (rows, columns), 2 to 4096 each, in [-11000, 9000]. Element [j, i] stands at
-    x = corner_x_m + i metres_a_sample, z = corner_z_m + j metres_a_sample."""
+    """Heights of the floor above still water, (rows, columns), 2 to 4096 each, in [-11000, 9000].
+    Element [j, i] is at x = corner_x_m + i metres_a_sample, z = corner_z_m + j metres_a_sample."""
     corner_x_m: float = 0.0
     """Position of element [0, 0]; [-1e8, 1e8]."""
     corner_z_m: float = 0.0
@@ -103,11 +109,12 @@ class ShoreOptions:
     metres_a_sample: float = 1.0
     """Distance between elements; [0.001, 10000]."""
     resolution: int = 256
-    """Texels along the longer side of what frames show; 64, 128, 256, 512 or 1024."""
+    """Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024."""
     fade_m: float = 0.0
-    """Width of the transition to the open sea along the field's edges; [0, half the field's shorter side]. 0: an eighth of that side."""
+    """Width of the transition to the open sea along the field's edges;
+    [0, half the field's shorter side]. 0: an eighth of that side."""
     swash_m: float = 0.25
-    """Height that waves reach on dry sand at most; [0, 10]."""
+    """Maximum height of swash on dry sand; [0, 10]."""
 
     def __post_init__(self) -> None:
         _pelagic.check_shore_options(self)
@@ -132,7 +139,7 @@ class AnalyticWave:
 
 @dataclass(frozen=True)
 class Ripple:
-    """Rings around a point, which repeat with the cascade that holds them."""
+    """Rings around a point, which repeat with the period of their cascade."""
 
     x_m: float = 0.0
     """Centre; [-1e8, 1e8]."""

@@ -1,4 +1,5 @@
-"""What the module of C++ has. Arrays are NumPy's; points are (..., 2), x and z in metres, and may also be given as x and z apart."""
+"""The C++ module. Arrays are NumPy arrays. Points are (..., 2), x and z in metres; x and z may also
+be separate arguments."""
 
 from types import TracebackType
 from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Type, TypedDict
@@ -15,37 +16,37 @@ Field = Literal["height", "normal", "jacobian", "velocity", "foam", "converged",
 Interpolation = Literal["linear", "cubic"]
 
 class StaleFrame(RuntimeError):
-    """The frame's memory holds a later one."""
+    """The frame's memory belongs to a later frame."""
 
 class Answers(TypedDict, total=False):
-    """What a query tells of each point."""
+    """The results of a query, for each point."""
 
     height: NDArray[np.float32]  #: metres
-    normal: NDArray[np.float32]  #: (..., 3), of length 1
-    jacobian: NDArray[np.float32]  #: 1 at rest, small at sharp crests, negative where the sheet is overturned
-    velocity: NDArray[np.float32]  #: (..., 3), m/s, of the water that is there; with Ocean(velocities=True)
-    foam: NDArray[np.float32]  #: 0 to 1; with Ocean(foam=True)
+    normal: NDArray[np.float32]  #: (..., 3), unit vectors
+    jacobian: NDArray[np.float32]  #: 1 undisplaced, small at sharp crests, < 0 if folded
+    velocity: NDArray[np.float32]  #: (..., 3), m/s; requires Ocean(velocities=True)
+    foam: NDArray[np.float32]  #: 0 to 1; requires Ocean(foam=True)
     converged: NDArray[np.bool_]  #: the error is within the tolerance
-    error: NDArray[np.float32]  #: how far horizontally from the point the sampled one is, metres
+    error: NDArray[np.float32]  #: horizontal distance of the sampled point, metres
 
 class UndisplacedSamples(TypedDict, total=False):
-    """What a frame does to points of water, n of them; velocity and foam only of oceans that have them."""
+    """The water at n reference positions. Velocity and foam require an ocean that has them."""
 
-    displacement: NDArray[np.float32]  #: (n, 3), metres from where each rests to where it is drawn
-    velocity: NDArray[np.float32]  #: (n, 3), how fast it moves, metres a second
-    foam: NDArray[np.float32]  #: (n,), how much of it is white, 0 to 1
+    displacement: NDArray[np.float32]  #: (n, 3), displacement in metres
+    velocity: NDArray[np.float32]  #: (n, 3), m/s
+    foam: NDArray[np.float32]  #: (n,), 0 to 1
 
 class Hits(TypedDict):
-    """Where each ray meets the water first."""
+    """The first intersection of each ray with the water."""
 
     hit: NDArray[np.bool_]
     distance: NDArray[np.float64]  #: inf without a hit
     position: NDArray[np.float64]  #: (..., 3), nan without a hit
-    normal: NDArray[np.float32]  #: (..., 3), of the surface, whichever side is hit
+    normal: NDArray[np.float32]  #: (..., 3), normal of the surface, equal from above and below
     from_below: NDArray[np.bool_]
 
 class Bounds:
-    """Extremes of displacements, metres."""
+    """Extremes of displacements, in metres."""
 
     @property
     def height_min_m(self) -> float:
@@ -61,10 +62,12 @@ class Bounds:
         """The largest |Dz|."""
 
 class Cascade:
-    """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's cascades add.
+    """One cascade of a frame: a band of waves on a square that repeats over the whole sea. The
+    displacements of a frame's cascades add.
 
-    Element [j, i] rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being `rotation`, L `patch_size_m` and N `resolution`. What
-    is called a view is read-only memory of the ocean's; the others are copies, yours to write.
+    Element [j, i] has the reference position x = (c i - s j) L/N, z = (s i + c j) L/N, where c and
+    s are `rotation`, L is `patch_size_m` and N is `resolution`. A view is read-only memory of the
+    ocean; a copy belongs to the caller and is writable.
     """
 
     @property
@@ -75,42 +78,44 @@ class Cascade:
         """(N, N), a copy, metres."""
     @property
     def dx(self) -> NDArray[np.float32]:
-        """(N, N), a copy: how far horizontally the point is drawn from where it rests, metres."""
+        """(N, N), a copy: horizontal displacement along x, metres."""
     @property
     def dz(self) -> NDArray[np.float32]:
-        """As dx, along z."""
+        """(N, N), a copy: horizontal displacement along z, metres."""
     @property
     def velocity_x(self) -> NDArray[np.float32]:
-        """(N, N), a copy: the derivative of dx in time, m/s. With Ocean(velocities=True)."""
+        """(N, N), a copy: the time derivative of dx, m/s. Requires Ocean(velocities=True)."""
     @property
     def velocity_y(self) -> NDArray[np.float32]:
-        """As velocity_x, of the height."""
+        """(N, N), a copy: the time derivative of the height, m/s. Requires Ocean(velocities=True).
+        """
     @property
     def velocity_z(self) -> NDArray[np.float32]:
-        """As velocity_x, of dz."""
+        """(N, N), a copy: the time derivative of dz, m/s. Requires Ocean(velocities=True)."""
     @property
     def gradient(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of the cascade alone. Of a frame of one cascade, or with
-        Ocean(gradients=True)."""
+        """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of this cascade alone.
+        Requires a frame of one cascade, or Ocean(gradients=True)."""
     def gradient_level(self, level: int) -> NDArray[np.uint8]:
-        """The same of a mip level, 0 to levels - 1."""
+        """Mip level `level` of gradient, 0 to levels - 1."""
     @property
     def slopes(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range, which add to other cascades'. Of a frame of
-        several cascades, or with Ocean(slopes=True)."""
+        """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range. They add
+        to those of other cascades. Requires a frame of several cascades, or Ocean(slopes=True)."""
     def slopes_level(self, level: int) -> NDArray[np.uint8]:
-        """The same of a mip level, 0 to levels - 1."""
+        """Mip level `level` of slopes, 0 to levels - 1."""
     @property
     def moments(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: D_xz as in slopes, then the variances of h_x and h_z within a texel, byte/255 of variance_range, and
-        their covariance, (byte - 128)/127 of it. Where there are slopes."""
+        """(N, N, 4), a view: D_xz as in slopes, then the variances of h_x and h_z within a texel,
+        byte/255 of variance_range, and their covariance, (byte - 128)/127 of it. Requires slopes.
+        """
     def moments_level(self, level: int) -> NDArray[np.uint8]:
-        """The same of a mip level, 0 to levels - 1."""
+        """Mip level `level` of moments, 0 to levels - 1."""
     @property
     def foam(self) -> NDArray[np.uint8]:
-        """(N, N), a view: 0 none to 255 covered. With Ocean(foam=True)."""
+        """(N, N), a view: 0 (no foam) to 255 (covered). Requires Ocean(foam=True)."""
     def foam_level(self, level: int) -> NDArray[np.uint8]:
-        """The same of a mip level, 0 to levels - 1."""
+        """Mip level `level` of foam, 0 to levels - 1."""
     @property
     def resolution(self) -> int:
         """N, texels along a side."""
@@ -119,26 +124,29 @@ class Cascade:
         """Mip levels of gradient, slopes, moments and foam."""
     @property
     def patch_size_m(self) -> float:
-        """L, after which the cascade repeats along its axes."""
+        """L, the period of the cascade along its axes, in metres."""
     @property
     def rotation(self) -> Tuple[float, float]:
-        """Cosine and sine of the turn of its axes against the world's, from +x towards +z."""
+        """Cosine and sine of the rotation of its axes relative to the world's, from +x towards +z.
+        """
     @property
     def slope_range(self) -> float:
-        """What the bytes of slopes count in."""
+        """Range of the bytes of slopes."""
     @property
     def variance_range(self) -> float:
-        """What the variances in moments count in."""
+        """Range of the variances in moments."""
     @property
     def bounds(self) -> Bounds:
-        """Exact."""
+        """Exact extremes of the cascade's displacements."""
 
 class DynamicWavesView:
-    """The dynamic waves of a frame, whose height adds to that of the cascades where water is drawn.
+    """The dynamic waves of a frame, whose height adds to that of the cascades at the displaced
+    position.
 
-    Texel (i, j) of the world stands at x = i texel_m, z = j texel_m and is element [j mod N, i mod N]; the grid has
-    first_x <= i < first_x + N, and j likewise. np.roll(array, (-first_z, -first_x), (0, 1)) begins with the lowest texel. Arrays are
-    views; the other values stay when the frame is over.
+    Texel (i, j) of the world is at x = i texel_m, z = j texel_m and is element [j mod N, i mod N].
+    The grid has first_x <= i < first_x + N, and j likewise. np.roll(array, (-first_z, -first_x),
+    (0, 1)) begins with the lowest texel. Arrays are views; the other values stay valid when the
+    frame is over.
     """
 
     @property
@@ -149,7 +157,7 @@ class DynamicWavesView:
         """(N, N), a view."""
     @property
     def foam(self) -> NDArray[np.uint8]:
-        """(N, N), a view: 0 none to 255 covered."""
+        """(N, N), a view: 0 (no foam) to 255 (covered)."""
     @property
     def resolution(self) -> int:
         """N, texels along a side."""
@@ -173,9 +181,11 @@ class DynamicWavesView:
         """XXH3 of the position and the arrays: dynamic_waves_hash in sea.json."""
 
 class ShoreSurface:
-    """The shore of a frame: a rectangle with a floor, where cascades are attenuated and waves that feel the floor add to them.
+    """The shore of a frame: a rectangle with a sea floor, where cascades are attenuated and waves
+    over the floor are added.
 
-    Element [j, i] stands at x = x_m + i texel_m, z = z_m + j texel_m. Arrays are views; the other values stay when the frame is over.
+    Element [j, i] is at x = x_m + i texel_m, z = z_m + j texel_m. Arrays are views; the other
+    values stay valid when the frame is over.
     """
 
     @property
@@ -195,7 +205,7 @@ class ShoreSurface:
         """Position of element [0, 0]."""
     @property
     def depth_m(self) -> NDArray[np.float32]:
-        """(rows, columns), a view: depth of still water, below 0 on land."""
+        """(rows, columns), a view: depth of still water, negative on land."""
     @property
     def parts_rgba8(self) -> NDArray[np.uint8]:
         """(rows, columns, 4), a view: weight of cascade t in [..., t], 255 for 1."""
@@ -213,7 +223,7 @@ class ShoreSurface:
         """(rows, columns), a view: envelope of the crests. Sand below it is wet."""
     @property
     def foam(self) -> NDArray[np.uint8]:
-        """(rows, columns), a view: foam of breaking waves, 0 none to 255 covered."""
+        """(rows, columns), a view: foam of breaking waves, 0 (no foam) to 255 (covered)."""
     @property
     def height_min_m(self) -> float:
         """Lower bound of the heights."""
@@ -228,46 +238,47 @@ class ShoreSurface:
         """XXH3 of the arrays."""
 
 class Frame:
-    """The sea at a moment. It lasts until the second schedule() or frame_at() after its own, and then raises StaleFrame; time_s,
-    sea, bounds and significant_wave_height_m stay. Any number of threads may ask it at once.
-    """
+    """The sea at a time. It is valid until the second schedule() or frame_at() after its own, and
+    then raises StaleFrame; time_s, sea, bounds and significant_wave_height_m stay valid. Any number
+    of threads may query it at the same time."""
 
     @property
     def displacement(self) -> NDArray[np.float16]:
-        """(N, N, 4), a view, of the first cascade, the one with the longest waves."""
+        """(N, N, 4), a view of the first cascade, which has the longest waves."""
     @property
     def height(self) -> NDArray[np.float32]:
-        """(N, N), a copy, of the first cascade: of a frame of several the others' heights are not in it, query() has them all."""
+        """(N, N), a copy of the first cascade's heights. In a frame of several cascades it does not
+        include the others; query() includes all."""
     @property
     def cascades(self) -> List[Cascade]:
-        """The coarsest first."""
+        """The cascades, the coarsest first."""
     @property
     def time_s(self) -> float:
-        """As it was asked for."""
+        """The requested time."""
     @property
     def bounds(self) -> Bounds:
-        """Of one cascade exact, of several upper bounds."""
+        """Exact for one cascade; upper bounds for several."""
     @property
     def sea(self) -> Sea:
-        """That there is at that time."""
+        """The sea at this time."""
     @property
     def significant_wave_height_m(self) -> float:
-        """Of the waves that the cascades hold, the mean over all seeds."""
+        """Hs of the waves that the cascades represent, the mean over all seeds."""
     @property
     def is_alive(self) -> bool:
-        """It would not raise StaleFrame, nor is its ocean closed."""
+        """False if the frame would raise StaleFrame or its ocean is closed."""
     @property
     def dynamic_waves(self) -> DynamicWavesView:
-        """Wakes, ripples and splashes. With Ocean(dynamic_waves=...)."""
+        """Wakes, ripples and splashes. Requires Ocean(dynamic_waves=...)."""
     @property
     def shore(self) -> ShoreSurface:
-        """Depths, weights and waves over the floor. With Ocean(shore=...)."""
+        """Depths, weights and waves over the floor. Requires Ocean(shore=...)."""
     @property
     def hash(self) -> int:
-        """XXH3 of all of its bits, which the command line prints in hexadecimal digits."""
+        """XXH3 of all of the frame's data, which the command line prints in hexadecimal digits."""
     @property
     def foam_hash(self) -> int:
-        """The same of foam. With Ocean(foam=True)."""
+        """XXH3 of the foam. Requires Ocean(foam=True)."""
     def measured_significant_wave_height_m(self) -> float:
         """4 times the standard deviation of the frame's heights."""
     def query(
@@ -279,31 +290,34 @@ class Frame:
         tolerance_m: float = 0.001,
         interpolation: Interpolation = "linear",
     ) -> Answers:
-        """What the water is like at points of the world: query(points) or query(x, z).
+        """Samples the displaced surface at points of the world: query(points) or query(x, z).
 
-        The surface is what is drawn: at crests water stands where it was moved to. `fields` names what is wanted, by default all
-        that the ocean was made with. `interpolation` is that between texels: "linear" is the drawn surface, "cubic" keeps the heights
-        and slopes of short waves, for measurements. The bits depend on the frame, the point and the options alone. Warns if the
-        points span more than the longest waves, which repeat.
+        `fields` names the requested results; the default is all that the ocean's options provide.
+        `interpolation` is that between texels: "linear" is the drawn surface, "cubic" preserves the
+        heights and slopes of short waves, for measurements. Results are reproducible: they depend
+        only on the frame, the point and the options. Warns if the points span more than the repeat
+        length of the longest waves.
         """
     def rays(self, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike, *, tolerance_m: float = 0.001) -> Hits:
-        """Where rays meet the water. Origins and directions are (..., 3), reach is in metres, a number or one a ray."""
+        """Returns the first intersection of each ray with the water. Origins and directions are
+        (..., 3); reach is in metres, a number or one for each ray."""
     def displaced(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
-        """(..., 3): drawn positions of water by its undisplaced positions, for meshes. Includes dynamic waves and a shore."""
+        """Returns (..., 3): displaced positions of water by its reference positions, for meshes.
+        Includes dynamic waves and a shore."""
     def displaced_foam(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
-        """(...): foam of that water, 0 to 1. With Ocean(foam=True), dynamic waves or a shore."""
+        """Returns (...): the foam of that water, 0 to 1. Requires Ocean(foam=True), dynamic waves
+        or a shore."""
     def sample_undisplaced(self, points: ArrayLike) -> UndisplacedSamples:
-        """The same and velocities in one go, for meshes of many vertices that move every frame. Points are (n, 2), within 1e9 m."""
+        """Returns displacement, foam and velocity in one call, for meshes of many vertices that
+        move every frame. Points are (n, 2), within 1e9 m."""
 
 class WaveInput:
-    """Waves that are added to an ocean's cascades: a GerstnerInput or a RippleInput. It belongs to one ocean; changes take effect at
-    the next schedule().
-    """
+    """Waves that are added to an ocean's cascades: a GerstnerInput or a RippleInput. It belongs to
+    one ocean; changes take effect at the next schedule()."""
 
 class GerstnerInput(WaveInput):
-    """A list of Gerstner waves, for Ocean(inputs=[...]). Each becomes the nearest wave of a cascade's grid, with whole periods in a
-    loop.
-    """
+    """A list of Gerstner waves, for Ocean(inputs=[...]). Each becomes the nearest wave of a
+    cascade's grid, with whole periods in a loop."""
 
     def __init__(self, waves: Iterable[AnalyticWave] = (), choppiness: float = 1.0) -> None:
         """At most 64 waves; choppiness is in [0, 1], and 0 gives a height field."""
@@ -319,34 +333,37 @@ class RippleInput(WaveInput):
         """Replaces the rings."""
 
 class DynamicWaves:
-    """The dynamic waves of an ocean: its dynamic_waves. Commands take effect at the next schedule(), in the order of the calls. Equal
-    times with equal commands between them give bit-identical waves. A time before the last one leaves the waves as they are, and a
-    jump ahead computes half a second at most.
-    """
+    """The dynamic waves of an ocean. Commands take effect at the next schedule(), in the order of
+    the calls. Identical times with identical commands give bit-identical waves. A time before the
+    last one does not change the waves, and a jump ahead computes at most half a second."""
 
     def add_impulse(self, disturbance: Disturbance) -> None:
-        """Acts once, in the next tick. At most 4096 impulses wait for a tick."""
+        """Acts once, in the next tick. At most 4096 impulses can be pending."""
     def add_source(self, source: Disturbance) -> int:
-        """Acts in every tick, moving at its velocity, until it is removed. Returns its number. At most 4096 sources at once."""
+        """Acts in every tick, moving at its velocity, until it is removed. Returns its number. At
+        most 4096 sources at once."""
     def set_source(self, number: int, source: Disturbance) -> None:
         """Replaces a source. Does nothing if there is no source of that number."""
     def remove_source(self, number: int) -> None:
         """Does nothing if there is no source of that number."""
     def set_center(self, x_m: float, z_m: float) -> None:
-        """Moves the grid's centre to within half a texel of the point. Texels that enter are flat."""
+        """Moves the grid's centre to within half a texel of the point. New texels
+        are flat."""
     def set_rain(self, rain: Rain) -> None:
-        """Rain from the next tick on; 0 drops end it."""
+        """Sets the rain from the next tick on; drops_per_m2_s = 0 ends it."""
     def save_state(self) -> bytes:
-        """Returns all that ticks to come depend on, but for commands since the last schedule(). No frame may be in flight."""
+        """Returns everything that later ticks depend on, except commands since the last schedule().
+        No frame may be in flight."""
     def restore_state(self, saved: bytes) -> None:
-        """Continues from a saved state of waves with equal options, and drops commands since the last schedule(). No frame may be in
-        flight."""
+        """Continues from a saved state of waves with equal options, and drops commands since the
+        last schedule(). No frame may be in flight."""
 
 class Ocean:
-    """A sea that computes frames. Use it in a `with` statement, or close() it.
+    """A sea that computes frames. Use it in a `with` statement, or call close().
 
-    It has the memory of two frames. While an array views a frame, the second schedule() or frame_at() after that frame's raises
-    BufferError instead of writing over it. Close gives the memory back, or the last view after that.
+    It has the memory of two frames. While an array views a frame, the second schedule() or
+    frame_at() after that frame's raises BufferError instead of overwriting it. close(), or the last
+    view after it, frees the memory.
     """
 
     def __init__(
@@ -364,18 +381,20 @@ class Ocean:
         shore: Optional[ShoreOptions] = None,
         inputs: Iterable[WaveInput] = (),
     ) -> None:
-        """
-        queries     frames can be asked by query() and rays()
-        velocities  frames have velocities; about twice the work
-        foam        frames remember foam, which lasts for 2.9 seconds
-        gradients   cascades of several have normals of their own; one cascade always has
-        slopes      a frame of one cascade has slopes; those of several always have
-        threads     at work on a frame, the calling one included; 0: one per core
-        isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest. All have the same bits
-        largest_peak_m  cascades are laid out for waves with peaks up to this long, which a sea to come may have: its
-                    report().peak_wavelength_m. 0: the first sea's
+        """Creates an ocean.
+
+        queries     allow query() and rays() on frames
+        velocities  compute velocities; about twice the work
+        foam        compute foam accumulation, which depends on the last 2.9 seconds
+        gradients   normals of each cascade in frames of several; always there in frames of one
+        slopes      slopes in frames of one cascade; always there in frames of several
+        threads     maximum threads of a frame, including the calling thread; 0: one per core
+        isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
+                    Results are bit-identical
+        largest_peak_m  longest peak wavelength that the cascades support, for a sea of a later
+                    transition: its report().peak_wavelength_m. 0: that of the first sea
         dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
-        shore       a floor that waves feel; None: no shore
+        shore       a sea floor that affects waves; None: no shore
         inputs      waves that are added to those of the wind, in this order; they change the hash
         """
     def __enter__(self) -> Ocean: ...
@@ -383,18 +402,19 @@ class Ocean:
         self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
     ) -> None: ...
     def close(self) -> None:
-        """Waits for whoever reads frames, and gives the memory back. Frames of it raise ValueError from then on; arrays stay."""
+        """Waits for readers of frames and frees the memory. Afterwards frames raise ValueError;
+        arrays stay valid."""
     @property
     def is_closed(self) -> bool:
-        """After close(), or the end of a with statement."""
+        """True after close(), or after the end of a with statement."""
     def schedule(self, time_s: float) -> None:
-        """Starts the frame of that time and returns at once."""
+        """Starts the frame of a time and returns at once."""
     def is_ready(self) -> bool:
-        """complete() would not wait for other threads."""
+        """True if complete() would not wait for other threads."""
     def complete(self) -> Frame:
-        """Waits for the scheduled frame, helping."""
+        """Waits for the scheduled frame, and helps to compute it."""
     def frame_at(self, time_s: float) -> Frame:
-        """schedule() and complete() in one."""
+        """Calls schedule() and complete()."""
     def series(
         self,
         points: ArrayLike,
@@ -405,38 +425,41 @@ class Ocean:
         interpolation: Interpolation = "cubic",
         repeats: bool = False,
     ) -> Answers:
-        """What frame_at(time).query(points) has for each of n times, while other threads run: arrays of shape (n, ...), of vectors
-        (n, ..., 3), for points of shape (..., 2). Frames made before are over afterwards.
+        """Returns the results of frame_at(time).query(points) for each of n times, while other
+        threads run: arrays of shape (n, ...), vectors of shape (n, ..., 3), for points of shape
+        (..., 2). Earlier frames become stale.
 
-        Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns as query().
+        Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns
+        like query().
         """
     def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
-        """The sea turns into another one, from a time on and over so many seconds; the same cascades, depth, loop and seed. If its swell
-        was raised so many metres away, long waves come first."""
+        """Schedules a transition to another sea, from a time on and over a number of seconds.
+        Cascades, depth, loop and seed must be the same. If swell_from_m, the distance of the
+        swell's origin in metres, is not 0, long waves arrive first."""
     @property
     def dynamic_waves(self) -> DynamicWaves:
-        """With Ocean(dynamic_waves=...)."""
+        """The dynamic waves. Requires Ocean(dynamic_waves=...)."""
     @property
     def sea(self) -> Sea:
-        """That there will be after the last change."""
+        """The sea after the last transition."""
     @property
     def resolution(self) -> int:
         """Texels along a side of each cascade."""
     @property
     def cascade_count(self) -> int:
-        """Of every frame."""
+        """Number of cascades of every frame."""
     @property
     def threads(self) -> int:
-        """Most that work on a frame, the calling one included."""
+        """Maximum threads of a frame, including the calling thread."""
     @property
     def memory_bytes(self) -> int:
-        """All that it allocated."""
+        """Bytes that the ocean allocated."""
     @property
     def isa(self) -> str:
-        """The instruction set that computes it."""
+        """The instruction set in use."""
 
 def isas_here() -> List[str]:
-    """The instruction sets that this processor runs, weakest first."""
+    """Returns the instruction sets that this processor supports, weakest first."""
 
 def check_sea(sea: Sea) -> None: ...
 def check_analytic_wave(wave: AnalyticWave) -> None: ...
