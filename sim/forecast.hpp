@@ -69,13 +69,13 @@ struct Forecast {
     ForecastMoment at(double time_s) const;
 };
 
-/// Gives a sea the values of `first` in the fields that a forecast keeps constant, where the sea has
-/// their defaults: cascades, resolution, patch size, depth, loop period and seed.
+/// Gives a sea the values of `first` in the fields that a forecast keeps constant, where the sea
+/// has their defaults: cascades, resolution, patch size, depth, loop period and seed.
 void keep_constant_fields(SeaState& sea, const SeaState& first);
 
 /// Returns an empty string for a usable forecast, else a message about the first invalid value:
-/// "change 1: depth_m is 20, expected 4000 as the first sea has it". Messages about a sea begin with
-/// the number of that sea.
+/// "change 1: depth_m is 20, expected 4000 as the first sea has it". Messages about a sea begin
+/// with the number of that sea.
 std::string check(const Forecast& forecast);
 
 /// Returns the range of waves of the cascades that all seas share. \pre check(forecast) is empty

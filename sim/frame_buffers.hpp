@@ -31,8 +31,8 @@ struct FrameContents {
 };
 
 /// Returns an empty string if the arrays fit frames of `cascade_count` cascades of this resolution,
-/// else the first problem: "height has 100 elements, expected 4096", "velocity_x is wanted, expected an
-/// ocean with velocities", "there are buffers of 2 cascades, expected 3".
+/// else the first problem: "height has 100 elements, expected 4096", "velocity_x is wanted,
+/// expected an ocean with velocities", "there are buffers of 2 cascades, expected 3".
 std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents);
 

@@ -22,9 +22,9 @@ struct Rain {
     std::uint32_t seed = 1;
 };
 
-/// Returns an empty string for usable rain on such dynamic waves, else what is wrong: "radius_m 0 is
-/// out of range [0.001, 4], to a 16th of side_m". Rain of 0 drops is always usable. \pre
-/// check(water).empty()
+/// Returns an empty string for usable rain on such dynamic waves, else what is wrong: "radius_m 0
+/// is out of range [0.001, 4], to a 16th of side_m". Rain of 0 drops is always usable.
+/// \pre check(water).empty()
 std::string check(const Rain& rain, const DynamicWavesOptions& water);
 
 }  // namespace pelagic

@@ -38,7 +38,8 @@ struct ShoreOptions {
 /// Returns the table of the numeric options.
 std::span<const NumericField<ShoreOptions>> shore_fields();
 
-/// Returns an empty string for usable options, else what is wrong: "columns is 1, expected 2 to 4096".
+/// Returns an empty string for usable options, else what is wrong: "columns is 1, expected 2 to
+/// 4096".
 std::string check(const ShoreOptions& options);
 /// Checks the options and whether the sea can have a shore, which needs several cascades and waves
 /// of a physical height: "cascades is 1, expected 2 to 4 ...". \pre check(sea) is empty

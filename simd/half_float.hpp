@@ -7,8 +7,9 @@
 
 namespace pelagic {
 
-/// Rounds to the nearest half, ties to even, and returns its bits. Values beyond the range, and NaN, become the largest
-/// half, 65504. All choices are masks, so that compilers vectorise loops over it.
+/// Rounds to the nearest half, ties to even, and returns its bits. Values beyond the range, and
+/// NaN, become the largest half, 65504. All choices are masks, so that compilers vectorise loops
+/// over it.
 constexpr std::uint32_t half_of(float value) {
     constexpr auto largest = std::bit_cast<std::uint32_t>(65504.f),
                    normal_from = std::bit_cast<std::uint32_t>(0x1p-14f);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds an application and Pelagic with -march=native and -ffast-math, and checks that the golden frames are bit-identical. Kernels
-# are compiled at -O1 to save time; the flags would change results at -O1 too.
+# Builds an application and Pelagic with -march=native and -ffast-math, and checks that the golden
+# frames are bit-identical. Kernels are compiled at -O1 to save time; the flags would change results
+# at -O1 too.
 #
 # usage: application_flags_test.sh SOURCE_FOLDER CMAKE CXX_COMPILER
 set -euo pipefail
@@ -8,7 +9,8 @@ source=$1 cmake=$2 cxx=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The contraction flag comes last, to check that it does not override the flags that Pelagic's targets add.
+# The contraction flag comes last, to check that it does not override the flags that Pelagic's
+# targets add.
 "$cmake" -S "$source" -B "$work/build" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_FLAGS="-march=native -ffast-math -funsafe-math-optimizations -ffp-contract=fast" \
   -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DPELAGIC_KERNEL_OPTIMISATION=-O1 -DPELAGIC_TBB=OFF -DPELAGIC_TESTS=ON \

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Checks that a shared library exports exactly the symbols of its list in tests/abi: the C interface, or the symbols that Godot loads.
-# A removed symbol breaks applications; a new symbol is added to the list in the same commit.
+# Checks that a shared library exports exactly the symbols of its list in tests/abi: the C
+# interface, or the symbols that Godot loads. A removed symbol breaks applications; a new symbol is
+# added to the list in the same commit.
 #
 # usage: c_symbols.sh NM LIBRARY LIST
 set -euo pipefail

@@ -51,7 +51,8 @@ TEST_P(GlHoles, SeaCoversEveryPixelBelowTheHorizon) {
         int holes = 0;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                // The upper edge of the pixel must be below the horizon; both eyes look in parallel.
+                // The upper edge of the pixel must be below the horizon; both eyes look in
+                // parallel.
                 bool below = true;
                 for (const double corner : {0.0, 1.0}) {
                     const double u = (x % view_width + corner) / view_width * 2 - 1;

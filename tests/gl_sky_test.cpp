@@ -125,7 +125,8 @@ TEST(ClearSky, MoonIsTheKeyLightAtNight) {
     EXPECT_NEAR(key.direction.y, std::sin(1.0472f), 1e-3);
     EXPECT_FALSE(gl::ClearSky(clear_sky(20)).key_light().is_moon);
     EXPECT_EQ(gl::moon_light(0), 1);
-    EXPECT_NEAR(gl::moon_light(1.5707963), 1 / 10.9, 0.01);  // magnitude 2.6 below full: Krisciunas and Schaefer 1991
+    // magnitude 2.6 below full: Krisciunas and Schaefer 1991
+    EXPECT_NEAR(gl::moon_light(1.5707963), 1 / 10.9, 0.01);
     EXPECT_EQ(gl::ClearSky(clear_sky(20)).unit(), 1);
 }
 

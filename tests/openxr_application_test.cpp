@@ -350,11 +350,11 @@ TEST(OpenXrSession, PausesWhileTheHeadsetIsOffAndEndsWithIt) {
                                                     {"PELAGIC_STAND_IN_EYE", "32"}});
     EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
     EXPECT_EQ(run.record["refusals"], Json::array());
-    const std::vector<std::string> states = {
-        "IDLE",         "READY",    "SYNCHRONIZED", "VISIBLE", "FOCUSED",      "VISIBLE",  // shown
-        "SYNCHRONIZED", "VISIBLE",                                                         // hidden, and shown again
-        "SYNCHRONIZED", "STOPPING", "IDLE",         "READY",                               // taken off
-        "SYNCHRONIZED", "VISIBLE",  "FOCUSED",      "VISIBLE", "SYNCHRONIZED", "STOPPING", "IDLE", "EXITING"};
+    // Shown; hidden, and shown again; taken off; shown until the exit.
+    const std::vector<std::string> states = {"IDLE",    "READY",        "SYNCHRONIZED", "VISIBLE",      "FOCUSED",
+                                             "VISIBLE", "SYNCHRONIZED", "VISIBLE",      "SYNCHRONIZED", "STOPPING",
+                                             "IDLE",    "READY",        "SYNCHRONIZED", "VISIBLE",      "FOCUSED",
+                                             "VISIBLE", "SYNCHRONIZED", "STOPPING",     "IDLE",         "EXITING"};
     EXPECT_EQ(run.states(), states);
     EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 1, 1, 0, 0, 1, 1, 0, 1, 1, 1}));
 }

@@ -17,7 +17,8 @@ namespace {
 
 using Long = long double;
 constexpr Long pi = std::numbers::pi_v<Long>;
-const Long mean_exp = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
+// I0(1) / e
+const Long mean_exp = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;
 
 double rounded(Long value) { return static_cast<double>(value); }
 

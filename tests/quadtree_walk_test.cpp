@@ -39,18 +39,19 @@ class EachWalk : public testing::TestWithParam<Walk> {
     /// A slanted direction, so that borders are crossed at an angle, and a path longer than a snap.
     glm::dvec3 on_the_way(double m) const { return {m * 0.8 + 11, 1.7, m * 0.6 - 3}; }
 };
-INSTANTIATE_TEST_SUITE_P(
-    Walks, EachWalk,
-    testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024}, Walk{"ultra", 1024},
-                    Walk{"low", 256}, Walk{"medium", 8192}, Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
-                    Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048},
-                    // An odd number of coarser squares: their diagonals alternate from patch to
-                    // patch.
-                    Walk{"low", 512, 6}, Walk{"low", 512, 10}),
-    [](const auto& test) {
-        return std::string(test.param.preset) + "_" + std::to_string(static_cast<int>(test.param.size_m)) +
-               (test.param.vertices > 0 ? "_V" + std::to_string(test.param.vertices) : "");
-    });
+// The last two grids have an odd number of coarser squares: their diagonals alternate from patch to
+// patch.
+INSTANTIATE_TEST_SUITE_P(Walks, EachWalk,
+                         testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024},
+                                         Walk{"ultra", 1024}, Walk{"low", 256}, Walk{"medium", 8192},
+                                         Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
+                                         Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048}, Walk{"low", 512, 6},
+                                         Walk{"low", 512, 10}),
+                         [](const auto& test) {
+                             return std::string(test.param.preset) + "_" +
+                                    std::to_string(static_cast<int>(test.param.size_m)) +
+                                    (test.param.vertices > 0 ? "_V" + std::to_string(test.param.vertices) : "");
+                         });
 
 /// Returns the height of the mesh over a point, for a sea without horizontal displacement, whose
 /// reference positions are the drawn ones.
@@ -72,7 +73,8 @@ class MeshHeight {
     double at(glm::dvec2 point) {
         const QuadtreeGrid& grid = selection_.list().grid;
         const glm::dvec2 steps = point / grid.step_m - glm::dvec2(grid.corner);
-        if (steps.x < 0 || steps.y < 0 || steps.x >= grid.side || steps.y >= grid.side) return 0;  // the skirt
+        // the skirt
+        if (steps.x < 0 || steps.y < 0 || steps.x >= grid.side || steps.y >= grid.side) return 0;
         const auto cell_x = static_cast<int>(steps.x) / grid.vertices,
                    cell_z = static_cast<int>(steps.y) / grid.vertices;
         const int level = selection_.level_map().level_at(cell_x, cell_z);

@@ -30,7 +30,7 @@ enum class FftwArrangement {
 /// Source of FFTW's plans.
 enum class FftwPlanning {
     measured,  ///< measured in this process: seconds to minutes
-    read       ///< by read_fftw_plans(), for instruction counts, where programs run fifty times slower
+    read       ///< by read_fftw_plans(), for programs that count instructions and run slowly
 };
 
 /// Writes all plans that this process has measured, for another process. Throws std::runtime_error.

@@ -11,7 +11,8 @@ namespace pelagic::peers {
 struct PeerFrame {
     std::span<const float> dx, height, dz;   ///< N * N each, metres
     std::span<const std::uint16_t> rgba16f;  ///< 4 * N * N half floats: Dx, height, Dz, foam
-    std::span<const std::uint32_t> rgba8;  ///< the whole gradient chain, level m at mip_offset(N, m) of sim/frame.hpp
+    /// the whole gradient chain, level m at mip_offset(N, m) of sim/frame.hpp
+    std::span<const std::uint32_t> rgba8;
 };
 
 }  // namespace pelagic::peers

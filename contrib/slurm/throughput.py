@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""Frames a second of each shard and of each node, from Slurm's completion records.
+"""Prints the frames a second of each shard and of each node, from Slurm's completion records.
 
     throughput.py FOLDER SHARDS JOB... < COMPLETIONS
 
-FOLDER   of the export, merged or not
-SHARDS   how many there are
-JOB      the numbers that sbatch printed for the array, and for the parts of it that were submitted again
-COMPLETIONS  the file of the plug-in jobcomp/filetxt (JobCompLoc), or what this prints where slurmdbd keeps the accounts:
-             sacct --duplicates --parsable2 --jobs=JOB,... --format=JobID,State,NodeList,Start,End
+FOLDER       folder of the export, merged or not
+SHARDS       number of shards
+JOB          job numbers that sbatch printed for the array and for resubmitted parts of it
+COMPLETIONS  the file of the plug-in jobcomp/filetxt (JobCompLoc), or, if slurmdbd keeps the
+             accounts, the output of sacct --duplicates --parsable2 --jobs=JOB,...
+             --format=JobID,State,NodeList,Start,End
 
-A shard's seconds are those of all its runs, lost ones too, from the start to when Slurm noticed the end; Slurm counts whole
-seconds. A node's are those in which it had a run at all. A shard that moved counts where it was completed.
+A shard's seconds are those of all its runs, including lost runs, from the start to the end that
+Slurm recorded; Slurm counts whole seconds. A node's seconds are those with at least one run on it.
+A shard that moved counts for the node that completed it.
 """
 import argparse
 import collections
@@ -24,7 +26,8 @@ Run = collections.namedtuple("Run", "shard start end state node")
 
 
 def fields_of(lines):
-    """Each record as a dictionary with JobID (ARRAY_TASK), State, NodeList, Start and End."""
+    """Yields each record as a dictionary with JobID (ARRAY_TASK), State, NodeList, Start and End.
+    """
     columns = None
     for line in lines:
         if line.startswith("JobId="):
@@ -39,7 +42,8 @@ def fields_of(lines):
 
 
 def runs_of(lines, jobs):
-    """Runs of the array's tasks in order. A run that was requeued after its end stands there twice: the first counts."""
+    """Returns the runs of the array's tasks in order. A run that was requeued after its end occurs
+    twice: the first counts."""
     runs = {}
     for fields in fields_of(lines):
         task = re.fullmatch(r"(\d+)_(\d+)", fields["JobID"])  # sacct's steps are 12_3.batch
@@ -47,7 +51,7 @@ def runs_of(lines, jobs):
             continue
         try:
             start, end = (datetime.datetime.fromisoformat(fields[key]) for key in ("Start", "End"))
-        except ValueError:  # never ran, or still runs
+        except ValueError:  # never ran, or is still running
             continue
         state = "REQUEUED" if fields["State"] == "PENDING" else fields["State"].split()[0]
         runs.setdefault((fields["JobID"], start), Run(int(task[2]), start, end, state, fields["NodeList"]))
@@ -55,7 +59,8 @@ def runs_of(lines, jobs):
 
 
 def frames_of_shards(folder, shards):
-    """How many frames each shard has made: of a merged export those of its part, else those of its record."""
+    """Returns the number of frames of each shard: for a merged export those of its range, else
+    those of its record."""
     frames_in = lambda record: len(json.loads(record.read_text())["frames"])
     merged = folder / "sea.json"
     if merged.exists():
@@ -70,7 +75,7 @@ def seconds_of(run):
 
 
 def busy_seconds(runs):
-    """How long at least one of the runs was at work."""
+    """Returns the seconds during which at least one of the runs was running."""
     total_s, until = 0.0, datetime.datetime.min
     for run in sorted(runs, key=lambda run: run.start):
         total_s += max(0.0, (run.end - max(run.start, until)).total_seconds())

@@ -1,7 +1,8 @@
-# Draws docs/images/blender.jpg in Blender: the scene of docs/users/blender.md, with the add-on installed as that page says, by Cycles.
-# Run in the clone:
+# Renders docs/images/blender.jpg with Cycles: the scene of docs/users/blender.md, with the add-on
+# installed as documented there. Run in the clone:
 #
-#   mkdir -p out && blender -b --python-exit-code 1 -P docs/images/blender.py -- docs/images/blender.jpg
+#   mkdir -p out
+#   blender -b --python-exit-code 1 -P docs/images/blender.py -- docs/images/blender.jpg
 import re
 import sys
 

@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""Writes heights of an island with a lagoon side, or of a beach, 16-bit grey, for the images of render.sh. usage: island.py FILE.png [beach]"""
+"""Writes heights of an island with a lagoon side, or of a beach, 16-bit grey, for the images of
+render.sh.
+
+usage: island.py FILE.png [beach]
+"""
 import math
 import random
 import struct
@@ -12,7 +16,7 @@ GRID = [[random.random() for _ in range(64)] for _ in range(64)]
 
 
 def noise(x, y):
-    """Value noise in [0, 1], smooth between a grid of random values."""
+    """Returns value noise in [0, 1], smooth between a grid of random values."""
     i, j = int(x), int(y)
     fx, fy = x - i, y - j
     fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
@@ -23,7 +27,8 @@ def noise(x, y):
 
 
 def height(column, row):
-    """0 in the deep, 1 on the highest dune; two thirds are the waterline at --floor-heights -20,10."""
+    """Returns the height of an island: 0 in deep water, 1 on the highest dune; two thirds are the
+    waterline at --floor-heights -20,10."""
     u, v = (column + 0.5) / SIDE * 2 - 1, (row + 0.5) / SIDE * 2 - 1
     x, y = column * 256 / SIDE, row * 256 / SIDE
     n = noise(x / 40, y / 40) * 0.5 + noise(x / 20 + 7, y / 20) * 0.25 + noise(x / 9, y / 9 + 5) * 0.12 + noise(x / 4, y / 4) * 0.05
@@ -33,7 +38,7 @@ def height(column, row):
 
 
 def beach(column, row):
-    """The same of a beach that rises along the rows, with a bar before it."""
+    """Returns the height of a beach that rises along the rows, with a bar in front of it."""
     x, y = column * 256 / SIDE, row * 256 / SIDE
     u = (column + 0.5) / SIDE + 0.05 * (noise(x / 50 + 3, y / 23) - 0.5) + 0.012 * (noise(x / 30, y / 7 + 9) - 0.5)
     metres = -14 + 18.7 * u if u < 0.8 else 0.96 + 22 * (u - 0.8) - 30 * (u - 0.8) ** 2

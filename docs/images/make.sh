@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes the README's images. First from an export: height (dark troughs, light crests) beside the gradient map, both tiled
-# twice along x so that a seam would show. Then the plan of a selection, and the trace of floating boxes.
-# Needs Debian's openimageio-tools and librsvg2-bin.
+# Generates the README's images. From an export: height (dark troughs, light crests) beside the
+# gradient map, both tiled twice along x so that a seam would be visible. Then the plan of a
+# selection, and the trace of floating boxes. Needs Debian's openimageio-tools and librsvg2-bin.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
@@ -14,6 +14,6 @@ build/release/bin/pelagic quadtree --camera 10,6,20 --target 100,2,60 --svg "$wo
 rsvg-convert --width 900 "$work/plan.svg" --output docs/images/quadtree.png
 build/release/bin/buoyancy "$work" 60
 rsvg-convert --width 800 --background-color white "$work/trace.svg" --output "$work/trace.png"
-# Eight shades a channel are enough for curves, and half the bytes.
+# Eight shades a channel suffice for curves, with half the bytes.
 oiiotool "$work/trace.png" --ch R,G,B --mulc 0.02745 -d uint8 -o "$work/shades.png"
 oiiotool "$work/shades.png" --mulc 36.43 -d uint8 --attrib png:compressionLevel 9 -o docs/images/buoyancy.png

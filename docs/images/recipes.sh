@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the images of docs/users/exporter.md: the same sea in Blender, three.js and Godot, as the tests of the night draw it.
+# Generates the images of docs/users/exporter.md: the same sea in Blender, three.js and Godot, as in
+# the nightly tests.
 # usage: docs/images/recipes.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail
 cd "$(dirname "$0")/../.."

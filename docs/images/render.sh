@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the README's images of the sea with `pelagic render`: on any machine, in some minutes without a GPU.
+# Generates the README's images of the sea with `pelagic render`: on any machine, in some minutes
+# without a GPU.
 # usage: docs/images/render.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -20,7 +21,7 @@ heights=$(mktemp --suffix=.png)
 trap 'rm -f "$heights"' EXIT
 docs/images/island.py "$heights"
 image shore --preset calm --light noon --water I --floor "$heights" --floor-size 300 --sun 150,45 --camera -92,6,-30 --target -40,-2,22 --fov 60
-# Waves that feel the floor.
+# A shore.
 "$pelagic" render --size 960x540 --preset moderate --light noon --water I --shore --floor "$heights" --floor-size 1000 --camera 560,150,-120 --target 60,0,10 \
   --fov 60 --sun 185,38 --time 8 --exposure-bias -0.7 --out docs/images/shore_island.png
 beach=$(mktemp --suffix=.png)
@@ -47,12 +48,12 @@ small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
 small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
 small pond --preset calm --light noon --camera 0,1.1,0 --target 4,0.3,1.6 --fov 45
 
-# A sea that turns into another.
+# A sea-state transition.
 for time in 10 17 22 31; do
   "$pelagic" render --weather docs/images/weather.toml --time "$time" --size 560x315 --camera 0,6,0 --out "docs/images/weather_$time.png"
 done
 
-# Of few waves.
+# Analytic waves and ponds.
 few() {
   local name=$1
   shift
@@ -61,7 +62,7 @@ few() {
 few analytic --preset analytic-intense --sun 110,34 --camera 0,10,0 --target 80,2,30 --fov 40 --time 16
 few pond --preset pond --light noon --camera 0,1.1,0 --target 4,-0.4,1.6 --fov 45 --time 5
 
-# Below the surface, and where it ends.
+# Below the surface, and across it.
 below() {
   local name=$1
   shift
@@ -71,7 +72,7 @@ below up --preset calm --camera 0,-7,0 --target 4,0,4 --sun 45,50 --fov 100
 below split --preset moderate --water I --depth 5 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 130,45 --clouds 0.3 --exposure-bias -0.8 --fov 75
 below island --preset calm --water I --floor "$heights" --floor-size 300 --camera -160,40,0 --target 0,0,0 --sun 200,50 --fov 50
 
-# What an application draws, mirrored.
+# Reflection of an application's scene.
 "$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
 
 # One cascade of 250 m beside the default cascades, from four heights.

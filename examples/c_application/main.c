@@ -1,5 +1,5 @@
-/* The frame loop of a game without rendering: completes a frame, schedules the next, queries heights, and reads the
- * cascades. */
+/* The frame loop of a game without rendering: completes a frame, schedules the next, queries
+ * heights, and reads the cascades. */
 #include <pelagic/pelagic.h>
 #include <stdio.h>
 
@@ -8,8 +8,8 @@ static int failed(pelagic_status status) {
     return status != PELAGIC_OK;
 }
 
-/* A renderer uploads each cascade's textures here: displacement_rgba16f, and all levels of slopes_rgba8 and
- * moments_rgba8. */
+/* A renderer uploads each cascade's textures here: displacement_rgba16f, and all levels of
+ * slopes_rgba8 and moments_rgba8. */
 static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
     int32_t i;
     for (i = 0; i < frame->cascade_count; ++i) {
@@ -32,8 +32,10 @@ static int run(pelagic_ocean* ocean) {
 
     if (failed(pelagic_ocean_schedule(ocean, 0))) return 1;
     for (n = 1; n <= 5; ++n) {
-        if (failed(pelagic_ocean_complete(ocean, &frame))) return 1;   /* scheduled one frame ago */
-        if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1; /* computed while this is drawn */
+        /* Completes the frame that was scheduled one frame ago. */
+        if (failed(pelagic_ocean_complete(ocean, &frame))) return 1;
+        /* Computed while this frame is drawn. */
+        if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1;
         if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
         if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
         printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s, (unsigned long long)hash,

@@ -1,6 +1,7 @@
 // The sea in a headset with OpenXR and OpenGL ES:
 //
-//   openxr_application [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--images FOLDER] [--hashes FILE]
+//   openxr_application [--preset NAME] [--resolution N] [--quality NAME] [--frames N]
+//                      [--images FOLDER] [--hashes FILE]
 //
 // This file contains the frame loop. The other files contain functions that an engine usually
 // provides. See docs/users/openxr.md.

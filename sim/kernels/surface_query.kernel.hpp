@@ -318,9 +318,9 @@ class FollowedCells : public Cells {
     I x_, z_;
 };
 
-/// Interpolation policies of the query kernels. A policy defines the interpolation between texels and
-/// the texels that a search for a reference position loads. It also defines whether the search starts
-/// at the world position or at the result of an earlier search.
+/// Interpolation policies of the query kernels. A policy defines the interpolation between texels
+/// and the texels that a search for a reference position loads. It also defines whether the search
+/// starts at the world position or at the result of an earlier search.
 struct Linear {
     template <class Arch>
     using Place = LinearPlace<Arch>;

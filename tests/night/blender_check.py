@@ -1,6 +1,7 @@
 # Runs in Blender after docs/users/recipes/blender.py and checks that all vertices are on the sea.
 #
-# usage: blender -b --python-exit-code 1 -P blender.py -P blender_check.py -- FOLDER IMAGE.png PELAGIC
+# usage: blender -b --python-exit-code 1 -P blender.py -P blender_check.py -- \
+#          FOLDER IMAGE.png PELAGIC
 import json
 import sys
 from pathlib import Path

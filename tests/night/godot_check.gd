@@ -1,4 +1,5 @@
-# After the recipe has drawn an image: each vertex of its patch into a pixel of its own, coloured by its displacement.
+# After the recipe has rendered an image, renders each vertex of its patch into a pixel of its own,
+# coloured by its displacement.
 extends "res://sea.gd"
 
 func drawn():

@@ -15,8 +15,8 @@ struct EventCommand {
     std::size_t event;                      ///< its index in the file
 };
 
-/// Returns the commands in order. An event acts in the first tick that is not before it, a source until it
-/// ends. Throws InputError if more disturbances meet in a tick than DynamicWaves accepts.
+/// Returns the commands in order. An event acts in the first tick that is not before it, a source
+/// until it ends. Throws InputError if more disturbances meet in a tick than DynamicWaves accepts.
 std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s);
 
 }  // namespace pelagic::tools

@@ -66,7 +66,8 @@ class EventReader {
 
     void take_line(std::string_view line) {
         ++line_number_;
-        if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);  // a byte order mark
+        // a byte order mark
+        if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         line = trimmed(line);
         if (line.empty()) return;
         if (columns_.empty()) return take_header(line);

@@ -37,8 +37,8 @@ struct EventFile {
     double first_s() const;
 };
 
-/// Parses a file's text. Throws InputError with one line that names the file, the line, the column, its
-/// value and what is accepted. \param name  of the file, for messages
+/// Parses a file's text. Throws InputError with one line that names the file, the line, the column,
+/// its value and what is accepted. \param name  of the file, for messages
 EventFile parse_events(const std::string& name, std::string_view text);
 
 /// Reads and parses the file of --events. Throws InputError as parse_events() does.

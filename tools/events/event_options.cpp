@@ -124,8 +124,8 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     if (at_) at = place_in(*at_);
     if (file_->empty()) throw InputError("--events is empty, expected a CSV file");
     options.file = read_events(*file_);
-    event_commands(*options.file,
-                   options.water.ticks_per_s);  // rejects too many at once before anything is written
+    // Rejects too many events in one tick before anything is written.
+    event_commands(*options.file, options.water.ticks_per_s);
     if (!at) at = middle_of(*options.file);
     options.middle_x_m = (*at)[0];
     options.middle_z_m = (*at)[1];

@@ -1,7 +1,9 @@
-// The dynamic waves of an events file, at any times: bit-identical for a time whichever times were asked for before.
+// The dynamic waves of an events file, at any times: results depend only on the time, not on
+// earlier calls.
 //
-// Ticks follow each other from the one before the first event on, so a time costs the ticks since the previous time,
-// or since the first event if that was later. An event acts in the first tick that is not before it.
+// Ticks are computed in sequence from the tick before the first event, so the cost of a call is
+// that of the ticks since the previous time, or since the first event if that was later. An event
+// acts in the first tick that is not before it.
 #pragma once
 
 #include <cstddef>

@@ -15,8 +15,8 @@ class InputFile {
     /// \param option    option that named the file, for error messages
     /// \param file      path; "-" is standard input if `dash_is_stdin`
     /// \param accepted  what the option accepts, for error messages
-    /// \throws InputError  "--points is FILE, which can't be read, expected ACCEPTED (No such file or
-    /// directory)"
+    /// \throws InputError  "--points is FILE, which can't be read, expected ACCEPTED (No such file
+    ///     or directory)"
     InputFile(std::string option, const std::filesystem::path& file, std::string accepted,
               bool dash_is_stdin = false);
     ~InputFile();

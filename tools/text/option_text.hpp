@@ -22,8 +22,8 @@ std::optional<double> parse_number(std::string_view text);
 /// std::int64_t.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// Returns the number. Throws InputError "OPTION is TEXT, expected ACCEPTED" unless it lies in [min,
-/// max].
+/// Returns the number. Throws InputError "OPTION is TEXT, expected ACCEPTED" unless it lies in
+/// [min, max].
 double number_in(const std::string& option, const std::string& text, double min, double max,
                  const std::string& accepted);
 
@@ -31,8 +31,8 @@ double number_in(const std::string& option, const std::string& text, double min,
 /// MAX" unless it lies in [min, max].
 int whole_number_in(const std::string& option, const std::string& text, int min, int max);
 
-/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, expected a, b or c" if
-/// there is none.
+/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, expected a, b or c"
+/// if there is none.
 template <class Value, std::size_t count>
 Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {
     if (const auto value = value_in(names, text)) return *value;

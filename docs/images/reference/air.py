@@ -1,8 +1,9 @@
-# The air between the eye and the sea, put over the reference's image: the path tracer draws none.
+# Adds the air between the eye and the sea to the reference's image, because the path tracer renders
+# none.
 #
-# A path adds its source function times 1 - T, T being what it lets through: the sun's light, scattered once by air (Rayleigh) and haze
-# (Cornette and Shanks 1992), and the sky's, taken as coming evenly from above. Coefficients, asymmetry and the heights in which air and
-# haze thin to 1/e as in gl/sky/atmosphere.hpp.
+# A path adds its source function times 1 - T, where T is its transmittance: the sun's light,
+# scattered once by air (Rayleigh) and haze (Cornette and Shanks 1992), and the sky's light, assumed
+# uniform from above. Coefficients, asymmetry and scale heights are those of gl/sky/atmosphere.hpp.
 import math
 
 rayleigh_per_m = (5.8e-6, 13.5e-6, 33.1e-6)

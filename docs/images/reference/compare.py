@@ -1,9 +1,12 @@
-# The sea of `pelagic render` beside the same sea, path-traced by Cycles under the same sky: means of regions, as a table.
+# Compares the sea of `pelagic render` with the same sea path-traced by Cycles under the same sky:
+# means of regions, as a table.
 #
-#   blender -b --python-exit-code 1 -P compare.py -- PELAGIC FOLDER [--samples K] [--only SCENE] [--reuse] [--check]
+#   blender -b --python-exit-code 1 -P compare.py -- PELAGIC FOLDER
+#     [--samples K] [--only SCENE] [--reuse] [--check]
 #
-# FOLDER receives images, `table.md` and `figures.json`. --reuse keeps references that are in FOLDER already; they hold the sun's and
-# the sky's light of their day. --check exits with 1 if a region's luminance differs by more than `scenes.largest_difference`.
+# FOLDER receives images, `table.md` and `figures.json`. --reuse keeps references that exist in
+# FOLDER; they have the light of sun and sky of the version that wrote them. --check exits with 1 if
+# a region's luminance differs by more than `scenes.largest_difference`.
 import argparse
 import json
 import math
@@ -23,7 +26,8 @@ import scenes
 import sea_mesh
 
 def rgba(file):
-    """(width, height, RGBA floats with row 0 at the top); Blender's rows begin at the bottom."""
+    """Returns (width, height, RGBA floats with row 0 at the top); Blender's rows begin at the
+    bottom."""
     image = bpy.data.images.load(str(file))
     image.colorspace_settings.name = "Non-Color"
     width, height = image.size
@@ -39,7 +43,7 @@ def colours(file):
 
 
 def write_png(file, images, width, height, exposure):
-    """Images beside one another, at one exposure, in sRGB without a filmic curve."""
+    """Writes images side by side, with one exposure, in sRGB without a filmic curve."""
     image = bpy.data.images.new("pair", width * len(images), height)
     values = []
     for j in reversed(range(height)):
@@ -81,7 +85,7 @@ class Comparison:
         return image, sky, said["sky"], said["water"]
 
     def reference(self, name, camera, target, light, water, sky):
-        """Two images, of the sun's light and of the sky's; their sum is the sea's."""
+        """Renders two images, of the sun's light and of the sky's; their sum is the sea's."""
         files = {kind: self.folder / f"{name}_{kind}.exr" for kind in ("sun", "skylight")}
         if not (self.reuse and all(file.exists() for file in files.values())):
             cascades = self.read_cascades()
@@ -128,7 +132,7 @@ def table(figures):
 
 
 def too_different(figures):
-    """A line for each region that is."""
+    """Prints a line for each region that differs too much."""
     for name, entry in figures.items():
         for region, reference in entry["reference"].items():
             ratio = regions.luminance(entry["ours"][region]) / regions.luminance(reference)

@@ -1,4 +1,4 @@
-# The sea, its water, the sun and a sky for Cycles, and a path-traced image of it.
+# Builds the sea, its water, the sun and a sky for Cycles, and path-traces an image.
 #
 # Blender's z is up: (x, y, z) of Pelagic is (x, -z, y) there. Light keeps Pelagic's unit.
 import math
@@ -15,7 +15,8 @@ def blender(p):
 
 
 def henyey_greenstein_g(backwards):
-    """The asymmetry g for which that part is scattered backwards, by bisection of the phase function's integral."""
+    """Returns the asymmetry g for which the fraction `backwards` is scattered backwards, by
+    bisection of the phase function's integral."""
     low, high = 1e-6, 1 - 1e-9
     for _ in range(60):
         g = 0.5 * (low + high)
@@ -35,7 +36,7 @@ def new_scene(samples, width, height, threads):
     cycles = scene.cycles
     cycles.samples = samples
     cycles.use_denoising = cycles.use_adaptive_sampling = False
-    # Nothing is cut off or blurred: light through the water is what is compared.
+    # No clamping or blurring: light through the water is compared.
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = cycles.light_sampling_threshold = 0
     cycles.max_bounces = cycles.transmission_bounces = cycles.volume_bounces = 256
     cycles.glossy_bounces = 16
@@ -43,14 +44,15 @@ def new_scene(samples, width, height, threads):
 
 
 def add_world(scene, panorama):
-    """Without a panorama it is black."""
+    """Adds a world; it is black without a panorama."""
     world = scene.world = bpy.data.worlds.new("sky")
     world.use_nodes = True
     if panorama is None:
         world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
         return
     nodes, links = world.node_tree.nodes, world.node_tree.links
-    # Its middle column is +x and azimuths grow to the right, towards Pelagic's +z: Blender's own convention, so unturned.
+    # The middle column of the panorama is +x and azimuths increase to the right, towards Pelagic's
+    # +z. This is Blender's convention, so it is not rotated.
     image = nodes.new("ShaderNodeTexEnvironment")
     image.image = bpy.data.images.load(str(panorama))
     image.image.colorspace_settings.name = "Non-Color"
@@ -63,7 +65,8 @@ def add_sun(scene, direction, irradiance):
     strength = max(irradiance)
     sun.energy = strength
     sun.color = [part / strength for part in irradiance]
-    # Only sampled from where light is scattered: a path that meets the disc by chance would count it twice.
+    # Sampled only where light is scattered: paths that hit the sun's disc by chance would count it
+    # twice.
     sun.cycles.use_multiple_importance_sampling = False
     lamp = bpy.data.objects.new("sun", sun)
     lamp.rotation_mode = "QUATERNION"
@@ -72,7 +75,8 @@ def add_sun(scene, direction, irradiance):
 
 
 class Nodes:
-    """Nodes of a material, made by what they compute; arguments are sockets or numbers."""
+    """Creates nodes of a material, by the quantity that they compute; arguments are sockets or
+    numbers."""
 
     def __init__(self, tree):
         self.nodes, self.links = tree.nodes, tree.links
@@ -132,19 +136,21 @@ class Nodes:
 
 
 def rough_glass(nodes, alpha_root, part):
-    """A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes. \\param part  that the mirror takes"""
+    """Returns reflection and refraction with Beckmann's distribution, which is the Gaussian of
+    slopes. \\param part  reflected fraction"""
     mirror, lens = (nodes.bsdf(kind, alpha_root, "BECKMANN") for kind in ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction"))
     return nodes.mixed(part, lens, mirror)
 
 
 def surface_in_sunlight(nodes, geometry, alpha_root, sun):
-    """Fresnel's part is that of the one facet that mirrors the sun to the eye."""
+    """The Fresnel reflectance is that of the facet that reflects the sun to the eye."""
     facet = nodes.vector("NORMALIZE", nodes.vector("ADD", geometry.outputs["Incoming"], tuple(blender(sun))))
     return rough_glass(nodes, alpha_root, nodes.fresnel(facet))
 
 
 def area_seen(nodes, cosine, mean_square):
-    """Of facets of Gauss' slopes, over that of the plane they stand on: mu P(a) + s t p(a), a = mu / (s t), Gauss' p and P."""
+    """Returns the visible area of facets with Gaussian slopes, relative to that of their mean
+    plane: mu P(a) + s t p(a), a = mu / (s t), with the Gaussian p and P."""
     sine = nodes.math("SQRT", nodes.math("MAXIMUM", nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine)), 1e-8))
     spread = nodes.math("MULTIPLY", nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, 0.5)), sine)
     a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, spread), 8.0)
@@ -165,18 +171,21 @@ def doubled(nodes, value):
 
 
 def masked_area(nodes, cosine, mean_square):
-    """Smith's function for Gauss' slopes (Walter et al. 2007, equation 15), times the cosine."""
+    """Returns Smith's function for Gaussian slopes (Walter et al. 2007, equation 15), times the
+    cosine."""
     sine2 = nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine))
     across = nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, nodes.math("MAXIMUM", sine2, 1e-6)))
-    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, across), 1.6)  # where it is 0.1 % of the cosine
+    # there it is 0.1 % of the cosine
+    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, across), 1.6)
     above = nodes.math("MULTIPLY_ADD", a, nodes.math("MULTIPLY_ADD", a, 0.396, -1.259), 1.0)
     below = nodes.math("MULTIPLY_ADD", a, 2.181, 3.535)
     return nodes.math("MULTIPLY", across, nodes.math("DIVIDE", above, below))
 
 
 def sky_share(nodes, eye, towards, mean_square):
-    """Of what a facet mirrors: waves that the mesh lacks hide the rest (Smith, Heitz 2014, equation 99), and mirror 0.3 of the sky in
-    turn. Cosines with the mesh's normal; nothing comes from below the mesh."""
+    """Returns the fraction of sky in a facet's reflection: waves that the mesh does not resolve
+    hide the rest (Smith, Heitz 2014, equation 99), and reflect 0.3 of the sky in turn. Cosines are
+    relative to the mesh's normal; nothing comes from below the mesh."""
     eye, up = nodes.math("MAXIMUM", eye, 1e-3), nodes.math("MAXIMUM", towards, 1e-4)
     seen = nodes.math("MULTIPLY", nodes.math("ADD", eye, masked_area(nodes, eye, mean_square)), up)
     hidden = nodes.math("MULTIPLY", masked_area(nodes, up, mean_square), eye)
@@ -185,8 +194,9 @@ def sky_share(nodes, eye, towards, mean_square):
 
 
 def surface_in_skylight(nodes, geometry, mean_square):
-    """Each sample meets one smooth facet, whose slopes are drawn anew from Gauss' distribution and which counts by its area as the
-    eye sees it: so Fresnel's part, and where the light comes from, are those of the same facet."""
+    """Each sample hits one smooth facet, whose slopes are drawn from the Gaussian distribution and
+    whose weight is its visible area. So the Fresnel reflectance and the direction of the light are
+    those of the same facet."""
     dice = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
     nodes.give(dice.inputs["Vector"], geometry.outputs["Position"])
     parts = nodes.add("ShaderNodeSeparateXYZ")
@@ -214,14 +224,17 @@ def surface_in_skylight(nodes, geometry, mean_square):
 
 
 def add_surface(tree, sun):
-    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
+    """Returns the closure output of the surface in the light of the sun or, without `sun`, of the
+    sky.
 
-    Slopes have Gauss' distribution, as Cox and Munk measured them. Cycles 3.4 takes the mean normal's Fresnel for a rough glass, three
-    times too much at grazing angles; so the parts are put together here, for the sun and for the sky in an image each.
+    Slopes are Gaussian, as measured by Cox and Munk. For rough glass Cycles 3.4 uses the Fresnel
+    reflectance of the mean normal, three times too much at grazing angles. So reflection and
+    refraction are combined here, for the sun and for the sky in one image each.
     """
     nodes = Nodes(tree)
     mean_square = nodes.add("ShaderNodeAttribute", attribute_name="roughness").outputs["Fac"]
-    alpha_root = nodes.math("POWER", mean_square, 0.25)  # alpha^2 is the mean square slope, Blender's roughness the root of alpha
+    # alpha^2 is the mean square slope, Blender's roughness the root of alpha
+    alpha_root = nodes.math("POWER", mean_square, 0.25)
     geometry = nodes.add("ShaderNodeNewGeometry")
     above = (surface_in_sunlight(nodes, geometry, alpha_root, sun) if sun else
              surface_in_skylight(nodes, geometry, mean_square))
@@ -230,11 +243,12 @@ def add_surface(tree, sun):
 
 
 def water_material(optics, sun):
-    """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
+    """Returns a rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
-    Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
-    water's is nearly even from 120 to 180 degrees (Petzold 1972), while Henyey and Greenstein's curve with the g of real water's
-    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even.
+    Forward scattering hardly changes the light, so only backward scattering matters, and its shape.
+    That of real water is nearly uniform from 120 to 180 degrees (Petzold 1972), while the phase
+    function of Henyey and Greenstein with the g of real water's forward peak has two thirds of its
+    mean there. With g such that 0.4 is scattered backwards it is 0.9 of uniform.
     """
     material = bpy.data.materials.new("water")
     material.use_nodes = True
@@ -253,7 +267,7 @@ def water_material(optics, sun):
 
     backwards = 0.4
     absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
-    # One kind of scattering only: two in one medium come out several times too bright in Cycles 3.4.
+    # A single scattering closure: in Cycles 3.4 two in one medium are several times too bright.
     scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False)
     scattered.inputs["Anisotropy"].default_value = henyey_greenstein_g(backwards)
     both = nodes.new("ShaderNodeAddShader")

@@ -1,5 +1,6 @@
-# How the sky of `pelagic render --sky` differs from Blender's: Nishita 1993 ("Display of the Earth Taking into Account Atmospheric
-# Scattering"), with air, dust and ozone of a clear day. Both are divided by what they give a level plane.
+# Compares the sky of `pelagic render --sky` with Blender's: Nishita 1993 ("Display of the Earth
+# Taking into Account Atmospheric Scattering"), with air, dust and ozone of a clear day. Both are
+# divided by their irradiance on a level plane.
 #
 #   blender -b --python-exit-code 1 -P nishita.py -- PELAGIC FOLDER
 import json
@@ -19,7 +20,8 @@ looks = {"zenith": (0, 85), "45 degrees up, away from the sun": (180, 45), "hori
 
 
 def image(file):
-    """A function of azimuth and elevation, degrees, and the irradiance on a level plane."""
+    """Returns the radiance as a function of azimuth and elevation, degrees, and the irradiance on a
+    level plane."""
     image = bpy.data.images.load(str(file))
     image.colorspace_settings.name = "Non-Color"
     (w, h), pixels = image.size, image.pixels[:]

@@ -1,4 +1,5 @@
-# Images as lists of (r, g, b), row 0 at the top, and the parts of them that are compared: by where a pixel's ray goes, over a flat sea.
+# Images as lists of (r, g, b), row 0 at the top, and the regions that are compared, selected by a
+# pixel's ray over a flat sea.
 import math
 
 from mathutils import Vector
@@ -8,10 +9,11 @@ min_pixels = 60
 
 
 def rays_of(camera, target, fov_deg, width, height):
-    """Unit vectors through the pixels' middles, y up."""
+    """Returns unit vectors through the centres of pixels, y up."""
     forward = (Vector(target) - Vector(camera)).normalized()
     right = forward.cross(Vector((0, 1, 0)))
-    right = right.normalized() if right.length > 1e-6 else Vector((0, 0, 1))  # straight down: +x is at the top
+    # straight down: +x is at the top
+    right = right.normalized() if right.length > 1e-6 else Vector((0, 0, 1))
     up = right.cross(forward)
     half = math.tan(math.radians(fov_deg) / 2)
     for j in range(height):
@@ -21,8 +23,9 @@ def rays_of(camera, target, fov_deg, width, height):
 
 
 def region_of(ray, sun):
-    """By the angle below the horizon; glitter where a facet that mirrors the sun is less tilted than 12 degrees, 1.8 deviations of the
-    slopes; what lies around it, to 17 degrees, belongs to none."""
+    """Returns the region of a ray, by its angle below the horizon. Glitter: a facet that reflects
+    the sun is tilted by less than 12 degrees, 1.8 deviations of the slopes. Its surroundings, up to
+    17 degrees, belong to no region."""
     below = math.degrees(math.asin(-ray.y))
     if below < 0.25:
         return None
@@ -41,7 +44,7 @@ def region_of(ray, sun):
 
 
 def means(image, regions):
-    """Mean colour by region, of those that are large enough."""
+    """Returns the mean colour of each region that is large enough."""
     sums = {}
     for pixel, region in zip(image, regions):
         if region:

@@ -1,6 +1,6 @@
-# The sea of `pelagic export` as one mesh around a viewer: square rings, each twice as coarse as the one inside it, on which vertices
-# stand where the cascades' displacements add up to. Waves too short for a ring are left out, as box averages of texels
-# leave them out, and their mean square slope is the ring's roughness.
+# The sea of `pelagic export` as one mesh around a viewer: square rings, each twice as coarse as the
+# one inside it, with vertices at the summed displacements of the cascades. Waves too short for a
+# ring are removed by box averages of texels, and their mean square slope is the ring's roughness.
 import json
 import math
 from array import array
@@ -8,7 +8,8 @@ from pathlib import Path
 
 
 class Cascade:
-    """A cascade's displacements, level by level: box averages of 2^level texels a side. \\param pixels RGBA, row 0 first"""
+    """A cascade's displacements, level by level: box averages of 2^level texels a side. \\param
+    pixels RGBA, row 0 first"""
 
     def __init__(self, layout, pixels):
         self.side = layout["side_m"]
@@ -26,17 +27,19 @@ class Cascade:
                 for j in range(n) for i in range(n)])
 
     def level_for(self, spacing):
-        """The finest level whose texels are not finer than the vertices stand; none where the cascade has no such."""
+        """Returns the finest level whose texels are not finer than the vertex spacing, or None if
+        the cascade has no such level."""
         level = max(0, math.ceil(math.log2(spacing / self.texel)))
         return level if level < len(self.levels) - 2 else None
 
 
 def displacement(cascades, x, z):
-    """The sum of the cascades, bilinear on each one's grid. \\param cascades  (cascade, level) that count"""
+    """Returns the sum of the cascades, bilinear on each cascade's grid. \\param cascades  (cascade,
+    level) to include"""
     dx = dy = dz = 0.0
     for cascade, level in cascades:
         n = cascade.n >> level
-        # A texel of level m is the mean of texels whose middle lies (2^m - 1) / 2 texels further.
+        # A texel of level m is the mean of texels whose centre is (2^m - 1) / 2 texels further.
         scale = 1 / (cascade.texel * (1 << level))
         shift = 0.5 * ((1 << level) - 1) / (1 << level)
         u = (cascade.cosine * x + cascade.sine * z) * scale - shift
@@ -54,14 +57,15 @@ def displacement(cascades, x, z):
 
 
 class SeaMesh:
-    """Around the origin, y up: `places` (x, y, z a vertex), `roughness` (mean square slope that is left out, a vertex), `quads`.
+    """A mesh around the origin, y up: `places` (x, y, z of each vertex), `roughness` (mean square
+    slope of removed waves, of each vertex), `quads`.
 
-    \\param finest_m   spacing inside, a power of two, so that rings share vertices to the bit
-    \\param radius_m   the outermost ring reaches at least as far
+    \\param finest_m   spacing inside, a power of two, so that rings share vertices exactly
+    \\param radius_m   minimum extent of the outermost ring
     \\param all_slopes mean square slope of all waves, both axes
     """
-    cells = 256  # a side of each ring
-    depth_m = 300  # through which no light comes; Cycles wants water to be closed
+    cells = 256  # cells along a side of each ring
+    depth_m = 300  # opaque at this depth; Cycles requires closed water
 
     def __init__(self, cascades, finest_m, radius_m, all_slopes):
         self.places, self.roughness, self.quads = array("f"), array("f"), array("i")
@@ -102,7 +106,7 @@ class SeaMesh:
                     p = place(i, j, own)
                 elif i % 2 == 0 and j % 2 == 0:
                     p = place(i, j, coarser)
-                else:  # in the middle of an edge of the next ring
+                else:  # at the middle of an edge of the next ring
                     across = (1, 0) if i % 2 else (0, 1)
                     a = place(i - across[0], j - across[1], coarser)
                     b = place(i + across[0], j + across[1], coarser)

@@ -1,8 +1,10 @@
-# A sea of `pelagic export` in Blender: a mesh that a modifier moves vertex by vertex, three patches by three, with foam.
+# A sea of `pelagic export` in Blender: a mesh whose vertices a modifier displaces, three patches by
+# three, with foam.
 #
 #   blender -b --python-exit-code 1 -P blender.py -- FOLDER IMAGE.png
 #
-# FOLDER holds sea.json, displacement_*.exr and gradient_*.png. In the window: Scripting, open this file, set the two names.
+# FOLDER contains sea.json, displacement_*.exr and gradient_*.png. In the window: Scripting, open
+# this file, set the two names.
 import json
 import math
 import sys
@@ -24,7 +26,7 @@ scene.frame_start, scene.frame_end = 1, frames
 
 
 def load(name):
-    """A sequence of numbers, not of colours: no colour space, and alpha is a number of its own."""
+    """A sequence of numbers, not of colours: no colour space, and alpha is an independent value."""
     image = bpy.data.images.load(str(folder / name))
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "CHANNEL_PACKED"
@@ -33,13 +35,14 @@ def load(name):
 
 
 def play(user):
-    """Frame 1 of the scene is file 0000, and after the last file the first one follows."""
+    """Frame 1 of the scene is file 0000; after the last file the first one follows."""
     user.frame_start, user.frame_duration, user.frame_offset = 1, frames, -1
     user.use_cyclic = user.use_auto_refresh = True
 
 
-# Vertex (i, j) rests at x = i L/N, z = j L/N in Pelagic's axes: x east, y up, z south. Texel (i, j) belongs to it, and
-# texels count from the upper edge of the image, while v counts from the lower one. Column N and row N repeat the first.
+# Vertex (i, j) has the reference position x = i L/N, z = j L/N in Pelagic's axes: x east, y up, z
+# south. It uses texel (i, j). Texel rows count from the upper edge of the image, v from the lower
+# edge. Column N and row N repeat the first.
 mesh = bpy.data.meshes.new("sea")
 mesh.from_pydata([(i * L / N, 0, j * L / N) for j in range(N + 1) for i in range(N + 1)], [],
                  [(a, a + N + 1, a + N + 2, a + 1) for j in range(N) for a in range(j * (N + 1), j * (N + 1) + N)])
@@ -49,14 +52,15 @@ for loop in mesh.loops:
     j, i = divmod(loop.vertex_index, N + 1)
     uv.data[loop.index].uv = ((i + 0.5) / N, 1 - (j + 0.5) / N)
 sea = bpy.data.objects.new("sea", mesh)
-sea.rotation_euler.x = math.radians(90)  # Blender's z is up: y becomes z, and z, which is south, becomes -y
+# Blender's z is up: y becomes z, and z, which is south, becomes -y
+sea.rotation_euler.x = math.radians(90)
 scene.collection.objects.link(sea)
 
 texture = bpy.data.textures.new("displacement", "IMAGE")
 texture.image = load("displacement_0000.exr")
 texture.extension = "REPEAT"
-texture.use_interpolation = False  # a vertex takes its own texel
-texture.use_clamp = False  # negative numbers are water below the rest level
+texture.use_interpolation = False  # a vertex uses its own texel
+texture.use_clamp = False  # negative numbers are below the still water level
 play(texture.image_user)
 displace = sea.modifiers.new("displace", "DISPLACE")
 displace.texture = texture
@@ -70,7 +74,8 @@ for axis in (0, 2):
     cascades.constant_offset_displace = [L if axis == k else 0 for k in range(3)]
     cascades.use_merge_vertices, cascades.merge_threshold = True, 1e-3
 
-# Foam where the surface is pressed together: J = 2 c - 1 of the third channel, foam = 1 - 2 J within [0, 1].
+# Foam where the surface is contracted: J = 2 c - 1 of the third channel, foam = 1 - 2 J within [0,
+# 1].
 water = bpy.data.materials.new("water")
 water.use_nodes = True
 nodes, links = water.node_tree.nodes, water.node_tree.links
@@ -93,7 +98,7 @@ links.new(foam.outputs["Value"], colour.inputs["Fac"])
 links.new(colour.outputs["Color"], surface.inputs["Base Color"])
 mesh.materials.append(water)
 
-# A sky, and a camera in the middle patch's south-west that looks north-east.
+# A sky, and a camera in the south-west of the middle patch that looks north-east.
 world = scene.world = bpy.data.worlds.new("sky")
 world.use_nodes = True
 sky = world.node_tree.nodes.new("ShaderNodeTexSky")

@@ -1,5 +1,7 @@
-// Where the sea of an export with --format ktx2 is drawn: what a vertex shader does, in JavaScript.
-// usage: node sample.mjs FOLDER X Z      a place at rest, metres; prints x, y and z of where its water is drawn in frame 0
+// Computes a displaced position of the sea of an export with --format ktx2, like a vertex shader.
+//
+// usage: node sample.mjs FOLDER X Z
+// X and Z are a reference position in metres; prints x, y and z of its water in frame 0.
 import { readFileSync } from "node:fs";
 import { read } from "ktx-parse";
 import { ZSTDDecoder } from "zstddec";
@@ -23,7 +25,7 @@ function half(bits) {
   return bits & 0x8000 ? -size : size;
 }
 
-// As a GPU filters a texture that repeats.
+// Filters like a GPU with a repeating texture.
 function bilinear({ side, halves }, u, v) {
   const column = u * side - 0.5, row = v * side - 0.5;
   const left = Math.floor(column), top = Math.floor(row);

@@ -1,12 +1,14 @@
-# The maps of an export, the folder waves/ beside this file, on a mesh whose vertices a shader moves. Godot has Pelagic's
-# axes: x right, y up, right-handed. Its texture coordinates count from the upper edge, as texels do.
+# Displays the maps of an export, in the folder waves/ beside this file, on a mesh whose vertices a
+# shader displaces. Godot has Pelagic's axes: x right, y up, right-handed. Its texture coordinates
+# count from the upper edge, like texel rows.
 extends Spatial
 
 const PATCHES = 3
 var record
 var material = ShaderMaterial.new()
 
-# Numbers, so no import as colours: the files are read as they are. Godot 3 makes 16-bit floats of an EXR.
+# The files are loaded directly, because the maps are numbers and must not be imported as colours.
+# Godot 3 converts an EXR to 16-bit floats.
 func map(name, filtered):
 	var image = Image.new()
 	assert(image.load("res://waves/" + name) == OK)
@@ -14,7 +16,7 @@ func map(name, filtered):
 	texture.create_from_image(image, Texture.FLAG_REPEAT | (Texture.FLAG_FILTER if filtered else 0))
 	return texture
 
-# Vertex (i, j) rests at x = i L/N, z = j L/N and takes the number of texel (i, j), which stands in the texel's middle.
+# Vertex (i, j) has the reference position x = i L/N, z = j L/N and uses the centre of texel (i, j).
 func patch(N, L, primitive):
 	var places = PoolVector3Array()
 	var texels = PoolVector2Array()
@@ -36,7 +38,7 @@ func patch(N, L, primitive):
 	arrays[Mesh.ARRAY_TEX_UV] = texels
 	arrays[Mesh.ARRAY_INDEX] = indices
 	var mesh = ArrayMesh.new()
-	mesh.add_surface_from_arrays(primitive, arrays, [], 0)  # 0: nothing is compressed
+	mesh.add_surface_from_arrays(primitive, arrays, [], 0)  # 0: no compression
 	return mesh
 
 func _ready():

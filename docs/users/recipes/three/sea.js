@@ -1,10 +1,12 @@
-// The maps of an export on a mesh whose vertices a shader moves. three.js has Pelagic's axes: x right, y up, right-handed.
+// Displays the maps of an export on a mesh whose vertices a shader displaces. three.js has
+// Pelagic's axes: x right, y up, right-handed.
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { Sky } from "three/addons/objects/Sky.js";
 
-// Vertex (i, j) rests at x = i L/N, z = j L/N and takes the number of texel (i, j), which stands in the texel's middle.
-// Texels count from the upper edge of the image, v from the lower one, for both loaders as they are used here.
+// Vertex (i, j) has the reference position x = i L/N, z = j L/N and uses the centre of texel (i,
+// j). Texel rows count from the upper edge of the image, v from the lower edge, for both loaders as
+// configured here.
 export function patch(N, L) {
   const places = [], texels = [], indices = [];
   for (let j = 0; j <= N; ++j) {
@@ -23,7 +25,7 @@ export function patch(N, L) {
   return geometry;
 }
 
-// Metres as 32-bit floats. A vertex takes its own texel, so nothing is filtered.
+// Metres as 32-bit floats. A vertex uses its own texel, so there is no filtering.
 export async function displacementMap(url) {
   const map = await new EXRLoader().setDataType(THREE.FloatType).loadAsync(url);
   map.wrapS = map.wrapT = THREE.RepeatWrapping;
@@ -33,7 +35,7 @@ export async function displacementMap(url) {
   return map;
 }
 
-// Bytes as they are: the browser would multiply normals by the smoothness, which is in the alpha channel.
+// Unmodified bytes: the browser would multiply normals by the smoothness in the alpha channel.
 export async function gradientMap(url) {
   const bytes = await new THREE.ImageBitmapLoader()
     .setOptions({ imageOrientation: "flipY", premultiplyAlpha: "none", colorSpaceConversion: "none" }).loadAsync(url);
