@@ -1,7 +1,7 @@
 // Benchmark of each job of a frame, of whole frames on one and several threads, and of the
 // machine's upper bounds.
 //
-//   taskset -c 1 build/release/bin/pelagic_bench --benchmark_filter='avx2/256' \
+//   taskset -c 1 build/release/bin/pelagic_bench --benchmark_filter='avx2/256'
 //     --benchmark_repetitions=9
 //
 // Names are stage/instruction set/N, frame/instruction set/N/threads, ceiling/instruction set/what.

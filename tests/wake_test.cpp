@@ -104,8 +104,8 @@ TEST(Wake, APassingBoxMakesAnotherHeave) {
     double before = 0, after = 0;
     for (std::size_t i = 0; i < with.size(); ++i) {
         const double time_s = static_cast<double>(i) * step_s, moved = std::fabs(with[i] - without[i]);
-        // 19.47 degrees at a distance of 7 m from the boat's track: 20 m behind the boat, 8 seconds
-        // after its start 16 m ahead of the other.
+        // 7 m beside the boat's track, a wake of 19.47 degrees is 20 m behind the boat. The boat
+        // sets out at 5 s, 16 m short of the other box.
         if (time_s > 4 && time_s < 6) before = std::max(before, moved);
         if (time_s > 9) after = std::max(after, moved);
     }
