@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+
+#include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic {
 
@@ -21,6 +24,10 @@ struct Rain {
     double height_m = 0.02;  ///< depth of a crater; [-10, 10]
     std::uint32_t seed = 1;
 };
+
+/// Returns the table of its fields, which accept any number of their type. check() has the ranges,
+/// which depend on the grid.
+std::span<const NumericField<Rain>> rain_fields();
 
 /// Returns an empty string for usable rain on such dynamic waves, else what is wrong: "radius_m 0
 /// is out of range [0.001, 4], to a 16th of side_m". Rain of 0 drops is always usable.

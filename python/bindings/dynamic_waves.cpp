@@ -4,8 +4,6 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
-#include <array>
-#include <cfloat>
 #include <string>
 #include <string_view>
 
@@ -21,14 +19,6 @@ namespace {
 
 constexpr const char* no_waves =
     "has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()";
-
-/// DynamicWaves::set_rain() checks the ranges, which depend on the grid.
-constexpr std::array rain_fields = {
-    NumericField<Rain>{"drops_per_m2_s", &Rain::drops_per_m2_s, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"radius_m", &Rain::radius_m, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"height_m", &Rain::height_m, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"seed", &Rain::seed, 0, UINT32_MAX, "a whole number from 0 to 4294967295"},
-};
 
 DynamicWavesOptions read_options(py::handle object) {
     DynamicWavesOptions options;
@@ -48,7 +38,7 @@ Disturbance read_disturbance(py::handle object) {
 
 Rain read_rain(py::handle object) {
     Rain rain;
-    read_fields(object, std::span<const NumericField<Rain>>(rain_fields), rain);
+    read_fields(object, rain_fields(), rain);
     return rain;
 }
 
@@ -205,7 +195,7 @@ void add_dynamic_waves(py::module_& module, FrameClass& frame, OceanClass& ocean
     module.def("check_rain", [](py::handle object) { read_rain(object); });
     module.def("dynamic_waves_fields", [] { return described(dynamic_waves_fields()); });
     module.def("disturbance_fields", [] { return described(disturbance_fields()); });
-    module.def("rain_fields", [] { return described(std::span<const NumericField<Rain>>(rain_fields)); });
+    module.def("rain_fields", [] { return described(rain_fields()); });
     add_waves(module);
     add_view(module);
     add(frame, "dynamic_waves", &waves_of_frame);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cfloat>
 #include <cmath>
+#include <cstdint>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
@@ -27,6 +29,13 @@ constexpr double max_at_a_texel = 16;
 constexpr int max_in_a_cell = 100;
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
+constexpr std::array fields = {
+    NumericField<Rain>{"drops_per_m2_s", &Rain::drops_per_m2_s, -DBL_MAX, DBL_MAX, "a finite number"},
+    NumericField<Rain>{"radius_m", &Rain::radius_m, -DBL_MAX, DBL_MAX, "a finite number"},
+    NumericField<Rain>{"height_m", &Rain::height_m, -DBL_MAX, DBL_MAX, "a finite number"},
+    NumericField<Rain>{"seed", &Rain::seed, 0, UINT32_MAX, "a whole number from 0 to 4294967295"},
+};
+
 double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }
 double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
     return std::max(rain.radius_m, texel_of(water));
@@ -48,6 +57,8 @@ std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end,
 }
 
 }  // namespace
+
+std::span<const NumericField<Rain>> rain_fields() { return fields; }
 
 std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // without rain the other values are unused
