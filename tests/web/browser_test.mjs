@@ -1,4 +1,5 @@
-// The npm package in headless Chromium: usage: node browser_test.mjs PACKAGE MODULES GOLDEN SCREENSHOT
+// The npm package in headless Chromium:
+//   usage: node browser_test.mjs PACKAGE MODULES GOLDEN_FOLDER PELAGIC SCREENSHOT
 // MODULES is a folder node_modules with puppeteer-core and three.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -8,11 +9,13 @@ import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { differences, goldenNames } from './golden_seas.js';
+import { nativeEventLines, nativeShoreRows, rowsOf } from './native.mjs';
 import { serve } from './server.js';
 
-const [folder, modules, goldenFile, screenshot] = process.argv.slice(2);
+const [folder, modules, goldenFolder, pelagic, screenshot] = process.argv.slice(2);
 const puppeteer = createRequire(join(modules, 'from_here.js'))('puppeteer-core');
-const golden = readFileSync(goldenFile, 'utf8');
+const goldenText = (name) => readFileSync(join(goldenFolder, name), 'utf8');
+const golden = goldenText('hashes.txt');
 const folders = { '/node_modules/pelagic/': folder, '/node_modules/': modules, '/tests/': dirname(fileURLToPath(import.meta.url)) };
 
 let browser, plain, isolated;
@@ -30,7 +33,7 @@ after(async () => {
   isolated?.close();
 });
 
-/** A page of the server, and what it said in its console that is worse than a note. */
+/** Opens a page of the server. Collects the warnings and errors of its console. */
 async function open(server, path = '/') {
   const page = await browser.newPage();
   const complaints = [];
@@ -44,7 +47,7 @@ async function open(server, path = '/') {
 
 for (const [where, module, threads, expected] of [['on the page', 'index.js', undefined, 1], ['in a worker', 'worker.js', 1, 1],
                                                   ['in a worker', 'worker.js', 3, 3]])
-  test(`golden hashes ${where} with ${threads ?? 'chosen'} threads`, async () => {
+  test(`frames have the golden hashes ${where} with ${threads ?? 'the default'} threads`, async () => {
     const { page, complaints } = await open(threads > 1 ? isolated : plain);
     const [lines, count] = await page.evaluate(async (module, threads) => {
       const { createOcean } = await import(`/node_modules/pelagic/${module}`);
@@ -59,19 +62,44 @@ for (const [where, module, threads, expected] of [['on the page', 'index.js', un
     await page.close();
   });
 
-test('threads are refused where a page has none to give', async () => {
-  const invalid_value_message = (module) => import(`/node_modules/pelagic/${module}`).then(({ createOcean }) => createOcean({ threads: 2 }))
+for (const [where, module, options] of [['on the page', 'index.js', { threads: 1 }],
+                                        ['in a worker', 'worker.js', { threads: 1 }], ['in a worker', 'worker.js', { threads: 2 }]])
+  test(`dynamic waves, a shore and wave inputs are bit-identical to native ones ${where}, threads: ${options.threads}`, async () => {
+    const { page, complaints } = await open(options.threads > 1 ? isolated : plain);
+    const seen = await page.evaluate(async (module, options) => {
+      const { createOcean } = await import(`/node_modules/pelagic/${module}`);
+      const parts = await import('/tests/ocean_parts.js');
+      const planes = module === 'worker.js' ? { ...options, maps: ['displacement', 'velocityX', 'velocityY', 'velocityZ'] } : options;
+      const ocean = await createOcean({ ...parts.smallSea, queries: true, velocities: true, foam: true, shore: parts.floorShore(), ...options });
+      const answers = await (await ocean.frameAt(12.34)).query(parts.shorePoints);
+      ocean.dispose();
+      return {
+        events: await parts.eventLines(createOcean, options), shore: await parts.shoreLines(createOcean, options),
+        inputs: await parts.waveInputLines(createOcean, planes),
+        answers: Object.fromEntries(Object.entries(answers).map(([name, array]) => [name, Array.from(array)])),
+      };
+    }, module, options);
+    assert.deepEqual(seen.events, nativeEventLines(pelagic));
+    assert.deepEqual(seen.shore, goldenText('shore.txt').trim().split('\n'));
+    assert.deepEqual(seen.inputs, goldenText('wave_inputs.txt').trim().split('\n'));
+    assert.deepEqual(rowsOf(seen.answers), nativeShoreRows(pelagic));
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+test('threads are rejected on the page itself, and in pages that are not isolated', async () => {
+  const messageOf = (module) => import(`/node_modules/pelagic/${module}`).then(({ createOcean }) => createOcean({ threads: 2 }))
     .then(() => 'none', (error) => `${error instanceof Error} ${error.message}`);
   for (const [server, module, expected] of [[isolated, 'index.js', /^true threads is 2, expected 1 on a page's own thread/],
                                             [plain, 'worker.js', /^true threads is 2, expected 1 where a page is not isolated/],
                                             [isolated, 'worker.js', /^none$/]]) {
     const { page } = await open(server);
-    assert.match(await page.evaluate(invalid_value_message, module), expected);
+    assert.match(await page.evaluate(messageOf, module), expected);
     await page.close();
   }
 });
 
-test('a module that is not there is an error, not silence', async () => {
+test('a missing module is an error', async () => {
   const { page } = await open(plain);
   await page.setRequestInterception(true);
   page.on('request', (request) => (request.url().endsWith('.wasm') ? request.respond({ status: 404 }) : request.continue()));
@@ -81,7 +109,7 @@ test('a module that is not there is an error, not silence', async () => {
   await page.close();
 });
 
-// Nothing is drawn, so that only the sea's own memory counts.
+// Nothing is drawn, so that all memory is the ocean's.
 test('ten thousand frames take no more memory than a hundred', async () => {
   const { page } = await open(plain);
   const [before, later] = await page.evaluate(async () => {
@@ -103,14 +131,14 @@ test('ten thousand frames take no more memory than a hundred', async () => {
     return [[...first, begin], [...last, await heap()]];
   });
   assert.deepEqual(later.slice(0, 2), before.slice(0, 2));
-  assert.ok(later[2] - before[2] < 1e6, `${later[2] - before[2]} bytes more`);  // of a number a frame it would be 80 KB, of a view a megabyte
+  assert.ok(later[2] - before[2] < 1e6, `${later[2] - before[2]} bytes more`);  // a leak of one number per frame would be 80 KB, of a view a megabyte
   await page.close();
 });
 
 test('the three.js example draws a sea with a horizon', async () => {
   const { page, complaints } = await open(isolated);
   await page.setViewport({ width: 320, height: 180 });
-  // An error of GL is nobody's but whoever asks for it.
+  // Keeps the context, which the test asks for GL errors.
   await page.evaluateOnNewDocument(() => {
     const getContext = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (type, options) {
@@ -131,7 +159,7 @@ test('the three.js example draws a sea with a horizon', async () => {
     const pixels = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     globalThis.glError = gl.getError();
-    // Of each row, from the top: mean luminance and its standard deviation.
+    // Mean and standard deviation of the luminance of each row, from the top.
     return Array.from({ length: height }, (_, row) => {
       const start = 4 * width * (height - 1 - row);
       const values = Array.from({ length: width }, (_, i) => (pixels[start + 4 * i] + pixels[start + 4 * i + 1] + pixels[start + 4 * i + 2]) / 3);

@@ -1,5 +1,5 @@
-// The seas of tests/golden/hashes.txt in JavaScript's spelling, for node and for pages. Queries' hashes are of GoogleTest's own points;
-// package_test.mjs asks the native command instead.
+// The seas of tests/golden/hashes.txt, for tests in node and in pages. Its hashes of queries are
+// for points of the C++ tests; package_test.mjs compares queries with the native command instead.
 
 const oneCascade = { resolution: 64, patchSizeM: 250 };
 const seas = { default: {} };
@@ -14,7 +14,7 @@ for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${pres
 
 export const goldenNames = [...Object.keys(seas).flatMap((name) => [`${name}@0`, `${name}@12.34`]), 'foam-cascades'];
 
-/** Names with hashes, of oceans by createOcean() of index.js or worker.js, as "name hash" lines. */
+/** Returns "name hash" lines of the seas, by createOcean() of index.js or worker.js. */
 export async function goldenLines(createOcean, options) {
   const lines = [];
   for (const [name, sea] of Object.entries(seas)) {
@@ -28,7 +28,7 @@ export async function goldenLines(createOcean, options) {
   return lines;
 }
 
-/** Lines that differ from those of the file, whose hashes may lack zeros in front. */
+/** Returns the lines that differ from the file's, whose hashes may lack leading zeros. */
 export function differences(lines, goldenText) {
   const golden = new Map(goldenText.trim().split('\n').map((line) => line.split(' ')));
   return lines.filter((line) => {

@@ -1,11 +1,11 @@
 // The npm package in node: usage: node package_test.mjs PACKAGE PELAGIC GOLDEN
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { differences, goldenLines, goldenNames } from './golden_seas.js';
+import { nativeRows, rowsOf } from './native.mjs';
 
 const [folder, pelagic, goldenFile] = process.argv.slice(2);
 const { createOcean, presets, seaOptions, levelCount, levelOffset } = await import(pathToFileURL(join(folder, 'index.js')));
@@ -15,25 +15,25 @@ const small = { resolution: 64, patchSizeM: 250, threads: 1 };
 
 for (const [where, create, threads] of [['here', createOcean, 1], ['here', createOcean, 3], ['in a worker', remote.createOcean, 1],
                                         ['in a worker', remote.createOcean, 2]])
-  test(`golden hashes ${where}, threads: ${threads}`, async () => {
+  test(`frames have the golden hashes ${where}, threads: ${threads}`, async () => {
     const lines = await goldenLines(create, { threads });
     assert.equal(lines.length, goldenNames.length);
     assert.deepEqual(differences(lines, golden), []);
   });
 
-test('every golden frame is compared', () => {
+test('every golden frame is compared, except those of C++ tests', () => {
   const known = golden.trim().split('\n').map((line) => line.split(' ')[0]);
   assert.deepEqual(known.filter((name) => !goldenNames.includes(name)),
                    ['foam-folded', 'queries-analytic', 'queries-pond', 'queries-folded', 'queries-smooth', 'queries-cascades']);
 });
 
-// Halves are rounded from the planes, which an own reader of halves sees.
+// Converts a half float.
 function valueOfHalf(half) {
   const exponent = (half >> 10) & 31, fraction = half & 1023, sign = half >> 15 ? -1 : 1;
   return sign * (exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15));
 }
 
-test('maps and planes show the same waves, where d.ts says', async () => {
+test('maps and planes have the same waves at the documented positions', async () => {
   const ocean = await createOcean({ ...small, queries: true, velocities: true, slopes: true, foam: true });
   const frame = ocean.frameAt(3);
   const [cascade] = frame.cascades;
@@ -45,11 +45,11 @@ test('maps and planes show the same waves, where d.ts says', async () => {
     const texel = 4 * (64 * j + i);
     for (const [channel, plane] of [[0, dx], [1, rows], [2, dz]]) {
       const exact = plane[64 * j + i];
-      // A half has eleven bits.
+      // A half float has eleven significant bits.
       assert.ok(Math.abs(valueOfHalf(cascade.displacement[texel + channel]) - exact) <= Math.max(Math.abs(exact) * 2 ** -11, 2 ** -25));
     }
     const [x, z] = [i * cascade.texelM + dx[64 * j + i], j * cascade.texelM + dz[64 * j + i]];
-    assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);  // its tolerance is a millimetre, on slopes below 1
+    assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);  // the tolerance of a millimetre, on slopes below 1
   }
   assert.equal(Math.max(...rows), cascade.bounds.heightMaxM);
   assert.equal(Math.min(...rows), cascade.bounds.heightMinM);
@@ -61,7 +61,7 @@ test('maps and planes show the same waves, where d.ts says', async () => {
   ocean.dispose();
 });
 
-test('views are of one memory, copies stay', async () => {
+test('views share one memory, and hold the frame until the second schedule() after its own', async () => {
   const ocean = await createOcean({ ...small, threads: 2 });
   const first = ocean.frameAt(1);
   const { displacement } = first.cascades[0];
@@ -69,7 +69,7 @@ test('views are of one memory, copies stay', async () => {
   assert.ok(displacement.buffer instanceof SharedArrayBuffer);
   const copy = displacement.slice(), hash = first.hash();
   ocean.frameAt(2);
-  assert.deepEqual(first.cascades[0].displacement, copy);  // while the next one is computed, and until the one after
+  assert.deepEqual(first.cascades[0].displacement, copy);  // also while the next frame is computed
   assert.equal(first.hash(), hash);
   ocean.schedule(3);
   assert.equal(first.isValid, false);
@@ -80,47 +80,36 @@ test('views are of one memory, copies stay', async () => {
   ocean.dispose();
 });
 
-test('views that a growing memory takes away are made anew', async () => {
+test('views are valid again after memory growth', async () => {
   const ocean = await createOcean({ ...small, queries: true });
   const frame = ocean.frameAt(1);
   const kept = frame.cascades[0].displacement, copy = kept.slice(), hash = frame.hash();
-  ocean.query(new Float64Array(2e6));  // a million answers need more than there was
-  assert.equal(kept.length, 0, 'the memory has not grown: this test tests nothing');
+  ocean.query(new Float64Array(2e6));  // a million samples exceed the memory
+  assert.equal(kept.length, 0, 'the memory has not grown');
   assert.deepEqual(frame.cascades[0].displacement, copy);
   assert.equal(frame.hash(), hash);
   ocean.dispose();
 });
 
-test("answers have the native command's bits", async () => {
+test("queries are bit-identical to the native command's", async () => {
   const points = Array.from({ length: 2000 }, (_, i) => [(i * 37.77) % 900 - 450, (i * 12.345) % 700 - 350]);
   points.push([1e7 + 0.5, -3e6]);
   for (const interpolation of ['linear', 'cubic']) await compareWithCommand(points, interpolation);
 });
 
 async function compareWithCommand(points, interpolation) {
-  const csv = execFileSync(pelagic, ['query', '--points', '-', '--time', '12.34', '--foam', '--resolution', '64', '--interpolation', interpolation],
-                           { input: points.map(([x, z]) => `${x},${z}\n`).join('') }).toString();
-  const [header, ...lines] = csv.trim().split('\n');
-  const column = Object.fromEntries(header.split(',').map((name, i) => [name, i]));
-  const native = lines.map((line) => line.split(',').map((text) => Math.fround(Number(text))));
+  const native = nativeRows(pelagic, points, ['--time', '12.34', '--resolution', '64', '--interpolation', interpolation]);
   const options = { resolution: 64, queries: true, velocities: true, foam: true };
   for (const [create, threads] of [[createOcean, 1], [createOcean, 2], [remote.createOcean, 2]]) {
     const ocean = await create({ ...options, threads });
     const frame = await ocean.frameAt(12.34);
-    for (const given of [points, points.flat(), Float64Array.from(points.flat()), points.map(([x, z]) => ({ x, z }))]) {
-      const answers = await frame.query(given, interpolation === 'linear' ? undefined : { interpolation });
-      native.forEach((row, i) => {
-        const here = [answers.heightM[i], ...answers.normal.slice(3 * i, 3 * i + 3), ...answers.velocityMps.slice(3 * i, 3 * i + 3),
-                      answers.jacobian[i], answers.errorM[i], answers.foam[i], answers.converged[i]];
-        const there = ['height', 'nx', 'ny', 'nz', 'vx', 'vy', 'vz', 'jacobian', 'error_m', 'foam', 'converged'].map((name) => row[column[name]]);
-        assert.deepEqual(here, there, `point ${i}`);
-      });
-    }
+    for (const given of [points, points.flat(), Float64Array.from(points.flat()), points.map(([x, z]) => ({ x, z }))])
+      assert.deepEqual(rowsOf(await frame.query(given, interpolation === 'linear' ? undefined : { interpolation })), native);
     ocean.dispose();
   }
 }
 
-test('a ray comes down on the water that a query finds there', async () => {
+test('a ray hits the surface at the height that a query returns', async () => {
   for (const create of [createOcean, remote.createOcean]) {
     const ocean = await create({ ...small, queries: true });
     const frame = await ocean.frameAt(3);
@@ -133,7 +122,7 @@ test('a ray comes down on the water that a query finds there', async () => {
   }
 });
 
-test('what is wrong is refused by one line that says what would do', async () => {
+test('an invalid value is rejected by one line that says what is accepted', async () => {
   const cases = [
     [{ windSpeedMps: -3 }, 'windSpeedMps -3 is out of range (0, 60]'],
     [{ windSpeedMps: NaN }, 'windSpeedMps NaN is out of range (0, 60]'],
@@ -147,7 +136,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, expected 0 where the spectrum is phillips-paper'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, expected windSpeedMps'],
     [{ windspeed: 9 }, 'there is no option windspeed, expected windSpeedMps'],
-    [{ waves: 'pond' }, 'waves is "pond", expected spectrum, analytic or pond (the nearest is pond)'],
+    [{ waves: 'ponds' }, 'waves is "ponds", expected spectrum, analytic or pond (the nearest is pond)'],
     [{ queries: 1 }, 'queries is 1, expected true or false'],
     [{ threads: 0 }, 'threads is 0, expected a whole number from 1 to 64'],
     [{ threads: '2' }, 'threads is "2", expected a whole number from 1 to 64'],
@@ -170,7 +159,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
     [() => ocean.changeSea({ windSpeedMps: 5 }), 'a frame is scheduled; call complete() first'],
     [() => ocean.complete().query([1]), 'points has 1 numbers, expected pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres'],
     [() => ocean.changeSea({ resolution: 32 }), /resolution/],
-    [() => ocean.completeSea(), 'no sea is scheduled, expected scheduleSea() first'],
+    [() => ocean.completeSea(), 'no sea is scheduled; call scheduleSea() first'],
     [() => ocean.turnInto({ windSpeedMps: 5 }, { fromS: 1, overS: 0 }), 'overS is 0, expected seconds in (0, 1e9]'],
   ])
     assert.throws(call, typeof message === 'string' ? { name: 'Error', message } : message);
@@ -180,7 +169,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
 
   const askable = await createOcean({ ...small, queries: true });
   askable.frameAt(0);
-  for (const [ray, pattern] of [[undefined, /^Error: originM is undefined, expected three numbers/], [{ originM: [0, 1, 0], direction: [0, 0, 0], reachM: 1 }, /direction's length is 0/],
+  for (const [ray, pattern] of [[undefined, /^Error: originM is undefined, expected three numbers/], [{ originM: [0, 1, 0], direction: [0, 0, 0], reachM: 1 }, /direction's length 0 is out of range/],
                                 [{ originM: [0, 1, 0], direction: [0, -1, 0], reachM: -1 }, /reachM is -1, expected 0 to a million/]])
     assert.throws(() => askable.firstHit(ray), pattern);
   assert.throws(() => askable.query([0, 0], { toleranceM: 0 }), /toleranceM is 0, expected metres above 0/);
@@ -188,7 +177,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
   askable.dispose();
 });
 
-test('after a invalid_value_message all goes on', async () => {
+test('an ocean is unchanged after an error', async () => {
   const ocean = await createOcean(small);
   const expected = ocean.frameAt(5).hash();
   assert.throws(() => ocean.schedule(NaN));
@@ -197,7 +186,7 @@ test('after a invalid_value_message all goes on', async () => {
   ocean.dispose();
 });
 
-test('a sea may change, at once or with time', async () => {
+test('a sea changes at once or over time', async () => {
   const rough = { ...small, windSpeedMps: 17, seed: 3 };
   const ocean = await createOcean(small), other = await createOcean(rough);
   ocean.scheduleSea({ windSpeedMps: 17, seed: 3 });
@@ -219,7 +208,7 @@ test('a sea may change, at once or with time', async () => {
   for (const one of [ocean, other, there]) one.dispose();
 });
 
-test("a worker's frames are its memory where that is shared, else copies", async () => {
+test("a worker's frames are views of shared memory, else copies", async () => {
   const local = await createOcean({ ...small, slopes: true });
   for (const threads of [1, 2]) {
     const ocean = await remote.createOcean({ ...small, threads, slopes: true, maps: ['displacement', 'slopes', 'height'] });
@@ -240,11 +229,12 @@ test("a worker's frames are its memory where that is shared, else copies", async
   local.dispose();
 });
 
-test('types name the options as the library has them, with default and range', async () => {
+test('types have the options, defaults and accepted values of the library', async () => {
   const types = readFileSync(join(folder, 'index.d.ts'), 'utf8');
   const options = types.slice(types.indexOf('interface SeaOptions'), types.indexOf('interface OceanOptions'));
   const table = await seaOptions();
-  const typed = [...options.matchAll(/\/\*\* (.*) \*\/\n  (\w+)\?: (.*);/g)].map(([, doc, name, type]) => ({ doc, name, type }));
+  const typed = [...options.matchAll(/\/\*\*((?:(?!\*\/)[^])*)\*\/\n  (\w+)\?: (.*);/g)]
+    .map(([, doc, name, type]) => ({ doc: doc.replace(/\s*\n\s*\* ?/g, ' '), name, type }));
   assert.deepEqual(typed.map(({ name }) => name), ['preset', ...table.map(({ name }) => name)]);
   for (const { name, default: value, accepted, words } of table) {
     const { doc, type } = typed.find((one) => one.name === name);
@@ -258,7 +248,7 @@ test('types name the options as the library has them, with default and range', a
   }
 });
 
-// All memory of an ocean is there after its first frames: what a page takes is the module's memory and what garbage there is.
+// The memory of an ocean is allocated with its first frames; the rest is garbage.
 test('ten thousand frames take no more memory than a hundred', async () => {
   const ocean = await createOcean({ ...small, resolution: 32, queries: true });
   const points = new Float64Array(64);
@@ -277,12 +267,12 @@ test('ten thousand frames take no more memory than a hundred', async () => {
   globalThis.gc();
   assert.equal(ocean.frameAt(0).cascades[0].displacement.buffer.byteLength, bytes);
   assert.equal(ocean.memoryBytes, held);
-  // A leak of one number a frame would be 80 KB, of a view a megabyte; compiled code comes and goes.
+  // A leak of one number per frame would be 80 KB, of a view a megabyte; compiled code varies.
   assert.ok(process.memoryUsage().heapUsed - heap < 1e6, `${process.memoryUsage().heapUsed - heap} bytes more`);
   ocean.dispose();
 });
 
-test('oceans that come and go leave nothing', async () => {
+test('the memory of disposed oceans is freed', async () => {
   const live = [];
   for (let i = 0; i < 30; ++i) {
     const ocean = await createOcean({ ...small, threads: 1 + i % 2 });
@@ -294,5 +284,5 @@ test('oceans that come and go leave nothing', async () => {
     globalThis.gc();
   }
   const left = live.filter((buffer) => buffer.deref()).length;
-  assert.ok(left <= 3, `${left} of 30 memories are still there`);  // the last may be in registers
+  assert.ok(left <= 3, `${left} of 30 memories are still there`);  // references may be in registers
 });

@@ -1,5 +1,6 @@
-// The page as a visitor has it, in headless Chromium, which draws in software: so its window is small. What it shows is compared with the
-// native program. usage: node page_test.mjs PAGE_FOLDER PELAGIC, in a folder that page_test.sh has filled
+// The page as a visitor has it, in headless Chromium, which draws in software: so its window is
+// small. What it shows is compared with the native program. usage: node page_test.mjs PAGE_FOLDER
+// PELAGIC, in a folder that page_test.sh has filled
 import assert from 'node:assert/strict';
 import {execFileSync, spawn, spawnSync} from 'node:child_process';
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, readlinkSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
@@ -72,7 +73,8 @@ const placeOnSea = () => page.evaluate(() => {
 });
 const problemLine = () => page.$eval('#problem', line => (line.hidden ? '' : line.textContent));
 
-// ---- Serving -------------------------------------------------------------------------------------------------------------------
+// ---- Serving
+// -------------------------------------------------------------------------------------------------------------------
 
 test('the server gives types and isolates the page, and nothing from outside its folder', async () => {
   const asked = async path => {
@@ -147,7 +149,8 @@ test('the server closes what an aborted download read, waits for no FIFO, and le
   }
 });
 
-// ---- Opening -------------------------------------------------------------------------------------------------------------------
+// ---- Opening
+// -------------------------------------------------------------------------------------------------------------------
 
 test('the first image is drawn before the first slice of the sky, which takes several', async () => {
   await page.waitForFunction(() => globalThis.pelagicPage.timings.skyMs, {timeout: 300000});
@@ -185,7 +188,8 @@ test('it shows a sea and no problem, and every control has a name', async () => 
   assert.ok(await page.evaluate(() => document.getElementById('enter-vr').hidden), 'no headset here');
 });
 
-// ---- The sea -------------------------------------------------------------------------------------------------------------------
+// ---- The sea
+// -------------------------------------------------------------------------------------------------------------------
 
 test('the hash of a paused moment is that of the native program', async () => {
   assert.equal(await shownHash(), nativeHash(12.5));
@@ -240,7 +244,8 @@ test('time runs unless it is paused, and a resting sea is not drawn again', asyn
   assert.equal(await time(), at);
 });
 
-// ---- Links ---------------------------------------------------------------------------------------------------------------------
+// ---- Links
+// ---------------------------------------------------------------------------------------------------------------------
 
 test('a link holds every option to the bit', async () => {
   const failures = await page.evaluate(async () => {
@@ -366,7 +371,8 @@ test('the lines of the page for users do what they say', async () => {
   assert.equal(await lines(demo(['fast'])), 'demo.sh web: what is fast? A port or --build-only is accepted\n');
 });
 
-// ---- The boat ------------------------------------------------------------------------------------------------------------------
+// ---- The boat
+// ------------------------------------------------------------------------------------------------------------------
 
 test('the boat lies on the native program\'s water', async () => {
   await openLink(`sea=rough&timeS=40&${cheap}`);
@@ -404,12 +410,14 @@ test('the boat\'s mesh is whole: unit normals, no stray corner', async () => {
   }
 });
 
-// ---- The headset ---------------------------------------------------------------------------------------------------------------
+// ---- The headset
+// ---------------------------------------------------------------------------------------------------------------
 
 test('the button leads into a headset, for whose two eyes is drawn, and back to the page', async () => {
   const visitor = await browser.newPage();
   visitor.on('pageerror', error => problems.push(error.message));
-  // Chromium has navigator.xr without a headset; iwer puts a Quest 3 in its place, before the page looks.
+  // Chromium has navigator.xr without a headset; iwer puts a Quest 3 in its place, before the page
+  // looks.
   await visitor.evaluateOnNewDocument(`${readFileSync(require.resolve('iwer/build/iwer.min.js'))}
     globalThis.headset = new IWER.XRDevice(IWER.metaQuest3, {stereoEnabled: true});
     headset.installRuntime({forceInstall: true});`);
@@ -440,7 +448,8 @@ test('the button leads into a headset, for whose two eyes is drawn, and back to 
   await visitor.close();
 });
 
-// ---- The window ----------------------------------------------------------------------------------------------------------------
+// ---- The window
+// ----------------------------------------------------------------------------------------------------------------
 
 test('the image follows the window, and a phone begins with the sea alone', async () => {
   const phone = {width: 180, height: 320};

@@ -1,11 +1,13 @@
-// Serves folders under names of their own, as an isolated page's server does or as any other.
+// A server of folders, whose pages are isolated or not.
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.txt': 'text/plain' };
 
-/** @param folders  {"/pelagic/": "/path"}; @returns {Promise<{origin: string, close: () => void}>} */
+/**
+ * @param folders  {"/pelagic/": "/path"}; @returns {Promise<{origin: string, close: () => void}>}
+ */
 export async function serve(folders, { isIsolated }) {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url, 'http://localhost').pathname);
@@ -15,7 +17,7 @@ export async function serve(folders, { isIsolated }) {
       response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
       response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
     }
-    // A careful page's: no text is run as code.
+    // Pages do not run text as code.
     response.setHeader('Content-Security-Policy', "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'");
     if (path === '/') return response.setHeader('Content-Type', 'text/html').end('<!doctype html><title>empty</title>');
     if (path === '/favicon.ico') return response.writeHead(204).end();

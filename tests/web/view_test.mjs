@@ -1,5 +1,5 @@
-// A page's SeaView in headless Chromium, which draws in software: usage: node view_test.mjs VIEW_IMAGE SERVE, in a folder that
-// view_test.sh has filled. Images stay there as .rgba files.
+// A page's SeaView in headless Chromium, which draws in software: usage: node view_test.mjs
+// VIEW_IMAGE SERVE, in a folder that view_test.sh has filled. Images stay there as .rgba files.
 import assert from 'node:assert/strict';
 import {execFileSync, spawn} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -96,7 +96,8 @@ test('the first image has a plain sky, and the baked one is what EGL draws; hash
     const baked = image();
     const hash = view.hash(), heights = [...view.heights(new Float64Array(scene.points.flat())).heights];
 
-    // Framebuffers of the page's own script: one with as many samples as the canvas has, and one that takes their means.
+    // Framebuffers of the page's own script: one with as many samples as the canvas has, and one
+    // that takes their means.
     const gl = view.context;
     const framebufferOf = samples => {
       const framebuffer = gl.createFramebuffer();
@@ -128,7 +129,8 @@ test('the first image has a plain sky, and the baked one is what EGL draws; hash
   assert.equal(drawn.first.hasSky, false);
   assert.equal(drawn.hasSky, true);
   const first = saved('first', drawn.first.image);
-  // The upper half is sky: as bright as a sky is, and without clouds that differ from column to column.
+  // The upper half is sky: as bright as a sky is, and without clouds that differ from column to
+  // column.
   const {width} = scene;
   const row = Array.from({length: width}, (_, x) => first[4 * (20 * width + x) + 2]);
   assert.ok(Math.min(...row) > 40, `the first sky's blue is ${Math.min(...row)}`);
@@ -166,7 +168,10 @@ test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000},
   assert.ok(triangles > 1000);
 });
 
-/** Where a band of rows of the left half lies in the right half: columns by which it moved to the left. */
+/**
+ * Where a band of rows of the left half lies in the right half: columns by which it moved to the
+ * left.
+ */
 function disparity(image, width, rows) {
   const half = width / 2, largest = 12;
   const at = (x, y) => image[4 * (y * width + x) + 1];
@@ -211,12 +216,14 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
     return {...seen, image};
   };
   const first = await seenFrom('stereo', [0.3, 1.7, -0.2], [0, 0, -1]);
-  // The right eye sees the water before it further to the left, and the horizon where the left eye does.
+  // The right eye sees the water before it further to the left, and the horizon where the left eye
+  // does.
   const rows = (from, to) => Array.from({length: to - from}, (_, i) => from + i);
   const near = disparity(first.image, first.width, rows(first.height - 16, first.height));
   const far = disparity(first.image, first.width, rows(6, first.height / 2 - 4));
   console.log(`disparity ${near} pixels near, ${far} far`);
-  // 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is the half height / tan(0.6).
+  // 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is the
+  // half height / tan(0.6).
   assert.ok(near >= 2 && near <= 6, `near water is ${near} pixels further to the left`);
   assert.equal(far, 0);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "pelagic/gl/sky/light_presets.hpp"
@@ -36,12 +35,7 @@ void set_option(Light& light, const std::string& name, const val& value) {
     }
     for (const NumericField<gl::SkyOptions>& field : gl::sky_fields()) {
         if (camel_case(field.name) != name) continue;
-        const double number = number_of(
-            name, value, [](double any) { return std::isfinite(any); }, field.accepted);
-        const bool is_whole = std::holds_alternative<std::uint32_t gl::SkyOptions::*>(field.member);
-        if (!field.accepts(number) || (is_whole && std::trunc(number) != number))
-            throw std::invalid_argument(invalid_value_message(name, number, field.accepted));
-        field.set(light.sky, number);
+        set_field(light.sky, field, name, value);
         return;
     }
     throw std::invalid_argument(one_line("light has no option " + name));
@@ -52,11 +46,8 @@ void set_option(Light& light, const std::string& name, const val& value) {
 Light light_with(const val& options) {
     if (options.isUndefined()) return {};
     Light light = preset_of(options);
-    const val names = val::global("Object").call<val>("keys", options);
-    for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
-        const auto name = names[i].as<std::string>();
+    for (const std::string& name : keys_of(options))
         if (name != "preset" && !options[name].isUndefined()) set_option(light, name, options[name]);
-    }
     return light;
 }
 

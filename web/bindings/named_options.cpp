@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <variant>
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
@@ -26,11 +24,11 @@ std::vector<std::string> names_of(std::span<const Model> models) {
     return names;
 }
 
-/// An option that is one of a few words.
+/// An option whose values are words.
 struct WordOption {
     std::string name;
     std::vector<std::string> words;
-    void (*set)(SeaState&, std::string_view word);  ///< \pre one of the words
+    void (*set)(SeaState&, std::string_view word);  ///< \pre `word` is one of `words`
     std::string_view (*word_in)(const SeaState&);
 };
 
@@ -58,16 +56,7 @@ std::vector<std::string> preset_names() {
     throw std::invalid_argument(invalid_value_message(name, text_of(value), accepted));
 }
 
-void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
-    const std::string name = camel_case(field.name);
-    if (!is_of_type(value, "number")) reject(name, value, "a number: " + std::string(field.accepted));
-    const double number = value.as<double>();
-    const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member);
-    if (!field.accepts(number) || (is_whole && std::trunc(number) != number)) reject(name, value, field.accepted);
-    field.set(sea, number);
-}
-
-/// True if there is such an option of the sea.
+/// Returns false if the sea has no option of that name.
 bool set_option(SeaState& sea, const std::string& name, const val& value) {
     for (const WordOption& option : word_options())
         if (option.name == name) {
@@ -76,29 +65,18 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
         }
     for (const SeaStateField& field : sea_state_fields())
         if (camel_case(field.name) == name) {
-            set_number(sea, field, value);
+            set_field(sea, field, name, value);
             return true;
         }
     return false;
 }
 
-[[noreturn]] void reject_name(const std::string& name, std::span<const std::string_view> others) {
-    std::vector<std::string> known(others.begin(), others.end());
-    known.emplace_back("preset");
-    for (const WordOption& option : word_options()) known.push_back(option.name);
-    for (const SeaStateField& field : sea_state_fields()) known.push_back(camel_case(field.name));
-    // "windspeed", "wind_speed" and "wind" are wind speed without its unit.
-    const std::string slip = camel_case(name);
-    const auto is_begun = [&](const std::string& option) {
-        return option.size() >= slip.size() &&
-               std::equal(slip.begin(), slip.end(), option.begin(), [](char a, char b) {
-                   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-               });
-    };
-    const auto begun = std::find_if(known.begin(), known.end(), is_begun);
-    const auto near = begun != known.end() && slip.size() > 3 ? *begun : near_name(slip, known);
-    throw std::invalid_argument(
-        one_line("there is no option " + name + ", expected " + (near ? *near : "one of " + list_of(known))));
+std::vector<std::string> option_names(std::span<const std::string_view> others) {
+    std::vector<std::string> names(others.begin(), others.end());
+    names.emplace_back("preset");
+    for (const WordOption& option : word_options()) names.push_back(option.name);
+    for (const SeaStateField& field : sea_state_fields()) names.push_back(camel_case(field.name));
+    return names;
 }
 
 val array_of(const std::vector<std::string>& words) {
@@ -122,8 +100,16 @@ std::string camel_case(std::string_view text) {
 std::string text_of(const val& value) {
     if (is_of_type(value, "string")) return '"' + value.as<std::string>() + '"';
     if (value.isArray()) return "an array";
-    if (!value.isNull() && is_of_type(value, "object")) return "an object";
+    if (is_object(value)) return "an object";
     return val::global("String")(value).as<std::string>();
+}
+
+bool is_number(const val& value) { return is_of_type(value, "number"); }
+
+bool is_object(const val& value) { return !value.isNull() && !value.isArray() && is_of_type(value, "object"); }
+
+std::vector<std::string> keys_of(const val& object) {
+    return emscripten::vecFromJSArray<std::string>(val::global("Object").call<val>("keys", object));
 }
 
 bool flag_of(const std::string& name, const val& value) {
@@ -141,28 +127,40 @@ std::string word_of(std::string_view name, const val& value, const std::vector<s
 }
 
 double number_of(std::string_view name, const val& value, bool (*accepts)(double), std::string_view accepted) {
-    if (!is_of_type(value, "number") || !accepts(value.as<double>())) reject(name, value, accepted);
+    if (!is_number(value) || !accepts(value.as<double>())) reject(name, value, accepted);
     return value.as<double>();
+}
+
+void reject_name(const std::string& name, std::span<const std::string> known) {
+    // An option without its unit: "windspeed", "wind_speed" and "wind" are windSpeedMps.
+    const std::string slip = camel_case(name);
+    const auto is_begun = [&](const std::string& option) {
+        return option.size() >= slip.size() &&
+               std::equal(slip.begin(), slip.end(), option.begin(), [](char a, char b) {
+                   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+               });
+    };
+    const auto begun = std::find_if(known.begin(), known.end(), is_begun);
+    const auto near = begun != known.end() && slip.size() > 3 ? *begun : near_name(slip, known);
+    throw std::invalid_argument(
+        one_line("there is no option " + name + ", expected " + (near ? *near : "one of " + list_of(known))));
 }
 
 SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::string_view> others) {
     if (options.isUndefined()) return sea;
-    if (options.isNull() || options.isArray() || !is_of_type(options, "object"))
-        reject("options", options, "an object such as {windSpeedMps: 9}");
+    if (!is_object(options)) reject("options", options, "an object such as {windSpeedMps: 9}");
 
     SeaState changed = sea;
     if (const val preset = options["preset"]; !preset.isUndefined())
         changed = sea_preset_named(word_of("preset", preset, preset_names()))->sea;
     keep_constant_fields(changed, sea);
-    const val names = val::global("Object").call<val>("keys", options);
-    for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
-        const auto name = names[i].as<std::string>();
+    for (const std::string& name : keys_of(options)) {
         const val value = options[name];
         if (value.isUndefined() || name == "preset" || std::find(others.begin(), others.end(), name) != others.end())
             continue;
-        if (!set_option(changed, name, value)) reject_name(name, others);
+        if (!set_option(changed, name, value)) reject_name(name, option_names(others));
     }
-    // Each has been looked at alone.
+    // So far each option was checked by itself.
     if (const std::string reason = check(changed); !reason.empty()) throw std::invalid_argument(camel_case(reason));
     return changed;
 }
@@ -174,27 +172,20 @@ val options_of(const SeaState& sea) {
     return options;
 }
 
+val option_row(const std::string& name, const std::string& default_word, const std::vector<std::string>& words) {
+    val row = val::object();
+    row.set("name", name);
+    row.set("default", default_word);
+    row.set("accepted", list_of(words));
+    row.set("words", array_of(words));
+    return row;
+}
+
 val sea_option_table() {
     val table = val::array();
-    const val defaults = options_of({});
-    for (const WordOption& option : word_options()) {
-        val row = val::object();
-        row.set("name", option.name);
-        row.set("default", defaults[option.name]);
-        row.set("accepted", list_of(option.words));
-        row.set("words", array_of(option.words));
-        table.call<void>("push", row);
-    }
-    for (const SeaStateField& field : sea_state_fields()) {
-        val row = val::object();
-        const std::string name = camel_case(field.name);
-        row.set("name", name);
-        row.set("default", defaults[name]);
-        row.set("accepted", std::string(field.accepted));
-        row.set("least", field.min);
-        row.set("most", field.max);
-        table.call<void>("push", row);
-    }
+    for (const WordOption& option : word_options())
+        table.call<void>("push", option_row(option.name, std::string(option.word_in({})), option.words));
+    for (const SeaStateField& field : sea_state_fields()) table.call<void>("push", option_row(field));
     return table;
 }
 

@@ -1,5 +1,6 @@
-// The sea for JavaScript: an ocean whose frames are named by the slot that holds them, 0 or 1. package/ocean.js makes objects of it,
-// says when a slot is over and copies what it hands to others; all here answers {value} or {error} (named_options.hpp).
+// The module of an ocean for JavaScript. The ocean holds two frames, in slots 0 and 1. package/ocean.js
+// wraps them in classes, checks whether a frame is still valid and copies results of queries.
+// Functions that may fail return {value} or {error} (named_options.hpp).
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -18,6 +19,7 @@
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
+#include "pelagic/web/bindings/ocean_options.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -25,24 +27,40 @@ namespace {
 using emscripten::typed_memory_view;
 using emscripten::val;
 
-constexpr std::array<std::string_view, 6> ocean_option_names = {"threads",   "queries", "velocities",
-                                                                "gradients", "slopes",  "foam"};
+constexpr std::array<std::string_view, 9> ocean_option_names = {
+    "threads", "queries", "velocities", "gradients", "slopes", "foam", "dynamicWaves", "shore", "inputs"};
 
 bool is_finite(double number) { return std::isfinite(number); }
 
-/// package/module.js has seen to it that `threads` is a number that this module can have.
-OceanOptions ocean_options(const val& options) {
+std::vector<OceanInput> inputs_of(const val& options) {
+    const val inputs = options["inputs"];
+    std::vector<OceanInput> ours;
+    if (inputs.isUndefined()) return ours;
+    if (!inputs.isArray()) throw std::invalid_argument(invalid_value_message("inputs", text_of(inputs), "an array"));
+    for (int i = 0, count = inputs["length"].as<int>(); i < count; ++i)
+        ours.push_back(input_of("inputs[" + number_text(i) + "]", inputs[i]));
+    return ours;
+}
+
+/// \pre `threads` is a number that this module supports (package/module.js)
+OceanOptions ocean_options(const val& options, const SeaState& sea, const std::vector<OceanInput>& inputs) {
     const auto is_wanted = [&](const char* name) {
         const val value = options[name];
         return !value.isUndefined() && flag_of(name, value);
     };
     const int threads = options["threads"].as<int>();
-    return {.executor = threads > 1 ? make_thread_executor(threads) : make_serial_executor(),
-            .queries = is_wanted("queries"),
-            .velocities = is_wanted("velocities"),
-            .gradients = is_wanted("gradients"),
-            .slopes = is_wanted("slopes"),
-            .foam = is_wanted("foam")};
+    OceanOptions ours{.executor = threads > 1 ? make_thread_executor(threads) : make_serial_executor(),
+                      .queries = is_wanted("queries"),
+                      .velocities = is_wanted("velocities"),
+                      .gradients = is_wanted("gradients"),
+                      .slopes = is_wanted("slopes"),
+                      .foam = is_wanted("foam")};
+    if (const val waves = options["dynamicWaves"]; !waves.isUndefined())
+        ours.dynamic_waves = dynamic_waves_options_of(waves);
+    if (const val shore = options["shore"]; !shore.isUndefined()) ours.shore = shore_options_of(shore, sea);
+    for (const OceanInput& input : inputs)
+        ours.inputs.push_back(input.waves ? std::shared_ptr<WaveInput>(input.waves) : input.ripple);
+    return ours;
 }
 
 template <class Number>
@@ -50,12 +68,12 @@ val view_of(std::span<const Number> numbers) {
     return numbers.empty() ? val::null() : val(typed_memory_view(numbers.size(), numbers.data()));
 }
 
-/// Texels of words, by the byte: the lowest first, as WebAssembly has it.
+/// Returns a view of the words' bytes, which are little-endian in WebAssembly.
 val bytes_of(std::span<const std::uint32_t> words) {
     return view_of(std::span(reinterpret_cast<const std::uint8_t*>(words.data()), 4 * words.size()));
 }
 
-/// All blocks of a plane; package/ocean.js knows where texels are in them.
+/// Returns a view of all blocks of a plane, and their layout.
 val plane_of(const PlaneView& plane) {
     if (!plane.data) return val::null();
     const std::ptrdiff_t last = plane.resolution - 1;
@@ -113,7 +131,7 @@ val cascade_of(const Cascade& cascade) {
     return object;
 }
 
-/// Sixteen hexadecimal digits, for JavaScript's numbers have 53 bits.
+/// Returns sixteen hexadecimal digits: a JavaScript number holds only 53 bits.
 std::string hash_text(std::uint64_t hash) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text(16, '0');
@@ -121,7 +139,7 @@ std::string hash_text(std::uint64_t hash) {
     return text;
 }
 
-/// Room for the answers of a batch, as large as the largest so far.
+/// Arrays for the samples of a batch, of the size of the largest batch.
 class Answers {
    public:
     void resize(std::size_t points) {
@@ -148,16 +166,18 @@ class Answers {
         return samples;
     }
 
-    /// Views that hold until the next batch.
+    /// Returns views, valid until the next batch.
     val views(const SurfaceQuery& query) {
+        // All arrays are filled before the first view is made, because growing memory empties views.
+        interleave(normals_, normal_x_, normal_y_, normal_z_);
+        if (query.has_velocities()) interleave(velocities_, velocity_x_, velocity_y_, velocity_z_);
         val object = val::object();
         object.set("heightM", view(height_));
-        object.set("normal", view(together(normals_, normal_x_, normal_y_, normal_z_)));
+        object.set("normal", view(normals_));
         object.set("jacobian", view(jacobian_));
         object.set("errorM", view(error_));
         object.set("converged", val(typed_memory_view(converged_.size(), converged_.data())));
-        if (query.has_velocities())
-            object.set("velocityMps", view(together(velocities_, velocity_x_, velocity_y_, velocity_z_)));
+        if (query.has_velocities()) object.set("velocityMps", view(velocities_));
         if (query.has_foam()) object.set("foam", view(foam_));
         return object;
     }
@@ -167,16 +187,15 @@ class Answers {
         return val(typed_memory_view(numbers.size(), numbers.data()));
     }
 
-    /// Three numbers a point, as pages have vectors.
-    static const std::vector<float>& together(std::vector<float>& vectors, const std::vector<float>& x,
-                                              const std::vector<float>& y, const std::vector<float>& z) {
+    /// Writes x, y, z of each point.
+    static void interleave(std::vector<float>& vectors, const std::vector<float>& x, const std::vector<float>& y,
+                           const std::vector<float>& z) {
         vectors.resize(3 * x.size());
         for (std::size_t i = 0; i < x.size(); ++i) {
             vectors[3 * i] = x[i];
             vectors[3 * i + 1] = y[i];
             vectors[3 * i + 2] = z[i];
         }
-        return vectors;
     }
 
     std::vector<float> height_, normal_x_, normal_y_, normal_z_, jacobian_, error_, velocity_x_, velocity_y_,
@@ -197,10 +216,15 @@ std::array<double, 3> vector_of(const std::string& name, const val& value) {
     return vector;
 }
 
-class OceanOfPage {
+std::uint32_t source_number_of(const val& number) {
+    const auto accepts = [](double n) { return n >= 0 && n <= double{UINT32_MAX} && std::trunc(n) == n; };
+    return static_cast<std::uint32_t>(number_of("number", number, accepts, "a number that addSource() returned"));
+}
+
+class OceanBinding {
    public:
-    explicit OceanOfPage(const val& options)
-        : OceanOfPage(sea_with({}, options, ocean_option_names), ocean_options(options)) {}
+    explicit OceanBinding(const val& options)
+        : OceanBinding(sea_with({}, options, ocean_option_names), options, inputs_of(options)) {}
 
     val schedule(const val& time_s) {
         return answer_of([&] {
@@ -211,7 +235,7 @@ class OceanOfPage {
 
     bool is_ready() const { return ocean_.is_ready(); }
 
-    /// The slot of the frame.
+    /// Returns the slot of the frame.
     val complete() {
         return answer_of([&] {
             const Frame& frame = ocean_.complete();
@@ -235,7 +259,7 @@ class OceanOfPage {
         return object;
     }
 
-    /// Views of a cascade, by name; null for what its frame doesn't have.
+    /// Returns views of a cascade, by name; null for those that its frame does not have.
     val maps(int slot, int number) const {
         const Cascade& cascade = frames_[slot].cascades[static_cast<std::size_t>(number)];
         val object = val::object();
@@ -256,7 +280,7 @@ class OceanOfPage {
     std::string hash(int slot) const { return hash_text(hash_of(frames_[slot])); }
     std::string foam_hash(int slot) const { return hash_text(foam_hash_of(frames_[slot])); }
 
-    /// \param points       a Float64Array of x, z, x, z, ...
+    /// \param points         a Float64Array of x, z, x, z, ...
     /// \param tolerance_m    a number, or undefined
     /// \param interpolation  "linear", "cubic" or undefined
     val query(int slot, const val& points, const val& tolerance_m, const val& interpolation) {
@@ -337,15 +361,142 @@ class OceanOfPage {
         });
     }
 
+    /// Returns views of the frame's dynamic waves, or null if it has none.
+    val dynamic_waves_view(int slot) const {
+        const DynamicWavesView& view = frames_[slot].dynamic_waves;
+        if (!view) return val::null();
+        val object = val::object();
+        object.set("resolution", view.resolution);
+        object.set("texelM", view.texel_m);
+        object.set("firstX", static_cast<double>(view.first_x));
+        object.set("firstZ", static_cast<double>(view.first_z));
+        object.set("heightM", view_of(view.height_m));
+        object.set("verticalVelocityMps", view_of(view.vertical_velocity_mps));
+        object.set("foam", view_of(view.foam));
+        object.set("heightMinM", view.height_min_m);
+        object.set("heightMaxM", view.height_max_m);
+        return object;
+    }
+    std::string dynamic_waves_hash(int slot) const { return hash_text(hash_of(frames_[slot].dynamic_waves)); }
+
+    /// Returns views of the frame's shore, or null if it has none.
+    val shore(int slot) const {
+        const ShoreSurface& surface = frames_[slot].shore;
+        if (!surface) return val::null();
+        val object = val::object();
+        object.set("columns", surface.columns);
+        object.set("rows", surface.rows);
+        object.set("texelM", surface.texel_m);
+        object.set("xM", surface.x_m);
+        object.set("zM", surface.z_m);
+        object.set("depthM", view_of(surface.depth_m));
+        object.set("partsRgba8", bytes_of(surface.parts_rgba8));
+        object.set("heightM", view_of(surface.height_m));
+        object.set("verticalVelocityMps", view_of(surface.vertical_velocity_mps));
+        object.set("potentialM2ps", view_of(surface.potential_m2ps));
+        object.set("reachM", view_of(surface.reach_m));
+        object.set("foam", view_of(surface.foam));
+        object.set("heightMinM", surface.height_min_m);
+        object.set("heightMaxM", surface.height_max_m);
+        object.set("partsChangePerM", surface.parts_change_per_m);
+        return object;
+    }
+    std::string shore_hash(int slot) const { return hash_text(shore_hash_of(frames_[slot])); }
+
+    val dynamic_waves_options() {
+        return with_waves([](DynamicWaves& waves) { return options_of(waves.options()); });
+    }
+    val add_impulse(const val& disturbance) {
+        return with_waves([&](DynamicWaves& waves) {
+            waves.add_impulse(disturbance_of(disturbance));
+            return val::undefined();
+        });
+    }
+    val add_source(const val& source) {
+        return with_waves([&](DynamicWaves& waves) { return waves.add_source(disturbance_of(source)); });
+    }
+    val set_source(const val& number, const val& source) {
+        return with_waves([&](DynamicWaves& waves) {
+            waves.set_source(source_number_of(number), disturbance_of(source));
+            return val::undefined();
+        });
+    }
+    val remove_source(const val& number) {
+        return with_waves([&](DynamicWaves& waves) {
+            waves.remove_source(source_number_of(number));
+            return val::undefined();
+        });
+    }
+    val set_center(const val& x_m, const val& z_m) {
+        return with_waves([&](DynamicWaves& waves) {
+            waves.set_center(number_of("xM", x_m, is_finite, "a finite number"),
+                             number_of("zM", z_m, is_finite, "a finite number"));
+            return val::undefined();
+        });
+    }
+    val set_rain(const val& rain) {
+        return with_waves([&](DynamicWaves& waves) {
+            waves.set_rain(rain_of(rain, waves.options()));
+            return val::undefined();
+        });
+    }
+    /// Returns a copy in memory of JavaScript.
+    val save_state() {
+        return with_waves([](DynamicWaves& waves) {
+            const std::vector<std::uint8_t> saved = waves.save_state();
+            return val(typed_memory_view(saved.size(), saved.data())).call<val>("slice");
+        });
+    }
+    val restore_state(const val& saved) {
+        return with_waves([&](DynamicWaves& waves) {
+            if (!saved.instanceof (val::global("Uint8Array")))
+                throw std::invalid_argument(
+                    invalid_value_message("saved", text_of(saved), "a Uint8Array that saveState() returned"));
+            waves.restore_state(emscripten::convertJSArrayToNumberVector<std::uint8_t>(saved));
+            return val::undefined();
+        });
+    }
+
+    val set_input(const val& index, const val& input) {
+        return answer_of([&] {
+            if (inputs_.empty())
+                throw std::invalid_argument("the ocean has no wave inputs: give it the option inputs");
+            const auto any = [](double) { return true; };
+            const std::string accepted = "a whole number from 0 to " + number_text(inputs_.size() - 1);
+            const double i = number_of("index", index, any, accepted);
+            if (!(i >= 0 && i < static_cast<double>(inputs_.size()) && std::trunc(i) == i))
+                throw std::invalid_argument(invalid_value_message("index", i, accepted));
+            web::set_input(inputs_[static_cast<std::size_t>(i)], "input", input);
+            return val::undefined();
+        });
+    }
+
     val sea() const { return options_of(ocean_.sea()); }
     double memory_bytes() const { return static_cast<double>(ocean_.memory_bytes()); }
     int threads() const { return executor_->thread_limit(); }
 
    private:
-    OceanOfPage(const SeaState& sea, const OceanOptions& options)
-        : executor_(options.executor), ocean_(sea, options), jobs_(options.executor) {}
+    OceanBinding(const SeaState& sea, const val& options, const std::vector<OceanInput>& inputs)
+        : OceanBinding(sea, ocean_options(options, sea, inputs), inputs) {}
+    OceanBinding(const SeaState& sea, const OceanOptions& options, const std::vector<OceanInput>& inputs)
+        : executor_(options.executor),
+          has_dynamic_waves_(options.dynamic_waves),
+          inputs_(inputs),
+          ocean_(sea, options),
+          jobs_(options.executor) {}
+
+    template <class Work>
+    val with_waves(Work work) {
+        return answer_of([&] {
+            if (!has_dynamic_waves_)
+                throw std::invalid_argument("the ocean has no dynamic waves: give it the option dynamicWaves");
+            return work(ocean_.dynamic_waves());
+        });
+    }
 
     std::shared_ptr<Executor> executor_;
+    bool has_dynamic_waves_;
+    std::vector<OceanInput> inputs_;
     Ocean ocean_;
     SurfaceQueryJobs jobs_;
     Frame frames_[2];
@@ -355,32 +506,47 @@ class OceanOfPage {
 };
 
 val create_ocean(const val& options) {
-    return answer_of([&] { return std::make_shared<OceanOfPage>(options); });
+    return answer_of([&] { return std::make_shared<OceanBinding>(options); });
 }
 
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(ocean) {
-    emscripten::class_<OceanOfPage>("OceanOfPage")
-        .smart_ptr<std::shared_ptr<OceanOfPage>>("OceanOfPagePointer")
-        .function("schedule", &OceanOfPage::schedule)
-        .function("isReady", &OceanOfPage::is_ready)
-        .function("complete", &OceanOfPage::complete)
-        .function("describe", &OceanOfPage::describe)
-        .function("maps", &OceanOfPage::maps)
-        .function("hash", &OceanOfPage::hash)
-        .function("foamHash", &OceanOfPage::foam_hash)
-        .function("query", &OceanOfPage::query)
-        .function("firstHit", &OceanOfPage::first_hit)
-        .function("scheduleSea", &OceanOfPage::schedule_sea)
-        .function("seaIsReady", &OceanOfPage::sea_is_ready)
-        .function("completeSea", &OceanOfPage::complete_sea)
-        .function("turnInto", &OceanOfPage::turn_into)
-        .function("sea", &OceanOfPage::sea)
-        .function("memoryBytes", &OceanOfPage::memory_bytes)
-        .function("threads", &OceanOfPage::threads);
+    emscripten::class_<OceanBinding>("OceanBinding")
+        .smart_ptr<std::shared_ptr<OceanBinding>>("OceanBindingPointer")
+        .function("schedule", &OceanBinding::schedule)
+        .function("isReady", &OceanBinding::is_ready)
+        .function("complete", &OceanBinding::complete)
+        .function("describe", &OceanBinding::describe)
+        .function("maps", &OceanBinding::maps)
+        .function("hash", &OceanBinding::hash)
+        .function("foamHash", &OceanBinding::foam_hash)
+        .function("query", &OceanBinding::query)
+        .function("firstHit", &OceanBinding::first_hit)
+        .function("scheduleSea", &OceanBinding::schedule_sea)
+        .function("seaIsReady", &OceanBinding::sea_is_ready)
+        .function("completeSea", &OceanBinding::complete_sea)
+        .function("turnInto", &OceanBinding::turn_into)
+        .function("dynamicWaves", &OceanBinding::dynamic_waves_view)
+        .function("dynamicWavesHash", &OceanBinding::dynamic_waves_hash)
+        .function("shore", &OceanBinding::shore)
+        .function("shoreHash", &OceanBinding::shore_hash)
+        .function("dynamicWavesOptions", &OceanBinding::dynamic_waves_options)
+        .function("addImpulse", &OceanBinding::add_impulse)
+        .function("addSource", &OceanBinding::add_source)
+        .function("setSource", &OceanBinding::set_source)
+        .function("removeSource", &OceanBinding::remove_source)
+        .function("setCenter", &OceanBinding::set_center)
+        .function("setRain", &OceanBinding::set_rain)
+        .function("saveState", &OceanBinding::save_state)
+        .function("restoreState", &OceanBinding::restore_state)
+        .function("setInput", &OceanBinding::set_input)
+        .function("sea", &OceanBinding::sea)
+        .function("memoryBytes", &OceanBinding::memory_bytes)
+        .function("threads", &OceanBinding::threads);
     emscripten::function("createOcean", &create_ocean);
     emscripten::function("seaOptions", &sea_option_table);
+    emscripten::function("optionTables", &ocean_option_tables);
     emscripten::function("presets", &preset_table);
 }
 

@@ -1,151 +1,386 @@
-// The sea: createOcean() bakes one, frames are functions of its options and the time alone, with the same bits in every browser,
-// in node and in the native library. Lengths are metres, times seconds, angles radians; x points east, y up, z south.
+// Oceans in a page or in node. A frame is a function of the options and the time alone,
+// bit-identical in every browser, in node and in the native library. Units: metres, seconds,
+// radians. Axes: x points east, y up, z south.
 
-/** Which sea. Unknown names, other types, NaN and what is out of range are refused by an Error of one line. */
+/**
+ * A sea state. createOcean() rejects unknown names, other types, NaN and values out of range with
+ * an Error of one line.
+ */
 export interface SeaOptions {
-  /** A named sea to start from; presets() has all. */
+  /** Name of a sea whose options are the defaults of the others; presets() has all. */
   preset?: string;
-  /** Which waves there are: those of a wind's spectrum, up to 64 waves that morph, a pond's. Default "spectrum". */
+  /**
+   * Wave model: a wind-sea spectrum, at most 64 analytic waves, or pond waves. Default "spectrum".
+   */
   waves?: 'spectrum' | 'analytic' | 'pond';
-  /** Default "jonswap". */
+  /** Spectrum of the wind sea. Default "jonswap". */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
-  /** How waves spread around the wind. Default "paper". */
+  /** Directional spreading. Default "paper". */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
-  /** Cascades, each with a band of the waves: 1, 2, 3 or 4, or 0: chosen. Default 0, which is 4, or 1 where the side is given. */
+  /**
+   * Number of cascades: 1, 2, 3 or 4, or 0: chosen. Default 0, which is 4, or 1 with patchSizeM.
+   */
   cascades?: number;
-  /** Texels along a side of each cascade: a power of two from 16 to 2048, or 0: chosen. Default 0, which is 128, or 256 where the side is given. */
+  /**
+   * N, texels along a side of each cascade: a power of two from 16 to 2048, or 0: chosen. Default
+   * 0, which is 128, or 256 with patchSizeM.
+   */
   resolution?: number;
-  /** One cascade of this side, metres, after which the sea repeats: [0.001, 1e6], or 0: chosen. Default 0: sides chosen from the sea. */
+  /** Side of a single cascade, metres: [0.001, 1e6], or 0: chosen. Default 0. */
   patchSizeM?: number;
-  /** Mean wind 10 m above the sea, metres a second: (0, 60]. Default 12. */
+  /** Mean wind speed 10 m above the sea, metres per second: (0, 60]. Default 12. */
   windSpeedMps?: number;
-  /** Where the wind blows towards, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0. */
+  /**
+   * Direction towards which the wind blows, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0.
+   */
   windDirectionRad?: number;
-  /** How far the wind has blown over water, metres: (0, 2e6]. Default 100000. */
+  /** Fetch, the length of water over which the wind blows, metres: (0, 2e6]. Default 100000. */
   fetchM?: number;
   /** Depth of the water, metres: [0.01, 11000]. Default 4000. */
   depthM?: number;
-  /** Horizontal motion that sharpens crests: [0, 1]. Default 0.8. */
+  /** Horizontal displacement that sharpens crests: [0, 1]. Default 0.8. */
   choppiness?: number;
-  /** Of the water between texels: [0, 1], or -1: from the wind. Default -1. */
+  /** Unresolved (subgrid) roughness: [0, 1], or -1: from the wind. Default -1. */
   roughness?: number;
-  /** Damping of small waves: [0, 1]. 1 removes those shorter than a quarter of the peak's. Default 0. */
+  /** Damping of short waves: [0, 1]. 1 removes those below a quarter of the peak's. Default 0. */
   shortWaveCutoff?: number;
-  /** Of the waves with the wind, where spreading is "paper": [0, 1]. Default 0.5. */
+  /** Wind alignment of the waves with spreading "paper": [0, 1]. Default 0.5. */
   windAlignment?: number;
-  /** Significant height of waves from elsewhere, metres: [0, 30]. Default 0: none. */
+  /** Significant wave height of the swell, metres: [0, 30]. Default 0: no swell. */
   swellHeightM?: number;
   /** Peak period of the swell, seconds: [1, 40]. Default 12. */
   swellPeriodS?: number;
-  /** Where the swell runs towards, radians: [-2 pi, 2 pi]. Default 0. */
+  /** Direction towards which the swell travels, radians: [-2 pi, 2 pi]. Default 0. */
   swellDirectionRad?: number;
-  /** Standard deviation of the swell's directions, radians: [pi/180, 4 pi/9]. Default 0.26179938779914943. */
+  /**
+   * Standard deviation of the swell's directions, radians: [pi/180, 4 pi/9].
+   * Default 0.26179938779914943.
+   */
   swellSpreadRad?: number;
-  /** The sea repeats exactly after this time, seconds: [0.1, 86400]. Default 200. */
+  /** Period after which the sea repeats exactly, seconds: [0.1, 86400]. Default 200. */
   loopPeriodS?: number;
-  /** Which sea of this kind: a whole number from 0 to 4294967295. Default 1. */
+  /** Selects the random phases: a whole number from 0 to 4294967295. Default 1. */
   seed?: number;
   /** Waves of an analytic sea, octaves of a pond: 1 to 64, or 0: chosen. Default 0. */
   waveCount?: number;
-  /** Their longest, metres: [0.02, 1000], or 0: chosen. Default 0. */
+  /** Longest of these waves, metres: [0.02, 1000], or 0: chosen. Default 0. */
   longestWaveM?: number;
-  /** Their shortest, metres: [0.01, 1000], or 0: chosen. Default 0. */
+  /** Shortest of these waves, metres: [0.01, 1000], or 0: chosen. Default 0. */
   shortestWaveM?: number;
-  /** Of an analytic sea: [0, 2]. 0 calm, 1 moderate, 2 intense. Default 1. */
+  /** Strength of an analytic sea: [0, 2]. 0 calm, 1 moderate, 2 intense. Default 1. */
   waveStrength?: number;
-  /** Significant height of an analytic sea or pond, metres: [0, 30], 0: chosen. Default 0. */
+  /** Significant wave height of an analytic sea or pond, metres: [0, 30], 0: chosen. Default 0. */
   waveHeightM?: number;
-  /** How far a pond's long waves move its short ones: [0, 1]. Default 0.38. */
+  /** Displacement of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
   waveDrag?: number;
 }
 
-/** A sea, and what comes with its frames. None of the latter changes a bit of the sea but foam, and that only foam. */
+/**
+ * A sea and the outputs of its frames. Cascades are bit-identical whatever the outputs, except that
+ * `foam` changes their foam and `inputs` adds waves.
+ */
 export interface OceanOptions extends SeaOptions {
   /**
-   * Threads that compute, 1 to 64. Default: one on a page's own thread and where a page is not isolated (crossOriginIsolated), else one a
-   * core, 8 at most. The bits are the same for any number. More than one on a page's own thread is refused: it must not wait.
+   * Threads that compute, 1 to 64. Default: one per core, at most 8. It is one on a page's own
+   * thread, which must not block, and in a page that is not isolated (crossOriginIsolated). Results
+   * do not depend on it.
    */
   threads?: number;
-  /** Frames can be asked by query() and firstHit(). Default false. */
+  /** Enables query() and firstHit(). Default false. */
   queries?: boolean;
-  /** Frames have velocities, and so have answers of query(). About twice the work. Default false. */
+  /** Adds velocities to frames and to results of query(). About twice the work. Default false. */
   velocities?: boolean;
-  /** Frames of several cascades have gradients too; those of one always do. Default false. */
+  /** Adds gradients to frames of several cascades; those of one always have them. Default false. */
   gradients?: boolean;
-  /** Frames of one cascade have slopes and moments too; those of several always do. Default false. */
+  /** Adds slopes and moments to frames of one cascade; others always have them. Default false. */
   slopes?: boolean;
-  /** Foam lasts for 2.9 seconds, and has its own map. Default false. */
+  /** Enables foam accumulation: foam decays over 2.9 seconds and has its own map. Default false. */
   foam?: boolean;
+  /** The dynamic-wave grid; {} has the defaults. Default: no dynamic waves. */
+  dynamicWaves?: DynamicWavesOptions;
+  /** A sea floor that refracts waves. The sea needs 2 to 4 cascades and cannot change. */
+  shore?: ShoreOptions;
+  /** Waves added to the cascades, in this order; they change hash(). Default: none. */
+  inputs?: WaveInput[];
 }
 
-/** Bakes the sea's spectrum. Each ocean has a memory of its own, which goes with dispose() or when nobody holds it any longer. */
+/** The grid of dynamic waves: wakes, ripples and splashes. */
+export interface DynamicWavesOptions {
+  /**
+   * "spectral": the exact dispersion of water of depthM. "verlet": one speed for all waves, for
+   * ponds. Default "spectral".
+   */
+  step?: 'spectral' | 'verlet';
+  /** N, texels along a side: 64, 128, 256, 512 or 1024. Default 256. */
+  resolution?: number;
+  /** Side of the grid, metres: [1, 10000]. Default 64. */
+  sideM?: number;
+  /** Ticks of the simulation per second: [10, 240]. Default 60. */
+  ticksPerS?: number;
+  /**
+   * Width of the absorbing border along each side, metres: [0.001, sideM / 4], or 0: none. Default
+   * 12. Without a border waves wrap around.
+   */
+  borderM?: number;
+  /** Depth of the water with "spectral", metres: [0.01, 11000]. Default 10000. */
+  depthM?: number;
+  /** Eddy viscosity with "spectral", square metres per second: [0, 1]. Default 0.002. */
+  viscosityM2ps?: number;
+  /**
+   * Speed of all waves with "verlet", metres per second: (0, 1000]. Default 3.
+   * (waveSpeedMps / (ticksPerS texel))^2 is at most 0.4.
+   */
+  waveSpeedMps?: number;
+  /** Decay rate of amplitudes, per second: [0, 10]. Default 0.01. */
+  decayPerS?: number;
+  /** Foam begins above this height and is full at twice it, metres: [0.001, 100]. Default 0.2. */
+  foamHeightM?: number;
+}
+
+/** A disturbance of the water: an impulse, or a source that acts in every tick. */
+export interface Disturbance {
+  /**
+   * "gauss": heightM exp(-(r / radiusM)^2). "hull": half an ellipsoid with half the length lengthM
+   * and half the beam radiusM. Default "gauss".
+   */
+  shape?: 'gauss' | 'hull';
+  /**
+   * "pressure": the weight of the shape's water, at constant volume. "relaxation": the surface
+   * approaches the shape at ratePerS. "impulse": the shape is added at once. Default "pressure".
+   */
+  mode?: 'pressure' | 'relaxation' | 'impulse';
+  /** Initial position, metres: [-1e8, 1e8]. Default 0. */
+  xM?: number;
+  /** Initial position, metres: [-1e8, 1e8]. Default 0. */
+  zM?: number;
+  /** Radius, or half the beam of a hull, metres: [0.001, 1000]. Default 1. */
+  radiusM?: number;
+  /** Half the length of a hull, metres: [0.001, 1000]. Default 1. */
+  lengthM?: number;
+  /** Direction of a hull's length, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0. */
+  headingRad?: number;
+  /** Height of the shape, below 0 for a floating hull, metres: [-100, 100]. Default 0. */
+  heightM?: number;
+  /** Rate of a relaxation, per second: (0, 1000]. Default 10. */
+  ratePerS?: number;
+  /** Velocity of a source, metres per second: [-1000, 1000]. Default 0. */
+  velocityXMps?: number;
+  /** Velocity of a source, metres per second: [-1000, 1000]. Default 0. */
+  velocityZMps?: number;
+}
+
+/** Rain on dynamic waves. setRain() checks the ranges, which depend on the grid. */
+export interface Rain {
+  /**
+   * Mean drops per square metre and second: a finite number. At most 16 per texel and tick. Default
+   * 0.
+   */
+  dropsPerM2S?: number;
+  /** Radius of a crater, metres: a finite number, [0.001, sideM / 16]. Default 0.25. */
+  radiusM?: number;
+  /** Depth of a crater, metres: a finite number, [-10, 10]. Default 0.02. */
+  heightM?: number;
+  /** Selects the drops: a whole number from 0 to 4294967295. Default 1. */
+  seed?: number;
+}
+
+/** A sea floor. Sample (i, j) has the position x = cornerXM + i metresASample, z alike. */
+export interface ShoreOptions {
+  /** Heights of the floor above the rest level, metres, [-11000, 9000]; element j columns + i. */
+  heightsM: ArrayLike<number>;
+  /** Samples along x: 2 to 4096. */
+  columns: number;
+  /** Samples along z: 2 to 4096. */
+  rows: number;
+  /** Position of the first sample, metres: [-1e8, 1e8]. Default 0. */
+  cornerXM?: number;
+  /** Position of the first sample, metres: [-1e8, 1e8]. Default 0. */
+  cornerZM?: number;
+  /** Distance of samples, metres: [0.001, 10000]. Default 1. */
+  metresASample?: number;
+  /** Texels along the longer side of Frame.shore: 64, 128, 256, 512 or 1024. Default 256. */
+  resolution?: number;
+  /**
+   * Width of the transition to the open sea along the edges, metres: [0, half the field's shorter
+   * side]. Default 0: an eighth of that side.
+   */
+  fadeM?: number;
+  /** Maximum height that waves reach on dry sand, metres: [0, 10]. Default 0.25. */
+  swashM?: number;
+}
+
+/** A wave in deep water: amplitudeM cos(k.x - w t + phaseRad), w^2 = g k. */
+export interface AnalyticWave {
+  /**
+   * Amplitude, metres: [0, 100]. Default 0. The sum of 2 pi amplitudeM / wavelengthM of a list is
+   * at most 0.4.
+   */
+  amplitudeM?: number;
+  /** Wavelength, metres: [0.01, 1000]. Default 10. */
+  wavelengthM?: number;
+  /** Direction of travel, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0. */
+  directionRad?: number;
+  /** Phase at x = z = t = 0, where 0 is a crest, radians: [-2 pi, 2 pi]. Default 0. */
+  phaseRad?: number;
+}
+
+/** Rings around a point, which repeat with the side of the cascade that holds them. */
+export interface Ripple {
+  /** Centre, metres: [-1e8, 1e8]. Default 0. */
+  xM?: number;
+  /** Centre, metres: [-1e8, 1e8]. Default 0. */
+  zM?: number;
+  /** Wavelength, metres: [0.01, 1000]. Default 1. */
+  wavelengthM?: number;
+  /** Amplitude, metres: [0, 100]. Default 0. At most wavelengthM / (2 pi). */
+  amplitudeM?: number;
+  /** Radius of the rings, metres: [0, 1e5]. Default 0: half of the cascade's side, the maximum. */
+  reachM?: number;
+  /** Phase at the centre at t = 0, where 0 is a crest, radians: [-2 pi, 2 pi]. Default 0. */
+  phaseRad?: number;
+}
+
+/**
+ * Gerstner waves. Each becomes the nearest wave of a cascade's grid with whole periods in a loop.
+ * At most 64 waves; an empty list adds nothing. The choppiness is in [0, 1], where 0 is a height
+ * field. Default 1.
+ */
+export interface GerstnerInput {
+  waves: AnalyticWave[];
+  choppiness?: number;
+  ripple?: undefined;
+}
+
+export interface RippleInput {
+  ripple: Ripple;
+  waves?: undefined;
+}
+
+export type WaveInput = GerstnerInput | RippleInput;
+
+/** Computes the spectrum of a sea. Each ocean has its own memory, which dispose() frees. */
 export function createOcean(options?: OceanOptions): Promise<Ocean>;
 
-/** An option of the sea, as the library has it. */
-export interface SeaOption {
+/** A row of an option table. */
+export interface OptionRow {
   name: string;
   default: number | string;
-  /** The range in words: "(0, 60]". */
+  /** Accepted values as text: "(0, 60]". */
   accepted: string;
+  /** Range of a number. */
   least?: number;
   most?: number;
-  /** Of an option that is one of some words. */
+  /** Accepted words. */
   words?: string[];
 }
+export type SeaOption = OptionRow;
+/** Returns the options of a sea. */
 export function seaOptions(): Promise<SeaOption[]>;
+
+export interface OptionTables {
+  dynamicWaves: OptionRow[];
+  disturbance: OptionRow[];
+  rain: OptionRow[];
+  shore: OptionRow[];
+  analyticWave: OptionRow[];
+  ripple: OptionRow[];
+}
+/** Returns the options of dynamic waves, disturbances, rain, shores and wave inputs. */
+export function optionTables(): Promise<OptionTables>;
 
 export interface SeaPreset {
   name: string;
   summary: string;
   sea: Required<Omit<SeaOptions, 'preset'>>;
 }
-/** The named seas, the mildest first, then the open sea of each force of wind, beaufort-0 to beaufort-12. */
+/** Returns the named seas, the mildest first, then beaufort-0 to beaufort-12. */
 export function presets(): Promise<SeaPreset[]>;
 
 /**
- * A sea on the thread that made it. A frame is computed while another is drawn: schedule() the next, draw, complete() it. With one thread
- * complete() does all the work. Methods throw an Error of one line; what they were asked for didn't happen then.
+ * An ocean on the thread that made it. To compute a frame while another is drawn, call schedule(),
+ * draw, then complete(). With one thread complete() does all the work. A method that fails throws
+ * an Error of one line and changes nothing.
  */
 export class Ocean {
   private constructor();
-  /** Starts the frame of any finite time, in any order, and returns at once. */
+  /** Starts a frame and returns immediately. Accepts any finite time, in any order. */
   schedule(timeS: number): void;
-  /** complete() would not wait for other threads. */
+  /** Returns whether complete() would return without waiting for other threads. */
   isReady(): boolean;
-  /** Waits for the frame that is scheduled. It is valid until the second schedule() from now. */
+  /** Waits for the scheduled frame. It is valid until the second schedule() from now. */
   complete(): Frame;
-  /** schedule() and complete() in one. */
+  /** Schedules and completes a frame. */
   frameAt(timeS: number): Frame;
 
-  /** Asks the frame completed last. */
+  /** Samples the frame completed last. */
   query(points: Points, options?: QueryOptions): Answers;
-  /** Asks the frame completed last. */
+  /** Intersects a ray with the frame completed last. */
   firstHit(ray: Ray): Hit | null;
 
   /**
-   * Starts to bake another sea beside frames, which go on as they are: this one with `options` changed, or a preset on the cascades of this one.
-   * The resolution must stay.
+   * Starts to compute the spectrum of another sea together with frames, which do not change yet:
+   * the current sea with `options`, or a preset with the current cascades. The resolution cannot
+   * change.
    */
   scheduleSea(options: SeaOptions): void;
-  /** completeSea() would not wait for other threads. */
+  /** Returns whether completeSea() would return without waiting for other threads. */
   seaIsReady(): boolean;
-  /** Frames scheduled from now on show the sea given to scheduleSea(). */
+  /** Switches to the scheduled sea from the next schedule() on. */
   completeSea(): void;
-  /** scheduleSea() and completeSea() in one. */
+  /** Schedules and completes another sea. */
   changeSea(options: SeaOptions): void;
-  /** The sea turns into another one, wave by wave, from a time of the sea and over so many seconds. */
+  /** Schedules a transition to another sea: its start in the sea's time, and its duration. */
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): void;
 
-  /** The last sea that frames will have, every option of it. */
+  /** Throws if the ocean has no dynamic waves. */
+  readonly dynamicWaves: DynamicWaves;
+  /**
+   * Replaces the wave input of that index from the next schedule() on, by one of the same kind.
+   */
+  setInput(index: number, input: WaveInput): void;
+
+  /** Every option of the sea of the latest frames. */
   readonly sea: Required<Omit<SeaOptions, 'preset'>>;
   readonly threads: number;
   /** Frames are in memory that workers share. */
   readonly isShared: boolean;
-  /** All that this ocean holds of its module's memory. */
+  /** Memory of this ocean in its module. */
   readonly memoryBytes: number;
 
-  /** Ends its threads and frees its memory; frames are over. Also as `using ocean = ...`, where there is Symbol.dispose. */
+  /**
+   * Ends the threads and frees the memory; frames become invalid. Also Symbol.dispose, if it
+   * exists.
+   */
   dispose(): void;
+}
+
+/**
+ * The dynamic waves of an ocean. Commands take effect at the next schedule(), in the order of the
+ * calls. Equal times with equal commands between them give bit-identical waves. An earlier time
+ * leaves the waves unchanged. A jump ahead computes at most half a second.
+ */
+export class DynamicWaves {
+  private constructor();
+  readonly options: Required<DynamicWavesOptions>;
+  /** Acts once, in the next tick. At most 4096 impulses wait for a tick. */
+  addImpulse(disturbance: Disturbance): void;
+  /** Acts in every tick and moves at its velocity. Returns its number. At most 4096 sources. */
+  addSource(source: Disturbance): number;
+  /** Replaces a source. Does nothing if there is no source of that number. */
+  setSource(number: number, source: Disturbance): void;
+  /** Removes a source. Does nothing if there is no source of that number. */
+  removeSource(number: number): void;
+  /** Moves the grid's centre to within half a texel of the point. Texels that enter are flat. */
+  setCenter(xM: number, zM: number): void;
+  /** Sets the rain from the next tick on; 0 drops end it. */
+  setRain(rain: Rain): void;
+  /** Returns the state, without commands since the last schedule(). No frame may be in flight. */
+  saveState(): Uint8Array;
+  /**
+   * Restores a state saved with equal options, and discards commands since the last schedule(). No
+   * frame may be in flight.
+   */
+  restoreState(saved: Uint8Array): void;
 }
 
 /** Extremes of displacements, metres. */
@@ -156,38 +391,39 @@ export interface Bounds {
   horizontalZMaxM: number;
 }
 
-/** Mean squares of slopes, along the wind and across. */
+/** Mean square slopes along the wind and across it. */
 export interface SlopeVariance {
   upwind: number;
   crosswind: number;
 }
 
-/** What holds for all frames of a sea. */
+/** Statistics of a sea, equal for all its frames. */
 export interface SeaStatistics {
   significantWaveHeightM: number;
-  /** That the cascades' maps show, and what is left to roughness. */
+  /** Slopes in the cascades' maps, and unresolved slopes, which the roughness represents. */
   resolvedSlopes: SlopeVariance;
   unresolvedSlopes: SlopeVariance;
   roughness: number;
-  /** How fast foam drifts. */
+  /** Drift velocity of foam. */
   foamDriftXMps: number;
   foamDriftZMps: number;
 }
 
-/** What a frame says of itself. */
+/** Properties of a frame that do not refer to the module's memory. */
 export interface FrameAbout {
   readonly timeS: number;
   readonly sea: Required<Omit<SeaOptions, 'preset'>>;
   readonly statistics: SeaStatistics;
-  /** "wasm128": the instruction set. */
+  /** The instruction set: "wasm128". */
   readonly isa: string;
   /** Sums of the cascades' bounds. */
   readonly bounds: Bounds;
 }
 
 /**
- * The point of water that has the reference position (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
- * Valid until the second schedule() after its own, and until dispose(); later it throws.
+ * A frame. The water of the undisplaced position (x, z) is drawn at (x + Dx, height, z + Dz), each
+ * the sum over the cascades. Valid until the second schedule() after its own, and until dispose();
+ * then it throws.
  */
 export class Frame implements FrameAbout {
   private constructor();
@@ -198,73 +434,139 @@ export class Frame implements FrameAbout {
   readonly bounds: Bounds;
   /** At least one, the coarsest first. */
   readonly cascades: readonly Cascade[];
+  /** Null without OceanOptions.dynamicWaves. */
+  readonly dynamicWaves: (DynamicWavesView & {hash(): string}) | null;
+  /** Null without OceanOptions.shore. */
+  readonly shore: (ShoreSurface & {hash(): string}) | null;
   readonly isValid: boolean;
-  /** XXH3 of all its outputs, 16 hexadecimal digits: equal hashes, equal bits. `pelagic export` writes the same into sea.json. */
+  /** XXH3 of the cascades, 16 hexadecimal digits; `pelagic export` writes it to sea.json. */
   hash(): string;
-  /** The same of the foam that lasts. */
+  /** XXH3 of the accumulated foam. */
   foamHash(): string;
-  /** Heights, normals and more at any points. Throws without OceanOptions.queries. */
+  /** Samples the surface at any points. Throws without OceanOptions.queries. */
   query(points: Points, options?: QueryOptions): Answers;
-  /** The first place where the ray passes through the surface, from above or from below. Throws without OceanOptions.queries. */
+  /**
+   * Returns the first intersection of a ray with the surface. Throws without OceanOptions.queries.
+   */
   firstHit(ray: Ray): Hit | null;
 }
 
-/** What a cascade says of itself. */
+/**
+ * The dynamic waves of a frame, whose height adds to that of the cascades at the drawn position.
+ * Arrays are views, as maps are; the other values stay valid. hash() returns the XXH3 of the
+ * position and the arrays, which `pelagic export` writes to sea.json as dynamic_waves_hash.
+ *
+ * Texel (i, j) of the world has the position x = i texelM, z = j texelM and is element (j mod N) N
+ * + i mod N. The grid has firstX <= i < firstX + N, and firstZ <= j < firstZ + N.
+ */
+export interface DynamicWavesView {
+  /** N, texels along a side. */
+  readonly resolution: number;
+  readonly texelM: number;
+  readonly firstX: number;
+  readonly firstZ: number;
+  /** N^2 elements. */
+  readonly heightM: Float32Array;
+  readonly verticalVelocityMps: Float32Array;
+  /** 0 none to 255 full. */
+  readonly foam: Uint8Array;
+  /** Bounds of the height. */
+  readonly heightMinM: number;
+  readonly heightMaxM: number;
+}
+
+/**
+ * The shore of a frame: a rectangle in which cascades are attenuated and refracted waves are added.
+ * There each cascade is multiplied by its weight, and heightM is added to the sum. Arrays are
+ * views, as maps are; the other values stay valid. hash() returns the XXH3 of the arrays.
+ *
+ * Texel (i, j) has the position x = xM + i texelM, z = zM + j texelM and is element j columns + i.
+ */
+export interface ShoreSurface {
+  readonly columns: number;
+  readonly rows: number;
+  readonly texelM: number;
+  /** Position of texel (0, 0). */
+  readonly xM: number;
+  readonly zM: number;
+  /** Depth of still water, below 0 on land. */
+  readonly depthM: Float32Array;
+  /** Four bytes per texel: the weight of cascade t in byte t, 255 for 1. */
+  readonly partsRgba8: Uint8Array;
+  readonly heightM: Float32Array;
+  readonly verticalVelocityMps: Float32Array;
+  /** Velocity potential of these waves at the surface. */
+  readonly potentialM2ps: Float32Array;
+  /** Envelope of the crests. Sand below it is wet. */
+  readonly reachM: Float32Array;
+  /** Foam of breaking waves, 0 none to 255 full. */
+  readonly foam: Uint8Array;
+  /** Bounds of the height. */
+  readonly heightMinM: number;
+  readonly heightMaxM: number;
+  /** Largest change of a weight per metre. */
+  readonly partsChangePerM: number;
+}
+
+/** Properties of a cascade that do not refer to the module's memory. */
 export interface CascadeAbout {
-  /** L: the cascade repeats after so many metres along both of its own axes. */
+  /** L: the cascade repeats after this length along both of its own axes. */
   readonly sideM: number;
   /** N, texels along a side. */
   readonly resolution: number;
   /** L / N. */
   readonly texelM: number;
   /**
-   * Its grid is rotated against the world, from +x towards +z: texel (i, j) rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s
-   * being cosine and sine. What texels hold is in the world's axes.
+   * Rotation of the grid against the world, from +x towards +z. With its cosine c and sine s, texel
+   * (i, j) has the undisplaced position x = (c i - s j) L/N, z = (s i + c j) L/N. Vectors in maps
+   * are along the world's axes.
    */
   readonly rotationRad: number;
   readonly cosine: number;
   readonly sine: number;
   readonly bounds: Bounds;
-  /** What the bytes of `slopes` and `moments` count in. */
+  /** Units of the bytes of `slopes` and `moments`. */
   readonly slopeRange: number;
   readonly varianceRange: number;
-  /** Of the slope over the whole cascade. */
+  /** Variance of the slope over the cascade. */
   readonly slopeVariance: number;
-  /** Water of the Jacobian J makes foam of clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1). */
+  /** Foam at the Jacobian J is clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1). */
   readonly makesWhitecaps: boolean;
   readonly whitecapJacobian: number;
   readonly whitecapRamp: number;
 }
 
 /**
- * The maps of a cascade, with rows of texels along its own first axis. They are views of the module's memory, without a copy: as long as
- * the frame is valid they hold its bits, then those of another frame. Memory grows when an ocean answers a larger batch of points than
- * ever, or changes its sea; a view that you kept has no elements then, unless isShared. So read `cascade.displacement` again for each use, which costs
- * nothing, and copy what you keep.
+ * The maps of a cascade, in rows of texels along its first axis. They are views of the module's
+ * memory. After the frame's validity they hold those of another frame. The memory grows for a
+ * larger batch of points than before, or for another sea. Unless isShared, growth empties the
+ * views. So read `cascade.displacement` again for each use, and copy what you keep.
  */
 export interface CascadeMaps {
-  /** N^2 texels of four IEEE half floats: Dx, height, Dz in metres, foam from 0 to 1 (RGBA16F). */
+  /** N^2 texels of four half floats, RGBA16F: Dx, height, Dz in metres, foam from 0 to 1. */
   readonly displacement: Uint16Array;
   /**
-   * A chain of levelCount(N) levels, RGBA8: normal x, normal z, Jacobian, smoothness. Of this cascade alone. Null in frames of
-   * several cascades without OceanOptions.gradients.
+   * levelCount(N) mip levels, RGBA8: normal x, normal z, Jacobian, smoothness, of this cascade
+   * alone. Null in frames of several cascades without OceanOptions.gradients.
    */
   readonly gradients: Uint8Array | null;
   /**
-   * Two chains, RGBA8, of slopes that add to other cascades': h_x, h_z, D_xx, D_zz; and D_xz, variances of h_x and h_z within the
-   * texel, their covariance. Variances are b/255 varianceRange, the covariance (b - 128)/127 of it, all others (b - 128)/127 slopeRange.
-   * The normal of the sums is (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)), J = (1 + D_xx)(1 + D_zz) - D_xz^2.
+   * Mip levels, RGBA8, which add to those of other cascades: in `slopes` h_x, h_z, D_xx, D_zz; in
+   * `moments` D_xz, the variances of h_x and h_z within the texel, their covariance. A byte b is
+   * b/255 varianceRange for a variance, (b - 128)/127 varianceRange for the covariance, else
+   * (b - 128)/127 slopeRange. The normal of the sums is
+   * (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)), J = (1 + D_xx)(1 + D_zz) - D_xz^2.
    * Null in frames of one cascade without OceanOptions.slopes.
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
-  /** A chain of foam, one byte a texel. Null without OceanOptions.foam. */
+  /** Mip levels of foam, one byte per texel. Null without OceanOptions.foam. */
   readonly foam: Uint8Array | null;
   /** Metres, in single precision. */
   readonly dx: Plane;
   readonly height: Plane;
   readonly dz: Plane;
-  /** Metres a second. Null without OceanOptions.velocities. */
+  /** Metres per second. Null without OceanOptions.velocities. */
   readonly velocityX: Plane | null;
   readonly velocityY: Plane | null;
   readonly velocityZ: Plane | null;
@@ -273,8 +575,9 @@ export interface CascadeMaps {
 export interface Cascade extends CascadeAbout, CascadeMaps {}
 
 /**
- * A square of floats in blocks of a few columns, which is how they are computed; a view as maps are. Texel (i, j) is
- * data[floor(i / blockColumns) blockStride + j rowStride + i % blockColumns].
+ * A square of floats, stored in blocks of a few columns as the kernels compute them; a view as maps
+ * are. Texel (i, j) is element floor(i / blockColumns) blockStride + j rowStride + i %
+ * blockColumns.
  */
 export class Plane {
   private constructor();
@@ -284,41 +587,42 @@ export class Plane {
   readonly rowStride: number;
   readonly blockStride: number;
   at(i: number, j: number): number;
-  /** A copy in tight rows, texel (i, j) at j N + i. */
+  /** Returns a copy in rows, with texel (i, j) at j N + i. */
   toRows(out?: Float32Array): Float32Array;
 }
 
-/** Levels in a chain: N, N / 2, ..., 1 texels along a side. */
+/** Returns the number of mip levels: N, N / 2, ..., 1 texels along a side. */
 export function levelCount(resolution: number): number;
-/** First texel of a level in its chain. */
+/** Returns the first texel of a mip level. */
 export function levelOffset(resolution: number, level: number): number;
 
-/** Places of the world, metres: x, z, x, z, ... or pairs. */
+/** Positions in the world, metres: x, z, x, z, ... or pairs. */
 export type Points = ArrayLike<number> | readonly (readonly [number, number])[] | readonly {x: number; z: number}[];
 
 export interface QueryOptions {
   /** Largest error of a converged point, metres. Default 0.001. */
   toleranceM?: number;
   /**
-   * "linear", the default, is the surface that is drawn. "cubic" is for measurements: it keeps the heights and slopes of short waves,
-   * for 2 to 4 times the work. Foam is linear in both.
+   * "linear" is the drawn surface. "cubic", for measurements, keeps the heights and slopes of short
+   * waves and takes 2 to 4 times as long. Foam is linear in both. Default "linear".
    */
   interpolation?: 'linear' | 'cubic';
 }
 
-/** An element, or three, for each point; copies that are yours. */
+/** One element, or three, for each point; copies. */
 export interface Answers {
   heightM: Float32Array;
   /** x, y, z of the unit normal of the displaced surface. */
   normal: Float32Array;
-  /** 1 at rest, small at sharp crests, negative where the sheet is overturned. */
+  /** 1 for still water, small at sharp crests, negative where the surface is overturned. */
   jacobian: Float32Array;
-  /** How far horizontal from the given point the sampled one is drawn, and 1 if that is within the tolerance. */
+  /** Horizontal distance from the point to the sample's drawn position. */
   errorM: Float32Array;
+  /** 1 if the error is within the tolerance. */
   converged: Uint8Array;
-  /** x, y, z of how the water there moves. With OceanOptions.velocities. */
+  /** x, y, z of the water's velocity. With OceanOptions.velocities. */
   velocityMps?: Float32Array;
-  /** How much of the water is white, 0 to 1. With OceanOptions.foam. */
+  /** Foam, 0 to 1. With OceanOptions.foam. */
   foam?: Float32Array;
 }
 
@@ -326,7 +630,7 @@ export interface Ray {
   originM: readonly [number, number, number];
   /** Of any length but 0. */
   direction: readonly [number, number, number];
-  /** How far to look: 0 to a million texels of the coarsest cascade. */
+  /** Length of the search: 0 to a million texels of the coarsest cascade. */
   reachM: number;
 }
 
@@ -334,6 +638,6 @@ export interface Hit {
   distanceM: number;
   positionM: [number, number, number];
   normal: [number, number, number];
-  /** The ray comes out of the water. */
+  /** The ray leaves the water. */
   fromBelow: boolean;
 }

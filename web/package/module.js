@@ -1,19 +1,20 @@
-// Instances of the WebAssembly modules. Each ocean has one of its own, so that all its memory goes when it does; what is compiled is kept.
+// Instances of the WebAssembly modules. Each ocean has its own instance, so that disposing of it
+// frees all its memory. Compiled modules are cached.
 
 export const isNode = typeof process === 'object' && typeof process?.versions?.node === 'string';
 const isPageThread = !isNode && typeof document !== 'undefined';
 
 const maxThreads = 64;
-// More than that gains little at the resolutions that a page draws, and each thread is a worker of its own.
+// At the resolutions that pages draw, more threads gain little, and each is a worker.
 const defaultMaxThreads = 8;
 
-/** What only node has, in a file that no browser asks for, and no bundler looks into. */
+/** Imports what only node needs, from a file that browsers and bundlers do not load. */
 function nodePlatform() {
   const file = './node_platform.js';
   return import(/* webpackIgnore: true */ /* @vite-ignore */ file);
 }
 
-/** A worker as pages have it, in node, too. */
+/** Returns the class Worker, or its substitute in node. */
 export async function workerClass() {
   return isNode ? (await nodePlatform()).WebWorker : Worker;
 }
@@ -28,7 +29,10 @@ async function coresHere() {
   return isNode ? (await nodePlatform()).cores() : navigator.hardwareConcurrency;
 }
 
-/** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
+/**
+ * Returns the number of threads of an ocean: `wanted`, else one per core, at most 8. Without shared
+ * memory, and on a page's own thread, which must not block, it is one.
+ */
 export async function threadsFor(wanted) {
   if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= maxThreads))
     throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, expected a whole number from 1 to ${maxThreads}`);
@@ -48,12 +52,12 @@ async function compile(url) {
   if (isNode) return WebAssembly.compile(await (await nodePlatform()).readBytes(url));
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url} is not there: the server says ${response.status}`);
-  // compileStreaming() takes no other type, and not every server knows this one.
+  // compileStreaming() requires this type, which some servers do not send.
   if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** The compiled module at `url`; a failure is not kept, so that the next call tries again. */
+/** Returns the compiled module at `url`. After a failure the next call tries again. */
 function compiledOnce(url) {
   if (!compiled.has(url.href)) {
     const promise = compile(url);
@@ -64,7 +68,7 @@ function compiledOnce(url) {
 }
 
 /**
- * An instance with its own memory and, where threads are more than one, its own workers.
+ * Makes an instance with its own memory and, for more than one thread, its own workers.
  * @returns {Promise<{module: object, isShared: boolean, end: () => void}>}
  */
 export async function makeInstance(threads) {
@@ -84,12 +88,12 @@ export async function makeInstance(threads) {
     else make();
   });
   const workers = () => (hasThreads ? [...module.PThread.unusedWorkers, ...module.PThread.runningWorkers] : []);
-  // A thread that waits for work keeps no program of node from its end.
+  // Idle workers do not keep a node process alive.
   for (const worker of workers()) worker.unref?.();
   return { module, isShared: hasThreads, end: () => workers().forEach((worker) => worker.terminate()) };
 }
 
-/** What a binding answered, or its invalid_value_message as an Error. */
+/** Returns the value of a binding's result, or throws its error. */
 export function valueOf(answer) {
   if (answer.error !== undefined) throw new Error(answer.error);
   return answer.value;

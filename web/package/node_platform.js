@@ -1,4 +1,4 @@
-// What node has otherwise than a page: files, and workers.
+// Files and workers in node.
 import { readFile } from 'node:fs/promises';
 import * as os from 'node:os';
 import { Worker } from 'node:worker_threads';
@@ -6,7 +6,7 @@ import { Worker } from 'node:worker_threads';
 export const readBytes = (url) => readFile(url);
 export const cores = () => os.availableParallelism?.() ?? os.cpus().length;
 
-/** A worker thread as a page's worker: onmessage and onerror on this side, self.onmessage and postMessage() on the other. */
+/** A worker thread with the interface of a page's worker; node_thread.js is its other side. */
 export class WebWorker {
   #worker;
   onmessage = null;
@@ -35,7 +35,7 @@ export class WebWorker {
   }
 }
 
-/** Calls `make` where the global Worker is one, which it only needs while it starts. */
+/** Calls `make` with WebWorker as the global Worker, which it needs only while it starts. */
 export function withWebWorkers(make) {
   const before = Object.getOwnPropertyDescriptor(globalThis, 'Worker');
   Object.defineProperty(globalThis, 'Worker', { value: WebWorker, configurable: true });

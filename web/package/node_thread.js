@@ -1,4 +1,4 @@
-// The other side of node_platform.js's WebWorker: a thread of node that looks like a page's worker to the script that it runs.
+// The thread of a WebWorker (node_platform.js). It gives the script the globals of a page's worker.
 import { parentPort, workerData } from 'node:worker_threads';
 
 globalThis.self = globalThis;

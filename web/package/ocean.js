@@ -1,18 +1,18 @@
-// An ocean, its frames and what is in them. index.d.ts says what each means; here is how long it holds.
+// An ocean and its frames. index.d.ts documents them; this file checks their validity.
 import { valueOf } from './module.js';
 import { flatPoints } from './points.js';
 
-/** Levels in a chain of mipmaps: resolution, resolution / 2, ..., 1. */
+/** Returns the number of mip levels: resolution, resolution / 2, ..., 1 texels along a side. */
 export const levelCount = (resolution) => 32 - Math.clz32(resolution);
 
-/** First texel of a level in its chain. */
+/** Returns the first texel of a mip level. */
 export function levelOffset(resolution, level) {
   let texels = 0;
   for (let above = 0; above < level; ++above) texels += (resolution >> above) ** 2;
   return texels;
 }
 
-/** A square of floats in blocks of a few columns, which is how they are computed. */
+/** A square of floats, stored in blocks of a few columns as the kernels compute them. */
 export class Plane {
   constructor({ data, resolution, blockColumns, rowStride, blockStride }) {
     Object.assign(this, { data, resolution, blockColumns, rowStride, blockStride });
@@ -47,7 +47,7 @@ export class Cascade {
     Object.assign(this, about, { rotationRad: Math.atan2(about.sine, about.cosine), texelM: about.sideM / about.resolution });
   }
 
-  /** A memory that grows leaves its old views without a byte, unless it is shared. So they are made anew then. */
+  /** Growing memory that is not shared empties its views, so they are made again. */
   map(name) {
     this.#frame.assertValid();
     if (!this.#maps || this.#maps.displacement.length === 0) this.#maps = this.#frame.mapsOf(this.#number);
@@ -64,7 +64,31 @@ for (const name of planeNames)
     },
   });
 
-/** A frame: valid until the second schedule() after the one that asked for it. */
+/** The dynamic waves or the shore of a frame. Arrays are views of the module's memory. */
+export class FrameGrid {
+  #hash;
+
+  constructor(frame, read, hash) {
+    let views = read();
+    const array = (name) => {
+      frame.assertValid();
+      if (views.heightM.length === 0) views = read();  // after memory growth
+      return views[name];
+    };
+    for (const [name, value] of Object.entries(views))
+      Object.defineProperty(this, name, ArrayBuffer.isView(value) ? { enumerable: true, get: () => array(name) } : { enumerable: true, value });
+    this.#hash = () => {
+      frame.assertValid();
+      return hash();
+    };
+  }
+
+  hash() {
+    return this.#hash();
+  }
+}
+
+/** A frame, valid until the second schedule() after its own. */
 export class Frame {
   #ocean;
   #native;
@@ -72,6 +96,8 @@ export class Frame {
   #number;
   #about;
   #cascades;
+  #dynamicWaves;
+  #shore;
 
   constructor(ocean, native, slot, number) {
     this.#ocean = ocean;
@@ -106,6 +132,23 @@ export class Frame {
     return this.#cascades;
   }
 
+  get dynamicWaves() {
+    this.assertValid();
+    this.#dynamicWaves ??= this.#grid('dynamicWaves', 'dynamicWavesHash');
+    return this.#dynamicWaves;
+  }
+
+  get shore() {
+    this.assertValid();
+    this.#shore ??= this.#grid('shore', 'shoreHash');
+    return this.#shore;
+  }
+
+  #grid(name, hash) {
+    const native = this.#native, slot = this.#slot;
+    return native[name](slot) && new FrameGrid(this, () => native[name](slot), () => native[hash](slot));
+  }
+
   mapsOf(cascade) {
     return this.#native.maps(this.#slot, cascade);
   }
@@ -123,7 +166,7 @@ export class Frame {
   query(points, { toleranceM, interpolation } = {}) {
     this.assertValid();
     const views = valueOf(this.#native.query(this.#slot, flatPoints(points), toleranceM, interpolation));
-    // The next query writes over them.
+    // Copies, because the next query overwrites the views.
     return Object.fromEntries(Object.entries(views).map(([name, view]) => [name, view.slice()]));
   }
 
@@ -133,6 +176,31 @@ export class Frame {
   }
 }
 
+/** The dynamic waves of an ocean. */
+export class DynamicWaves {
+  #native;
+  #idle;
+
+  /**
+   * @param native  returns the binding; throws if the ocean is disposed
+   * @param idle    returns the binding; throws then, and if a frame is in flight
+   */
+  constructor(native, idle) {
+    this.#native = native;
+    this.#idle = idle;
+    this.options = valueOf(native().dynamicWavesOptions());
+  }
+
+  addImpulse(disturbance) { valueOf(this.#native().addImpulse(disturbance)); }
+  addSource(source) { return valueOf(this.#native().addSource(source)); }
+  setSource(number, source) { valueOf(this.#native().setSource(number, source)); }
+  removeSource(number) { valueOf(this.#native().removeSource(number)); }
+  setCenter(xM, zM) { valueOf(this.#native().setCenter(xM, zM)); }
+  setRain(rain) { valueOf(this.#native().setRain(rain)); }
+  saveState() { return valueOf(this.#idle().saveState()); }
+  restoreState(saved) { valueOf(this.#idle().restoreState(saved)); }
+}
+
 export class Ocean {
   #instance;
   #native;
@@ -140,6 +208,7 @@ export class Ocean {
   #isInFlight = false;
   #isBaking = false;
   #newest = null;
+  #dynamicWaves = null;
 
   constructor(instance, native) {
     this.#instance = instance;
@@ -149,6 +218,12 @@ export class Ocean {
   #open() {
     if (!this.#native) throw new Error('the ocean is disposed');
     return this.#native;
+  }
+
+  #idle() {
+    const native = this.#open();
+    if (this.#isInFlight) throw new Error('a frame is scheduled; call complete() first');
+    return native;
   }
 
   schedule(timeS) {
@@ -176,7 +251,7 @@ export class Ocean {
     return this.complete();
   }
 
-  /** The frame that schedule() number `number` asked for is in memory still. */
+  /** Returns whether the frame of schedule() number `number` is still in memory. */
   isHeld(number) {
     return this.#native !== null && this.#scheduled - number < 2;
   }
@@ -197,7 +272,7 @@ export class Ocean {
 
   scheduleSea(options) {
     const native = this.#open();
-    if (this.#isBaking) throw new Error('a sea is scheduled already, expected completeSea() first');
+    if (this.#isBaking) throw new Error('a sea is scheduled already; call completeSea() first');
     valueOf(native.scheduleSea(options));
     this.#isBaking = true;
   }
@@ -208,23 +283,31 @@ export class Ocean {
 
   completeSea() {
     const native = this.#open();
-    if (!this.#isBaking) throw new Error('no sea is scheduled, expected scheduleSea() first');
+    if (!this.#isBaking) throw new Error('no sea is scheduled; call scheduleSea() first');
     if (this.#isInFlight) throw new Error('a frame is scheduled; call complete() first');
     this.#isBaking = false;
     valueOf(native.completeSea());
   }
 
   changeSea(options) {
-    this.#open();
-    if (this.#isInFlight) throw new Error('a frame is scheduled; call complete() first');
+    this.#idle();
     this.scheduleSea(options);
     this.completeSea();
   }
 
   turnInto(options, when) {
     const native = this.#open();
-    if (this.#isBaking) throw new Error('a sea is scheduled, expected completeSea() first');
+    if (this.#isBaking) throw new Error('a sea is scheduled; call completeSea() first');
     valueOf(native.turnInto(options, when ?? {}));
+  }
+
+  get dynamicWaves() {
+    this.#dynamicWaves ??= new DynamicWaves(() => this.#open(), () => this.#idle());
+    return this.#dynamicWaves;
+  }
+
+  setInput(index, input) {
+    valueOf(this.#open().setInput(index, input));
   }
 
   get sea() { return this.#open().sea(); }
@@ -233,7 +316,7 @@ export class Ocean {
   get memoryBytes() { return this.#open().memoryBytes(); }
 
   dispose() {
-    // First its threads come to their ends, where they wait for nothing; then their workers may be ended.
+    // The threads end before their workers are terminated.
     this.#native?.delete();
     this.#native = null;
     this.#newest = null;

@@ -1,4 +1,4 @@
-// Points as people have them, as x, z, x, z, ... in one array.
+// Conversion of points to one array of x, z, x, z, ...
 
 const accepted = 'pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres';
 
@@ -6,7 +6,7 @@ function reject(what) {
   throw new Error(`${what}, expected ${accepted}`);
 }
 
-/** @returns {Float64Array} a copy, two numbers a point */
+/** @returns {Float64Array} a copy, two numbers per point */
 export function flatPoints(points) {
   const isList = Array.isArray(points) || (ArrayBuffer.isView(points) && !(points instanceof DataView));
   if (!isList) reject(`points is ${points === null || typeof points !== 'object' ? String(points) : 'an object'}`);

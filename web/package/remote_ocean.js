@@ -1,8 +1,9 @@
-// An ocean in a worker, seen from outside: each method posts a message and promises what comes back.
+// The proxy of an ocean in a worker. Each method posts a message and returns a promise of the
+// result.
 import { mapNames, planeNames, Plane } from './ocean.js';
 import { flatPoints } from './points.js';
 
-/** Messages to a worker and their answers, by number. */
+/** Calls of a worker's methods, by message. */
 class Line {
   #worker;
   #calls = new Map();
@@ -14,7 +15,7 @@ class Line {
     worker.unref?.();
     worker.onmessage = ({ data: { id, value, error } }) => {
       const call = this.#take(id);
-      if (!call) return;  // closed meanwhile
+      if (!call) return;  // closed
       if (error !== undefined) call.reject(new Error(error));
       else call.resolve(value);
     };
@@ -35,7 +36,7 @@ class Line {
     if (this.#end) return Promise.reject(new Error(this.#end));
     return new Promise((resolve, reject) => {
       const id = this.#next++;
-      this.#worker.postMessage({ id, method, args });  // throws of what can't be cloned
+      this.#worker.postMessage({ id, method, args });  // throws if an argument cannot be cloned
       this.#worker.ref?.();
       this.#calls.set(id, { resolve, reject });
     });
@@ -50,7 +51,7 @@ class Line {
   }
 }
 
-/** A cascade as it came: its maps are copies of the worker's, or its very memory where that is shared. */
+/** A cascade of a frame. Maps are copies, or views of the worker's memory if it is shared. */
 class RemoteCascade {
   constructor({ maps, ...about }) {
     Object.assign(this, about, { rotationRad: Math.atan2(about.sine, about.cosine), texelM: about.sideM / about.resolution });
@@ -59,14 +60,51 @@ class RemoteCascade {
   }
 }
 
+/** The dynamic waves or the shore of a frame. Arrays are copies, or views of shared memory. */
+class RemoteGrid {
+  #hash;
+
+  constructor(about, hash) {
+    Object.assign(this, about);
+    this.#hash = hash;
+  }
+
+  hash() {
+    return this.#hash();
+  }
+}
+
+/**
+ * The dynamic waves of an ocean. The worker executes commands and frames in the order of the calls.
+ */
+export class RemoteDynamicWaves {
+  #line;
+
+  constructor(line) {
+    this.#line = line;
+  }
+
+  options() { return this.#line.call('dynamicWavesOptions'); }
+  addImpulse(disturbance) { return this.#line.call('dynamicWaves', 'addImpulse', disturbance); }
+  addSource(source) { return this.#line.call('dynamicWaves', 'addSource', source); }
+  setSource(number, source) { return this.#line.call('dynamicWaves', 'setSource', number, source); }
+  removeSource(number) { return this.#line.call('dynamicWaves', 'removeSource', number); }
+  setCenter(xM, zM) { return this.#line.call('dynamicWaves', 'setCenter', xM, zM); }
+  setRain(rain) { return this.#line.call('dynamicWaves', 'setRain', rain); }
+  saveState() { return this.#line.call('dynamicWaves', 'saveState'); }
+  restoreState(saved) { return this.#line.call('dynamicWaves', 'restoreState', saved); }
+}
+
 export class RemoteFrame {
   #line;
   #number;
 
-  constructor(line, { number, cascades, ...about }) {
+  constructor(line, { number, cascades, dynamicWaves, shore, ...about }) {
     this.#line = line;
     this.#number = number;
     Object.assign(this, about, { cascades: cascades.map((cascade) => new RemoteCascade(cascade)) });
+    this.dynamicWaves = dynamicWaves && new RemoteGrid(dynamicWaves, () => line.call('dynamicWavesHash', number));
+    this.shore = shore && new RemoteGrid(shore, () => line.call('shoreHash', number));
   }
 
   hash() {
@@ -103,6 +141,7 @@ export class RemoteOcean {
 
   constructor(line, { threads, isShared }) {
     this.#line = line;
+    this.dynamicWaves = new RemoteDynamicWaves(line);
     this.threads = threads;
     this.isShared = isShared;
   }
@@ -110,7 +149,7 @@ export class RemoteOcean {
   schedule(timeS) {
     if (this.#frame) throw new Error('a frame is scheduled already; call complete() first');
     this.#frame = this.#line.call('frameAt', timeS);
-    this.#frame.catch(() => {});  // complete() tells
+    this.#frame.catch(() => {});  // complete() rejects with the error
   }
 
   async complete() {
@@ -150,6 +189,10 @@ export class RemoteOcean {
     return this.#line.call('turnInto', options, when);
   }
 
+  setInput(index, input) {
+    return this.#line.call('setInput', index, input);
+  }
+
   sea() {
     return this.#line.call('sea');
   }
@@ -158,7 +201,7 @@ export class RemoteOcean {
     return this.#line.call('memoryBytes');
   }
 
-  /** Ends the worker and its threads; what it still owes is refused. */
+  /** Ends the worker and its threads. Pending promises are rejected. */
   dispose() {
     this.#line.close('the ocean is disposed');
   }

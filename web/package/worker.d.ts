@@ -1,25 +1,33 @@
-// The sea in a worker: the same as index.d.ts, as promises.
+// Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
-  Answers, Bounds, FrameAbout, Hit, OceanOptions, Points, QueryOptions, Ray, SeaStatistics, SeaOptions, CascadeAbout, CascadeMaps,
+  Answers, Bounds, CascadeAbout, CascadeMaps, Disturbance, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, WaveInput,
 } from './index.js';
 
-export { seaOptions, presets, levelCount, levelOffset, Plane } from './index.js';
+export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
 
 export interface RemoteOceanOptions extends OceanOptions {
-  /** What comes with a frame; all else of a cascade is null then. Default: displacement, gradients, slopes, moments and foam, as far as frames have them. */
+  /**
+   * The maps of each frame; the others are null. Default: displacement, gradients, slopes, moments
+   * and foam, if frames have them.
+   */
   maps?: (keyof CascadeMaps)[];
 }
 
-/** Bakes the sea in a worker, which has threads of its own where the page is isolated, and in node. */
+/**
+ * Computes the spectrum of a sea in a worker. It may have threads in an isolated page and in node.
+ */
 export function createOcean(options?: RemoteOceanOptions): Promise<RemoteOcean>;
 
 export class RemoteOcean {
   private constructor();
   readonly threads: number;
-  /** Maps are the worker's memory itself, without a copy; else each frame brings its own, copied once in the worker. */
+  /** Maps are the worker's memory. If false, each frame has copies, made in the worker. */
   readonly isShared: boolean;
+  /** Its methods reject if the ocean has no dynamic waves. */
+  readonly dynamicWaves: RemoteDynamicWaves;
 
-  /** The worker computes the frame and doesn't wait for complete(). */
+  /** Starts a frame. The worker computes it without waiting for complete(). */
   schedule(timeS: number): void;
   complete(): Promise<RemoteFrame>;
   frameAt(timeS: number): Promise<RemoteFrame>;
@@ -27,13 +35,30 @@ export class RemoteOcean {
   firstHit(ray: Ray): Promise<Hit | null>;
   changeSea(options: SeaOptions): Promise<void>;
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): Promise<void>;
+  setInput(index: number, input: WaveInput): Promise<void>;
   sea(): Promise<Required<Omit<SeaOptions, 'preset'>>>;
   memoryBytes(): Promise<number>;
-  /** Ends the worker; promises that it still owes are rejected. */
+  /** Ends the worker. Pending promises are rejected. */
   dispose(): void;
 }
 
-/** Where memory is shared, valid as a Frame is: until the second schedule() after its own. Where it isn't, its maps are yours. */
+/** Dynamic waves. The worker executes commands and frames in the order of the calls. */
+export class RemoteDynamicWaves {
+  private constructor();
+  options(): Promise<Required<DynamicWavesOptions>>;
+  addImpulse(disturbance: Disturbance): Promise<void>;
+  addSource(source: Disturbance): Promise<number>;
+  setSource(number: number, source: Disturbance): Promise<void>;
+  removeSource(number: number): Promise<void>;
+  setCenter(xM: number, zM: number): Promise<void>;
+  setRain(rain: Rain): Promise<void>;
+  saveState(): Promise<Uint8Array>;
+  restoreState(saved: Uint8Array): Promise<void>;
+}
+
+/**
+ * With shared memory, valid until the second schedule() after its own; else its maps are copies.
+ */
 export class RemoteFrame implements FrameAbout {
   private constructor();
   readonly timeS: number;
@@ -42,6 +67,8 @@ export class RemoteFrame implements FrameAbout {
   readonly isa: string;
   readonly bounds: Bounds;
   readonly cascades: readonly RemoteCascade[];
+  readonly dynamicWaves: (DynamicWavesView & {hash(): Promise<string>}) | null;
+  readonly shore: (ShoreSurface & {hash(): Promise<string>}) | null;
   hash(): Promise<string>;
   foamHash(): Promise<string>;
   query(points: Points, options?: QueryOptions): Promise<Answers>;

@@ -1,11 +1,11 @@
-// The sea in a worker of its own: the same as index.js, as promises. The thread that calls never waits.
+// Oceans in a worker: the interface of index.js with promises. The calling thread never blocks.
 import { assertOptions, workerClass } from './module.js';
 import { RemoteOcean } from './remote_ocean.js';
 
-export { seaOptions, presets, levelCount, levelOffset, Plane } from './index.js';
-export { RemoteOcean, RemoteFrame } from './remote_ocean.js';
+export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
+export { RemoteOcean, RemoteFrame, RemoteDynamicWaves } from './remote_ocean.js';
 
-/** Bakes a sea in a worker; index.d.ts and worker.d.ts have the options. */
+/** Computes the spectrum of a sea in a worker; index.d.ts and worker.d.ts have the options. */
 export async function createOcean(options = {}) {
   assertOptions(options);
   const WorkerHere = await workerClass();

@@ -4,13 +4,13 @@ import { mapNames, planeNames } from './ocean.js';
 
 let ocean = null;
 let isShared = false;
-let sent = [];  // names of the maps and planes that go out with a frame
-const frames = new Map();  // by number: those that may be asked still
+let sent = [];  // names of the maps and planes that are posted with a frame
+const frames = new Map();  // the valid frames, by number
 let count = 0;
 
 const isPlane = (map) => !ArrayBuffer.isView(map);
 
-/** A view of shared memory goes as it is, any other as a copy that is handed over. */
+/** Returns a view of shared memory as it is, else a copy to be transferred. */
 function posted(view, transfer) {
   if (isShared) return view;
   const copy = view.slice();
@@ -25,6 +25,12 @@ function postedCascade(cascade, transfer) {
     if (data) maps[name] = isPlane(data) ? { ...data, data: posted(data.data, transfer) } : posted(data, transfer);
   }
   return { ...cascade, maps };
+}
+
+/** Returns null for null. */
+function postedGrid(grid, transfer) {
+  return grid && Object.fromEntries(Object.entries(grid).map(
+    ([name, value]) => [name, ArrayBuffer.isView(value) ? posted(value, transfer) : value]));
 }
 
 function frameOf(number) {
@@ -50,10 +56,20 @@ const methods = {
     frames.set(number, frame);
     frames.delete(number - 2);
     const { sea, statistics, isa, bounds } = frame;
-    return { number, timeS, sea, statistics, isa, bounds, cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)) };
+    return {
+      number, timeS, sea, statistics, isa, bounds,
+      cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)),
+      dynamicWaves: postedGrid(frame.dynamicWaves, transfer),
+      shore: postedGrid(frame.shore, transfer),
+    };
   },
   hash: (number) => frameOf(number).hash(),
   foamHash: (number) => frameOf(number).foamHash(),
+  dynamicWavesHash: (number) => frameOf(number).dynamicWaves.hash(),
+  shoreHash: (number) => frameOf(number).shore.hash(),
+  dynamicWaves: (method, ...args) => ocean.dynamicWaves[method](...args),
+  dynamicWavesOptions: () => ocean.dynamicWaves.options,
+  setInput: (index, input) => ocean.setInput(index, input),
   query: (number, points, options) => frameOf(number).query(points, options),
   firstHit: (number, ray) => frameOf(number).firstHit(ray),
   changeSea: (options) => ocean.changeSea(options),

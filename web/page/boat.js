@@ -50,7 +50,7 @@ function placed({height, slopeX, slopeZ}, origin) {
   return [...forward, 0, ...up, 0, ...starboard, 0, place.x - origin[0], height - origin[1], place.z - origin[2], 1];
 }
 
-// ---- Its mesh: positions, normals, colours -------------------------------------------------------------------------------------
+// Its mesh: positions, normals, colours.
 
 /** Half the beam, keel and sheer along the hull; s runs from the transom, 0, to the stem, 1. */
 function section(s) {
@@ -150,7 +150,7 @@ export function boatMesh() {
   return new Float32Array(mesh.values);
 }
 
-// ---- Drawing it ----------------------------------------------------------------------------------------------------------------
+// Drawing it.
 
 const vertexShader = `#version 300 es
 uniform mat4 clip_from_world, world_from_boat;
