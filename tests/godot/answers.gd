@@ -1,4 +1,5 @@
-# What the node answers without a window, as lines that answers_test.py compares with the command line.
+# Prints hashes, samples and errors of the node without a window, which answers_test.py compares with
+# the command line.
 extends SceneTree
 
 var refusals = []
@@ -39,7 +40,7 @@ func _init():
 				say("preset %s %s" % [name, ocean.hash()])
 	ocean.preset = "custom"
 
-	# Points as floats, answers as the bytes of floats.
+	# Reads points and writes samples as floats.
 	ocean.velocities = true
 	ocean.time_s = 12.34
 	var file = File.new()
@@ -62,12 +63,12 @@ func _init():
 		file.store_float(ocean.height_at(places[i]))
 	file.close()
 
-	# A ray meets the water where the water is.
+	# A ray hits the surface that height_at() returns.
 	var hit = ocean.first_hit(Vector3(3, 12, -7), Vector3(1, -0.4, 0.3), 500)
 	say("hit %s %.9f %.9f" % [hit["hit"], hit["position"].y, ocean.height_at(hit["position"])])
 	say("miss %s" % ocean.first_hit(Vector3(3, 12, -7), Vector3(0, 1, 0), 500)["hit"])
 
-	# What can't be taken is refused in one line, and the sea stays.
+	# Invalid values are reported in one line and do not change the sea.
 	var before = ocean.hash()
 	for wrong in seas["refused"]:
 		refusals = []

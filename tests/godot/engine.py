@@ -1,9 +1,9 @@
-# Runs a script in Godot, and sorts the lines that begin with SAYS by their second word.
+# Runs a script in Godot, and groups the lines that begin with SAYS by their second word.
 import os
 import subprocess
 from pathlib import Path
 
-# Of Debian's build, without anything of ours: no home to write to before the first run, and which languages it knows.
+# Errors that Debian's build prints for any project, in a new home directory and for its locale.
 KNOWN_ERRORS = ("ERROR: make_dir_recursive: Method failed.", "ERROR: get_language_code: Invalid locale",
                 "ERROR: set_locale: Unsupported locale")
 
@@ -26,12 +26,12 @@ def run(command, home, environment, timeout_s):
 
 
 def run_headless(project, script, home, environment, fps=None):
-    fixed = ["--fixed-fps", str(fps)] if fps else []  # the engine's clock takes a frame for so long, however long it was
+    fixed = ["--fixed-fps", str(fps)] if fps else []  # frames advance the engine's clock by 1 / fps
     return run(["godot3-server", "--path", str(project), *fixed, "-s", str(script)], home, environment, 280)
 
 
 def run_drawing(project, script, home, environment, fps=None):
-    """In a window of 64 x 36: what is looked at is a viewport of its own, or not an image."""
+    """Runs a script in a window of 64 x 36. Scripts that save images render to viewports of their own."""
     fixed = ["--fixed-fps", str(fps)] if fps else []
     return run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "godot3", "--path", str(project), "--audio-driver", "Dummy",
                 "--resolution", "64x36", *fixed, "-s", str(script)], home, environment, 560)

@@ -1,10 +1,11 @@
-# A box that floats: it lies on the plane through the water below four points of its hull, and drifts with none.
+# A floating box, which lies on the plane through the water at four points of its hull. It does not
+# drift.
 extends Spatial
 
 export(NodePath) var ocean
 const LENGTH = 5.0
 const WIDTH = 2.0
-const ABOVE_WATER = 0.25 # of the box's middle, metres
+const ABOVE_WATER = 0.25 # height of the box's centre, metres
 
 var places = PoolVector3Array()
 

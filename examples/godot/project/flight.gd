@@ -1,4 +1,4 @@
-# A camera that goes round its target, low over the water.
+# A camera that circles its target, low over the water.
 extends Camera
 
 export(NodePath) var target

@@ -1,4 +1,4 @@
-# Saves what the demo shows after ten seconds as image.png beside the project.
+# Saves an image of the demo at ten seconds as image.png in the project's folder.
 extends SceneTree
 
 const SECONDS = 10.0
