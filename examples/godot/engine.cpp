@@ -22,6 +22,27 @@ String Text::copied_out() const {
     return call(core::string_chars_to_utf8_with_len, text.data(), static_cast<int>(text.size()));
 }
 
+std::vector<std::string> Entries::keys() const {
+    Array keys = call(core::dictionary_keys, &dictionary_);
+    std::vector<std::string> names;
+    for (int i = 0; i < call(core::array_size, &keys); ++i) {
+        Variant key = call(core::array_get, &keys, i);
+        names.push_back(Text(key).utf8());
+        call(core::variant_destroy, &key);
+    }
+    call(core::array_destroy, &keys);
+    return names;
+}
+
+std::optional<Value> Entries::at(std::string_view key) const {
+    const Value name(key);
+    if (!call(core::dictionary_has, &dictionary_, &name.variant())) return {};
+    Variant value = call(core::dictionary_get, &dictionary_, &name.variant());
+    std::optional<Value> copy(std::in_place, value);
+    call(core::variant_destroy, &value);
+    return copy;
+}
+
 MethodBind* Method::bind() const {
     if (!bind_) bind_ = call(core::method_bind_get_method, class_, name_);
     return bind_;

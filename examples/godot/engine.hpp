@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "pelagic/examples/godot/gdnative.hpp"
 
@@ -88,6 +90,23 @@ class Table {
     alignas(8) Dictionary dictionary_;
 };
 
+/// A Dictionary that a script passed.
+class Entries {
+   public:
+    /// \pre the value is a Dictionary
+    explicit Entries(const Variant& of) : dictionary_(call(core::variant_as_dictionary, &of)) {}
+    ~Entries() { call(core::dictionary_destroy, &dictionary_); }
+    Entries(const Entries&) = delete;
+    Entries& operator=(const Entries&) = delete;
+
+    /// Returns the keys as text.
+    std::vector<std::string> keys() const;
+    std::optional<Value> at(std::string_view key) const;
+
+   private:
+    alignas(8) Dictionary dictionary_;
+};
+
 /// The functions of each type of pool array.
 template <class Element>
 struct PoolFunctions;
@@ -98,6 +117,12 @@ struct PoolFunctions<std::uint8_t> {
     static constexpr auto write = core::pool_byte_array_write;
     static constexpr auto elements = core::pool_byte_array_write_access_ptr;
     static constexpr auto end_write = core::pool_byte_array_write_access_destroy;
+    static constexpr auto to_variant = core::variant_new_pool_byte_array;
+    static constexpr auto of_variant = core::variant_as_pool_byte_array;
+    static constexpr auto size = core::pool_byte_array_size;
+    static constexpr auto read = core::pool_byte_array_read;
+    static constexpr auto read_elements = core::pool_byte_array_read_access_ptr;
+    static constexpr auto end_read = core::pool_byte_array_read_access_destroy;
 };
 template <>
 struct PoolFunctions<int> {
@@ -116,6 +141,11 @@ struct PoolFunctions<float> {
     static constexpr auto elements = core::pool_real_array_write_access_ptr;
     static constexpr auto end_write = core::pool_real_array_write_access_destroy;
     static constexpr auto to_variant = core::variant_new_pool_real_array;
+    static constexpr auto of_variant = core::variant_as_pool_real_array;
+    static constexpr auto size = core::pool_real_array_size;
+    static constexpr auto read = core::pool_real_array_read;
+    static constexpr auto read_elements = core::pool_real_array_read_access_ptr;
+    static constexpr auto end_read = core::pool_real_array_read_access_destroy;
 };
 template <>
 struct PoolFunctions<Vector3> {
@@ -125,6 +155,11 @@ struct PoolFunctions<Vector3> {
     static constexpr auto elements = core::pool_vector3_array_write_access_ptr;
     static constexpr auto end_write = core::pool_vector3_array_write_access_destroy;
     static constexpr auto to_variant = core::variant_new_pool_vector3_array;
+    static constexpr auto of_variant = core::variant_as_pool_vector3_array;
+    static constexpr auto size = core::pool_vector3_array_size;
+    static constexpr auto read = core::pool_vector3_array_read;
+    static constexpr auto read_elements = core::pool_vector3_array_read_access_ptr;
+    static constexpr auto end_read = core::pool_vector3_array_read_access_destroy;
 };
 
 /// A PoolByteArray, PoolIntArray, PoolRealArray or PoolVector3Array of some elements.
@@ -164,6 +199,32 @@ class Pool {
    private:
     alignas(8) PoolArray array_;
     std::size_t count_;
+};
+
+/// The elements of a pool array that a script passed.
+template <class Element>
+class PoolElements {
+    using Functions = PoolFunctions<Element>;
+
+   public:
+    /// \pre the value is a pool array of this type
+    explicit PoolElements(const Variant& of)
+        : array_(call(Functions::of_variant, &of)), access_(call(Functions::read, &array_)) {}
+    ~PoolElements() {
+        call(Functions::end_read, access_);
+        call(Functions::destroy, &array_);
+    }
+    PoolElements(const PoolElements&) = delete;
+    PoolElements& operator=(const PoolElements&) = delete;
+
+    std::span<const Element> all() const {
+        return {static_cast<const Element*>(call(Functions::read_elements, access_)),
+                static_cast<std::size_t>(call(Functions::size, &array_))};
+    }
+
+   private:
+    alignas(8) PoolArray array_;
+    Access* access_;
 };
 
 /// A method of one of the engine's classes. Types of arguments and result are those of the engine's

@@ -70,6 +70,9 @@ enum VariantType : int {
     type_string = 4,
     type_vector3 = 7,
     type_object = 17,
+    type_dictionary = 18,
+    type_pool_byte_array = 20,
+    type_pool_real_array = 22,
     type_pool_vector3_array = 25
 };
 
@@ -118,15 +121,24 @@ inline constexpr CoreFunction<void*(const Access*)> pool_byte_array_write_access
 inline constexpr CoreFunction<void(Access*)> pool_byte_array_write_access_destroy{298},
     pool_int_array_write_access_destroy{302}, pool_real_array_write_access_destroy{306},
     pool_vector3_array_write_access_destroy{318};
-inline constexpr CoreFunction<Access*(const PoolArray*)> pool_vector3_array_read{245};
-inline constexpr CoreFunction<int(const PoolArray*)> pool_vector3_array_size{249};
-inline constexpr CoreFunction<const Vector3*(const Access*)> pool_vector3_array_read_access_ptr{288};
-inline constexpr CoreFunction<void(Access*)> pool_vector3_array_read_access_destroy{290};
+inline constexpr CoreFunction<Access*(const PoolArray*)> pool_byte_array_read{165}, pool_real_array_read{197},
+    pool_vector3_array_read{245};
+inline constexpr CoreFunction<int(const PoolArray*)> pool_byte_array_size{169}, pool_real_array_size{201},
+    pool_vector3_array_size{249};
+inline constexpr CoreFunction<const void*(const Access*)> pool_byte_array_read_access_ptr{268},
+    pool_real_array_read_access_ptr{276}, pool_vector3_array_read_access_ptr{288};
+inline constexpr CoreFunction<void(Access*)> pool_byte_array_read_access_destroy{270},
+    pool_real_array_read_access_destroy{278}, pool_vector3_array_read_access_destroy{290};
 
 inline constexpr CoreFunction<void(Array*)> array_new{323}, array_destroy{361};
 inline constexpr CoreFunction<void(Array*, const Variant*)> array_append{336};
+inline constexpr CoreFunction<int(const Array*)> array_size{356};
+inline constexpr CoreFunction<Variant(const Array*, int)> array_get{333};
 inline constexpr CoreFunction<void(Dictionary*)> dictionary_new{362}, dictionary_destroy{364};
 inline constexpr CoreFunction<void(Dictionary*, const Variant*, const Variant*)> dictionary_set{375};
+inline constexpr CoreFunction<bool(const Dictionary*, const Variant*)> dictionary_has{368};
+inline constexpr CoreFunction<Variant(const Dictionary*, const Variant*)> dictionary_get{374};
+inline constexpr CoreFunction<Array(const Dictionary*)> dictionary_keys{372};
 
 inline constexpr CoreFunction<VariantType(const Variant*)> variant_get_type{507};
 inline constexpr CoreFunction<void(Variant*, const Variant*)> variant_new_copy{508};
@@ -139,14 +151,16 @@ inline constexpr CoreFunction<void(Variant*, const Vector3*)> variant_new_vector
 inline constexpr CoreFunction<void(Variant*, const Vector4*)> variant_new_quat{520};
 inline constexpr CoreFunction<void(Variant*, const Rid*)> variant_new_rid{526};
 inline constexpr CoreFunction<void(Variant*, const Dictionary*)> variant_new_dictionary{528};
-inline constexpr CoreFunction<void(Variant*, const PoolArray*)> variant_new_pool_int_array{531},
-    variant_new_pool_real_array{532}, variant_new_pool_vector3_array{535};
+inline constexpr CoreFunction<void(Variant*, const PoolArray*)> variant_new_pool_byte_array{530},
+    variant_new_pool_int_array{531}, variant_new_pool_real_array{532}, variant_new_pool_vector3_array{535};
 inline constexpr CoreFunction<bool(const Variant*)> variant_as_bool{537};
 inline constexpr CoreFunction<double(const Variant*)> variant_as_real{540};
 inline constexpr CoreFunction<String(const Variant*)> variant_as_string{541};
 inline constexpr CoreFunction<Vector3Bytes(const Variant*)> variant_as_vector3{544};
 inline constexpr CoreFunction<Object*(const Variant*)> variant_as_object{554};
-inline constexpr CoreFunction<PoolArray(const Variant*)> variant_as_pool_vector3_array{562};
+inline constexpr CoreFunction<Dictionary(const Variant*)> variant_as_dictionary{555};
+inline constexpr CoreFunction<PoolArray(const Variant*)> variant_as_pool_byte_array{557},
+    variant_as_pool_real_array{559}, variant_as_pool_vector3_array{562};
 
 inline constexpr CoreFunction<const char*(const CharString*)> char_string_get_data{572};
 inline constexpr CoreFunction<void(CharString*)> char_string_destroy{573};

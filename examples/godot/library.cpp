@@ -1,11 +1,15 @@
 // Entry points of the library: initialisation and registration of its class.
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "pelagic/examples/godot/dictionary_options.hpp"
 #include "pelagic/examples/godot/ocean_node.hpp"
 #include "pelagic/examples/godot/properties.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
@@ -67,13 +71,42 @@ Vector3 vector_of(const Variant& value) {
 Value value_of(const std::unique_ptr<Table>& table) { return table ? Value(table->dictionary()) : Value(); }
 
 Value query(OceanNode& node, const Variant& places) {
-    PoolArray array = call(core::variant_as_pool_vector3_array, &places);
-    const auto count = static_cast<std::size_t>(call(core::pool_vector3_array_size, &array));
-    Access* access = call(core::pool_vector3_array_read, &array);
-    const Value answer = value_of(node.query({call(core::pool_vector3_array_read_access_ptr, access), count}));
-    call(core::pool_vector3_array_read_access_destroy, access);
-    call(core::pool_vector3_array_destroy, &array);
-    return answer;
+    return value_of(node.query(PoolElements<Vector3>(places).all()));
+}
+
+/// Returns 16 hexadecimal digits, as the command line prints hashes.
+Value value_of(const std::optional<std::uint64_t>& hash) {
+    if (!hash) return Value();
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(*hash));
+    return Value(text);
+}
+
+std::uint32_t source_number_of(const Variant& value) {
+    const double number = call(core::variant_as_real, &value);
+    if (!(number >= 0 && number <= UINT32_MAX && number == std::floor(number)))
+        throw std::invalid_argument(invalid_value_message("number", number, "a number that add_source() returned"));
+    return static_cast<std::uint32_t>(number);
+}
+
+Value add_source(OceanNode& node, const Variant& source) {
+    const Disturbance ours = disturbance_of(source);
+    DynamicWaves* const waves = node.dynamic_waves();
+    return waves ? Value(static_cast<std::int64_t>(waves->add_source(ours))) : Value();
+}
+
+Value save_state(OceanNode& node) {
+    const DynamicWaves* const waves = node.dynamic_waves_between_frames();
+    if (!waves) return Value();
+    const std::vector<std::uint8_t> saved = waves->save_state();
+    return Pool<std::uint8_t>(std::span<const std::uint8_t>(saved)).value();
+}
+
+/// Calls `use` with the node's dynamic waves, if it has an ocean. Returns nil.
+template <class Use>
+Value with_waves(OceanNode& node, const Use& use) {
+    if (DynamicWaves* const waves = node.dynamic_waves()) use(*waves);
+    return Value();
 }
 
 const ScriptMethod script_methods[] = {
@@ -85,16 +118,7 @@ const ScriptMethod script_methods[] = {
      [](OceanNode& node, std::span<Variant* const> arguments) {
          return node.process(call(core::variant_as_real, arguments[0])), Value();
      }},
-    {"hash",
-     {},
-     "()",
-     [](OceanNode& node, std::span<Variant* const>) {
-         const auto hash = node.hash();
-         if (!hash) return Value();
-         char text[17];
-         std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(*hash));
-         return Value(text);
-     }},
+    {"hash", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return value_of(node.hash()); }},
     {"significant_wave_height",
      {},
      "()",
@@ -120,6 +144,61 @@ const ScriptMethod script_methods[] = {
          return value_of(node.first_hit(vector_of(*arguments[0]), vector_of(*arguments[1]),
                                         call(core::variant_as_real, arguments[2])));
      }},
+    {"add_impulse",
+     {type_dictionary},
+     "(disturbance)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const Disturbance ours = disturbance_of(*arguments[0]);
+         return with_waves(node, [&](DynamicWaves& waves) { waves.add_impulse(ours); });
+     }},
+    {"add_source",
+     {type_dictionary},
+     "(source)",
+     [](OceanNode& node, std::span<Variant* const> arguments) { return add_source(node, *arguments[0]); }},
+    {"set_source",
+     {type_int, type_dictionary},
+     "(number, source)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const std::uint32_t number = source_number_of(*arguments[0]);
+         const Disturbance ours = disturbance_of(*arguments[1]);
+         return with_waves(node, [&](DynamicWaves& waves) { waves.set_source(number, ours); });
+     }},
+    {"remove_source",
+     {type_int},
+     "(number)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const std::uint32_t number = source_number_of(*arguments[0]);
+         return with_waves(node, [&](DynamicWaves& waves) { waves.remove_source(number); });
+     }},
+    {"set_center",
+     {type_vector3},
+     "(place)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const Vector3 place = vector_of(*arguments[0]);
+         return with_waves(node, [&](DynamicWaves& waves) {
+             waves.set_center(static_cast<double>(place.x), static_cast<double>(place.z));
+         });
+     }},
+    {"set_rain",
+     {type_dictionary},
+     "(rain)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const Rain ours = rain_of(*arguments[0]);
+         return with_waves(node, [&](DynamicWaves& waves) { waves.set_rain(ours); });
+     }},
+    {"save_state", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return save_state(node); }},
+    {"restore_state",
+     {type_pool_byte_array},
+     "(saved)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         if (DynamicWaves* const waves = node.dynamic_waves_between_frames())
+             waves->restore_state(PoolElements<std::uint8_t>(*arguments[0]).all());
+         return Value();
+     }},
+    {"dynamic_waves_hash",
+     {},
+     "()",
+     [](OceanNode& node, std::span<Variant* const>) { return value_of(node.dynamic_waves_hash()); }},
 };
 
 bool are_right(const ScriptMethod& method, std::span<Variant* const> arguments) {

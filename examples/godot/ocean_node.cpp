@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <exception>
+#include <stdexcept>
+#include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::godot {
@@ -52,27 +54,45 @@ void OceanNode::set_time(double time_s) {
 }
 
 void OceanNode::set_material(const Variant& material) {
+    drawing_.reset();  // uses the current material
     material_ = std::make_unique<Value>(material);
-    drawing_.reset();
+}
+
+std::string OceanNode::invalid_options(const SeaState& sea) const {
+    if (std::string reason = check(sea); !reason.empty()) return reason;
+    if (settings_.dynamic_waves)
+        if (const std::string reason = check(settings_.dynamic_waves_options); !reason.empty())
+            return "dynamic_waves_" + reason;
+    if (settings_.shore.heights_m.empty()) return {};
+    if (const std::string reason = check(settings_.shore); !reason.empty()) return "shore_" + reason;
+    return check(settings_.shore, sea);
 }
 
 bool OceanNode::make_ocean() {
     is_stale_ = false;
     const SeaState sea = sea_of(settings_);
-    if (const std::string reason = check(sea); !reason.empty()) {
+    if (const std::string reason = invalid_options(sea); !reason.empty()) {
         reject(reason);  // invalid combination of fields; the current sea stays
         return ocean_ != nullptr;
+    }
+    OceanOptions options{.executor = make_thread_executor(settings_.threads),
+                         .queries = true,
+                         .velocities = settings_.velocities,
+                         .slopes = true,
+                         .foam = settings_.foam};
+    if (settings_.dynamic_waves) options.dynamic_waves = settings_.dynamic_waves_options;
+    if (!settings_.shore.heights_m.empty()) {
+        options.shore = settings_.shore;
+        if (const std::string warning = warning_about(*options.shore, sea); !warning.empty())
+            print_line("PelagicOcean: " + warning);
     }
     drawing_.reset();
     frame_.reset();
     in_flight_.reset();
     is_awaited_ = true;
     ocean_.reset();
-    ocean_ = std::make_unique<Ocean>(sea, OceanOptions{.executor = make_thread_executor(settings_.threads),
-                                                       .queries = true,
-                                                       .velocities = settings_.velocities,
-                                                       .slopes = true,
-                                                       .foam = settings_.foam});
+    ocean_ = std::make_unique<Ocean>(sea, std::move(options));
+    has_dynamic_waves_ = settings_.dynamic_waves;
     return true;
 }
 
@@ -122,6 +142,25 @@ std::optional<std::uint64_t> OceanNode::hash() {
     const Frame* asked = frame();
     if (!asked) return {};
     return hash_of(*asked);
+}
+
+DynamicWaves* OceanNode::dynamic_waves() {
+    if (is_stale_ && !make_ocean()) return nullptr;
+    if (!ocean_) return nullptr;
+    if (!has_dynamic_waves_) throw std::invalid_argument("the ocean has no dynamic waves: set dynamic_waves to true");
+    return &ocean_->dynamic_waves();
+}
+
+DynamicWaves* OceanNode::dynamic_waves_between_frames() {
+    DynamicWaves* const waves = dynamic_waves();
+    // frame() completes the frame a second time, which returns it again.
+    if (waves && in_flight_) ocean_->complete();
+    return waves;
+}
+
+std::optional<std::uint64_t> OceanNode::dynamic_waves_hash() {
+    if (!dynamic_waves()) return {};
+    return hash_of(frame()->dynamic_waves);
 }
 
 std::optional<double> OceanNode::significant_wave_height_m() {
@@ -177,6 +216,14 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
     answers->set("height", heights.value());
     answers->set("normal", vectors(n));
     if (settings_.velocities) answers->set("velocity", vectors(v));
+    if (asked->shore) {
+        Pool<float> depths(count);
+        depths.fill([&](std::span<float> room) {
+            for (std::size_t i = 0; i < count; ++i)
+                room[i] = static_cast<float>(sample(asked->shore, x_[i], z_[i]).depth_m);
+        });
+        answers->set("depth", depths.value());
+    }
     return answers;
 }
 

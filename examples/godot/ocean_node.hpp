@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "pelagic/examples/godot/engine.hpp"
 #include "pelagic/examples/godot/sea_drawing.hpp"
 #include "pelagic/examples/godot/settings.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
@@ -47,15 +49,28 @@ class OceanNode {
 
     std::optional<std::uint64_t> hash();
     std::optional<float> height_at(const Vector3& place);
-    /// Returns arrays of height, normal and, if the node has velocities, velocity: one element per
-    /// position.
+    /// Returns arrays with one element per position: height, normal, velocity if the node has
+    /// velocities, and depth if it has a shore.
     std::unique_ptr<Table> query(std::span<const Vector3> places);
     /// Returns hit, distance, position and normal.
     std::unique_ptr<Table> first_hit(const Vector3& origin, const Vector3& direction, double reach_m);
     /// Returns the model's significant wave height in metres.
     std::optional<double> significant_wave_height_m();
 
+    // ---- dynamic waves
+
+    /// Returns the dynamic waves, whose commands take effect in the next frame that is scheduled.
+    /// Null if the sea's options are invalid, which are reported then.
+    /// \throws std::invalid_argument  if they are not enabled
+    DynamicWaves* dynamic_waves();
+    /// As dynamic_waves(), with no frame in flight, which saving and restoring require.
+    DynamicWaves* dynamic_waves_between_frames();
+    /// Returns the hash of the dynamic waves of the frame of time_s().
+    /// \throws std::invalid_argument  if they are not enabled
+    std::optional<std::uint64_t> dynamic_waves_hash();
+
    private:
+    std::string invalid_options(const SeaState& sea) const;
     bool make_ocean();
     void start(double time_s);
     /// Returns the frame of time_s_; null if there is no sea.
@@ -66,7 +81,8 @@ class OceanNode {
     Object* self_;
     OceanSettings settings_;
     std::unique_ptr<Ocean> ocean_;
-    bool is_stale_ = true;  ///< the ocean differs from settings_
+    bool is_stale_ = true;            ///< the ocean differs from settings_
+    bool has_dynamic_waves_ = false;  ///< of the ocean
     double time_s_ = 0;
     bool is_playing_ = true;
     std::optional<Frame> frame_;

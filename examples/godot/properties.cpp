@@ -1,9 +1,12 @@
 #include "pelagic/examples/godot/properties.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::godot {
@@ -22,10 +25,29 @@ Property number_property(std::string name, VariantType type, std::string range, 
     };
     const auto take = [=](OceanNode& node, const Variant& variant) {
         const double value = number(variant);
+        if (value == get(node.settings())) return;
         if (!accepts(value)) return node.reject(invalid_value_message(name, value, accepted));
-        if (value != get(node.settings())) node.change([&](OceanSettings& settings) { set(settings, value); });
+        node.change([&](OceanSettings& settings) { set(settings, value); });
     };
     return {name, type, hint, std::move(range), value_of, take, accepted};
+}
+
+template <class Options>
+bool is_whole(const NumericField<Options>& field) {
+    return !std::holds_alternative<double Options::*>(field.member) &&
+           !std::holds_alternative<float Options::*>(field.member);
+}
+
+/// A property of a numeric field of options, which the setting `member` holds.
+template <class Options>
+Property field_property(std::string name, Options OceanSettings::*member, const NumericField<Options>& field,
+                        std::string range, PropertyHint hint) {
+    return number_property(
+        std::move(name), is_whole(field) ? type_int : type_real, std::move(range), hint,
+        [member, &field](const OceanSettings& settings) { return field.value_in(settings.*member); },
+        [member, &field](OceanSettings& settings, double value) { field.set(settings.*member, value); },
+        [&field](double value) { return field.accepts(value) && (!is_whole(field) || value == std::floor(value)); },
+        std::string(field.accepted));
 }
 
 /// A property of a SeaState field, with the range in sea_state_fields().
@@ -33,15 +55,22 @@ Property sea_property(std::string_view name, std::string range, PropertyHint hin
     const auto fields = sea_state_fields();
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
-    const bool is_whole = !std::holds_alternative<double SeaState::*>(field->member);
-    return number_property(
-        std::string(name), is_whole ? type_int : type_real, std::move(range), hint,
-        [field](const OceanSettings& settings) { return field->value_in(settings.sea); },
-        [field](OceanSettings& settings, double value) { field->set(settings.sea, value); },
-        [field, is_whole](double value) {
-            return field->accepts(value) && (!is_whole || value == std::floor(value));
-        },
-        std::string(field->accepted));
+    return field_property(std::string(name), &OceanSettings::sea, *field, std::move(range), hint);
+}
+
+/// Appends a property for each field of a table. Its name is the prefix and the field's name.
+template <class Options>
+void add_fields(std::vector<Property>& all, const std::string& prefix, Options OceanSettings::*member,
+                std::span<const NumericField<Options>> fields) {
+    constexpr double wide = 1000;  // ratio of the limits from which the editor's slider is exponential
+    for (const NumericField<Options>& field : fields) {
+        const double min = field.also ? std::min(*field.also, field.min) : field.min;
+        const bool is_wide = min > 0 && field.max > wide * min;
+        all.push_back(
+            field_property(prefix + std::string(field.name), member, field,
+                           number_text(min) + "," + number_text(field.max) + (is_whole(field) ? ",1" : ",0.001"),
+                           is_wide ? hint_exp_range : hint_range));
+    }
 }
 
 Property ranged(std::string name, VariantType type, double min, double max, std::string range, std::string accepted,
@@ -62,6 +91,7 @@ Property flag(std::string name, bool OceanSettings::*member) {
             [member](const OceanNode& node) { return Value(node.settings().*member); },
             [member](OceanNode& node, const Variant& value) {
                 const bool wanted = call(core::variant_as_bool, &value);
+                if (wanted == node.settings().*member) return;
                 node.change([&](OceanSettings& settings) { settings.*member = wanted; });
             },
             "true or false"};
@@ -78,6 +108,7 @@ Property choice(std::string name, std::string names, std::string OceanSettings::
             [=](OceanNode& node, const Variant& value) {
                 const std::string wanted = Text(value).utf8();
                 if (!is_one(wanted)) return node.reject(invalid_value_message(name, wanted, "one of " + names));
+                if (wanted == node.settings().*member) return;
                 node.change([&](OceanSettings& settings) { settings.*member = wanted; });
             },
             "one of " + names};
@@ -89,6 +120,48 @@ std::string preset_names() {
     return names;
 }
 
+/// The step of dynamic waves, by its name.
+Property step_property() {
+    static constexpr std::array<std::string_view, 2> names = {"spectral", "verlet"};
+    return {"dynamic_waves_step",
+            type_string,
+            hint_enum,
+            "spectral,verlet",
+            [](const OceanNode& node) {
+                return Value(names[static_cast<std::size_t>(node.settings().dynamic_waves_options.step)]);
+            },
+            [](OceanNode& node, const Variant& value) {
+                const std::string wanted = Text(value).utf8();
+                const auto found = std::find(names.begin(), names.end(), wanted);
+                if (found == names.end())
+                    return node.reject(invalid_value_message("dynamic_waves_step", wanted, "spectral or verlet"));
+                const auto step = static_cast<DynamicWavesStep>(found - names.begin());
+                if (step == node.settings().dynamic_waves_options.step) return;
+                node.change([&](OceanSettings& settings) { settings.dynamic_waves_options.step = step; });
+            },
+            "spectral or verlet"};
+}
+
+Property shore_heights_property() {
+    return {"shore_heights_m",
+            type_pool_real_array,
+            hint_none,
+            "",
+            [](const OceanNode& node) {
+                return Pool<float>(std::span<const float>(node.settings().shore.heights_m)).value();
+            },
+            [](OceanNode& node, const Variant& value) {
+                const PoolElements<float> elements(value);
+                const std::span<const float> heights = elements.all();
+                const std::vector<float>& now = node.settings().shore.heights_m;
+                if (std::equal(heights.begin(), heights.end(), now.begin(), now.end())) return;
+                node.change([&](OceanSettings& settings) {
+                    settings.shore.heights_m.assign(heights.begin(), heights.end());
+                });
+            },
+            "a PoolRealArray"};
+}
+
 std::vector<Property> table() {
     const auto direction = [](std::string name, double OceanSettings::*member) {
         return ranged(
@@ -96,7 +169,7 @@ std::vector<Property> table() {
             [member](const OceanSettings& settings) { return settings.*member; },
             [member](OceanSettings& settings, double value) { settings.*member = value; });
     };
-    return {
+    std::vector<Property> all = {
         choice("preset", preset_names(), &OceanSettings::preset,
                [](std::string_view name) { return name == no_preset || sea_preset_named(name); }),
         sea_property("wind_speed_mps", "0.1,60,0.1"),
@@ -133,7 +206,13 @@ std::vector<Property> table() {
         {"material", type_object, hint_resource_type, "ShaderMaterial",
          [](const OceanNode& node) { return node.material(); },
          [](OceanNode& node, const Variant& value) { node.set_material(value); }, "a ShaderMaterial"},
+        flag("dynamic_waves", &OceanSettings::dynamic_waves),
+        step_property(),
     };
+    add_fields(all, "dynamic_waves_", &OceanSettings::dynamic_waves_options, dynamic_waves_fields());
+    all.push_back(shore_heights_property());
+    add_fields(all, "shore_", &OceanSettings::shore, shore_fields());
+    return all;
 }
 
 }  // namespace

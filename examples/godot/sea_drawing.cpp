@@ -4,6 +4,7 @@
 #include "pelagic/examples/godot/sea_drawing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
@@ -16,8 +17,8 @@ namespace {
 
 // Constants of VisualServer, Image and Camera.
 constexpr std::int64_t triangles = 4, transform_3d = 1, color_float = 2, custom_float = 2, shadows_off = 0;
-constexpr std::int64_t texture_2d_array = 3, mipmaps = 1, repeat = 2, filter = 4;
-constexpr std::int64_t format_rgba8 = 5, format_rgbah = 15;
+constexpr std::int64_t texture_2d = 0, texture_2d_array = 3, mipmaps = 1, repeat = 2, filter = 4;
+constexpr int format_rgba8 = 5, format_rgbaf = 11, format_rgbah = 15;
 constexpr std::int64_t perspective = 0, orthogonal = 1, keep_width = 0;
 
 constexpr std::size_t floats_an_instance = 12 + 4 + 4;  // transform, colour, custom data
@@ -84,16 +85,41 @@ View view_of(Object* camera, Object* viewport) {
 /// Creates a texture array with one layer per cascade. Anisotropic filtering is off: the shading
 /// represents filtered slopes as roughness (sim/slope_sum.hpp), and a software driver would be
 /// fifty times slower.
-Rid texture_array(Object* server, const Frame& frame, std::int64_t format) {
+Rid texture_array(Object* server, const Frame& frame, int format) {
     const Rid texture = texture_create.on<Rid>(server);
     const std::int64_t side = frame.cascades[0].resolution();
-    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.cascades.size()), format,
-                        texture_2d_array, mipmaps | repeat | filter);
+    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.cascades.size()),
+                        std::int64_t{format}, texture_2d_array, mipmaps | repeat | filter);
+    return texture;
+}
+
+Rid texture_of(Object* server, int columns, int rows, int format, std::int64_t flags) {
+    const Rid texture = texture_create.on<Rid>(server);
+    texture_allocate.on(server, texture, std::int64_t{columns}, std::int64_t{rows}, std::int64_t{0},
+                        std::int64_t{format}, texture_2d, flags);
     return texture;
 }
 
 std::span<const std::uint8_t> bytes_of(const auto& texels) {
     return {reinterpret_cast<const std::uint8_t*>(texels.data()), texels.size_bytes()};
+}
+
+/// Fills four floats per texel: height, its slopes along x and z by central differences, and foam.
+/// \param height_at  height of texel (i, j), also of the neighbours of the outermost texels
+template <class HeightAt>
+void fill_water(std::vector<float>& texels, int columns, int rows, double texel_m, const HeightAt& height_at,
+                std::span<const std::uint8_t> foam) {
+    const auto per_m = static_cast<float>(0.5 / texel_m);
+    texels.resize(4 * foam.size());
+    float* to = texels.data();
+    const std::uint8_t* foam_here = foam.data();
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            *to++ = height_at(i, j);
+            *to++ = (height_at(i + 1, j) - height_at(i - 1, j)) * per_m;
+            *to++ = (height_at(i, j + 1) - height_at(i, j - 1)) * per_m;
+            *to++ = static_cast<float>(*foam_here++) * (1.f / 255);
+        }
 }
 
 double fraction(double value) { return value - std::floor(value); }
@@ -128,9 +154,19 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
     displacement_ = texture_array(server_, frame, format_rgbah);
     slopes_ = texture_array(server_, frame, format_rgba8);
     moments_ = texture_array(server_, frame, format_rgba8);
-    set("displacement", Value(displacement_));
-    set("slopes", Value(slopes_));
-    set("moments", Value(moments_));
+    textures_ = {{"displacement", displacement_}, {"slopes", slopes_}, {"moments", moments_}};
+    if (const DynamicWavesView& waves = frame.dynamic_waves) {
+        dynamic_waves_ =
+            texture_of(server_, waves.resolution, waves.resolution, format_rgbaf, mipmaps | repeat | filter);
+        textures_.push_back({"dynamic_waves_texels", dynamic_waves_});
+    }
+    if (const ShoreSurface& shore = frame.shore) {
+        shore_parts_ = texture_of(server_, shore.columns, shore.rows, format_rgba8, filter);
+        shore_water_ = texture_of(server_, shore.columns, shore.rows, format_rgbaf, mipmaps | filter);
+        textures_.insert(textures_.end(), {{"shore_parts", shore_parts_}, {"shore_water", shore_water_}});
+        upload_image(shore_parts_, 0, shore.columns, shore.rows, format_rgba8, false, bytes_of(shore.parts_rgba8));
+    }
+    for (const Texture& texture : textures_) set(texture.uniform, Value(texture.rid));
 }
 
 SeaDrawing::~SeaDrawing() {
@@ -139,7 +175,10 @@ SeaDrawing::~SeaDrawing() {
     };
     for (const Batch& batch : patches_) free_batch(batch);
     free_batch(skirt_);
-    for (const Rid& rid : {displacement_, slopes_, moments_}) free_rid.on(server_, rid);
+    for (const Texture& texture : textures_) {
+        set(texture.uniform, Value());
+        free_rid.on(server_, texture.rid);
+    }
 }
 
 SeaDrawing::Batch SeaDrawing::batch_of(std::span<const Vector3> vertices, std::span<const std::uint16_t> indices) {
@@ -208,19 +247,66 @@ void SeaDrawing::set(const char* parameter, const Value& value) {
     material_set_param.on(server_, material_, Text(parameter).string(), value.variant());
 }
 
+void SeaDrawing::upload_image(const Rid& texture, int layer, int columns, int rows, int format, bool has_mips,
+                              std::span<const std::uint8_t> bytes) {
+    create_from_data.on(image_.object(), std::int64_t{columns}, std::int64_t{rows}, has_mips, std::int64_t{format},
+                        Pool<std::uint8_t>(bytes).array());
+    texture_set_data.on(server_, texture, image_.object(), std::int64_t{layer});
+}
+
 void SeaDrawing::upload(const Frame& frame) {
-    const auto upload_layer = [&](const Rid& texture, std::size_t layer, std::int64_t side, std::int64_t format,
-                                  bool has_mipmaps, std::span<const std::uint8_t> bytes) {
-        create_from_data.on(image_.object(), side, side, has_mipmaps, format, Pool<std::uint8_t>(bytes).array());
-        texture_set_data.on(server_, texture, image_.object(), static_cast<std::int64_t>(layer));
-    };
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];
-        const std::int64_t side = cascade.resolution();
-        upload_layer(displacement_, i, side, format_rgbah, false, bytes_of(cascade.displacement_rgba16f));
-        upload_layer(slopes_, i, side, format_rgba8, true, bytes_of(cascade.slopes_rgba8));
-        upload_layer(moments_, i, side, format_rgba8, true, bytes_of(cascade.moments_rgba8));
+        const int side = cascade.resolution(), layer = static_cast<int>(i);
+        upload_image(displacement_, layer, side, side, format_rgbah, false, bytes_of(cascade.displacement_rgba16f));
+        upload_image(slopes_, layer, side, side, format_rgba8, true, bytes_of(cascade.slopes_rgba8));
+        upload_image(moments_, layer, side, side, format_rgba8, true, bytes_of(cascade.moments_rgba8));
     }
+    if (frame.dynamic_waves) upload_dynamic_waves(frame.dynamic_waves);
+    if (frame.shore) upload_shore(frame.shore);
+}
+
+void SeaDrawing::upload_dynamic_waves(const DynamicWavesView& waves) {
+    const int n = waves.resolution;
+    // The grid's storage is toroidal.
+    const auto height_at = [&](int i, int j) {
+        return waves.height_m[static_cast<std::size_t>((j & (n - 1)) * n + (i & (n - 1)))];
+    };
+    fill_water(texels_, n, n, waves.texel_m, height_at, waves.foam);
+    upload_image(dynamic_waves_, 0, n, n, format_rgbaf, false, bytes_of(std::span(texels_)));
+}
+
+void SeaDrawing::upload_shore(const ShoreSurface& shore) {
+    // The height is 0 beyond the rectangle.
+    const auto height_at = [&](int i, int j) {
+        if (i < 0 || j < 0 || i >= shore.columns || j >= shore.rows) return 0.f;
+        return shore.height_m[static_cast<std::size_t>(j * shore.columns + i)];
+    };
+    fill_water(texels_, shore.columns, shore.rows, shore.texel_m, height_at, shore.foam);
+    upload_image(shore_water_, 0, shore.columns, shore.rows, format_rgbaf, false, bytes_of(std::span(texels_)));
+}
+
+// The outermost texels are excluded: their outer neighbours are on the opposite side of the torus.
+void SeaDrawing::place_dynamic_waves(const DynamicWavesView& waves, glm::dvec2 viewer) {
+    if (!waves) return set("dynamic_waves_extent", Value(floats(0, 0, 0, 0)));
+    const double n = waves.resolution;
+    const glm::dvec2 first(static_cast<double>(waves.first_x), static_cast<double>(waves.first_z));
+    // The centre of a texture's texel is half a texel from its position.
+    const auto coordinate = [&](double metres) { return fraction((metres / waves.texel_m + 0.5) / n); };
+    const glm::dvec2 centre = (first + 0.5 * (n - 1)) * waves.texel_m - viewer;
+    set("dynamic_waves_place",
+        Value(floats(coordinate(viewer.x), coordinate(viewer.y), 1 / (n * waves.texel_m), 1 / waves.texel_m)));
+    set("dynamic_waves_extent", Value(floats(centre.x, centre.y, 0.5 * (n - 3) * waves.texel_m, 0)));
+}
+
+void SeaDrawing::place_shore(const ShoreSurface& shore, glm::dvec2 viewer) {
+    if (!shore) return set("shore_size", Value(floats(0, 0, 0, 0)));
+    const glm::dvec2 texels(shore.columns, shore.rows);
+    const glm::dvec2 place = ((viewer - glm::dvec2(shore.x_m, shore.z_m)) / shore.texel_m + 0.5) / texels;
+    const glm::dvec2 per_m = 1.0 / (texels * shore.texel_m);
+    const int last_mip = std::bit_width(static_cast<unsigned>(std::max(shore.columns, shore.rows))) - 1;
+    set("shore_place", Value(floats(place.x, place.y, per_m.x, per_m.y)));
+    set("shore_size", Value(floats(texels.x, texels.y, 1 / shore.texel_m, last_mip)));
 }
 
 void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm::dvec3 viewer_m) {
@@ -237,6 +323,8 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     const double resolution = frame.cascades[0].resolution();
     set("spacing", Value(floats(1 / (options.lod_scale * options.vertices), grid.step_m, std::log2(resolution), 0)));
     set("roughness_between_texels", Value(frame.statistics.roughness));
+    place_dynamic_waves(frame.dynamic_waves, viewer);
+    place_shore(frame.shore, viewer);
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];

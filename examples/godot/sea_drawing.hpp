@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pelagic/examples/godot/engine.hpp"
@@ -16,7 +17,7 @@ class SeaDrawing {
    public:
     /// \param node      a node in the scene tree, which defines the world and the camera
     /// \param material  a material with addons/pelagic/sea.shader or a shader with its uniforms
-    /// \param frame     any frame; all frames must have equal numbers of cascades and texels
+    /// \param frame     any frame of the ocean; all frames are of this ocean
     SeaDrawing(Object* node, Rid material, const QuadtreeOptions& options, const Frame& frame);
     ~SeaDrawing();
     SeaDrawing(const SeaDrawing&) = delete;
@@ -38,15 +39,31 @@ class SeaDrawing {
                       std::array<float, 4> custom);
     void show(Batch& batch, bool is_visible);
     void upload(const Frame& frame);
+    void upload_dynamic_waves(const DynamicWavesView& waves);
+    void upload_shore(const ShoreSurface& shore);
+    /// Copies an image to a layer of a texture. The engine generates mips if the image has none.
+    void upload_image(const Rid& texture, int layer, int columns, int rows, int format, bool has_mips,
+                      std::span<const std::uint8_t> bytes);
     void set(const char* parameter, const Value& value);
     void set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm::dvec3 viewer_m);
+    void place_dynamic_waves(const DynamicWavesView& waves, glm::dvec2 viewer);
+    void place_shore(const ShoreSurface& shore, glm::dvec2 viewer);
 
     Object *node_, *server_;
     Rid material_;
     Selection selection_;
     std::array<Batch, 16> patches_;  ///< by stitch configuration
     Batch skirt_;
-    Rid displacement_, slopes_, moments_;
+    /// A texture and the name of its uniform.
+    struct Texture {
+        const char* uniform;
+        Rid rid;
+    };
+    std::vector<Texture> textures_;
+    Rid displacement_{}, slopes_{}, moments_{};
+    Rid dynamic_waves_{};                ///< height, slopes along x and z, foam
+    Rid shore_parts_{}, shore_water_{};  ///< weights of the cascades; as dynamic_waves_
+    std::vector<float> texels_;
     Held image_;
 };
 

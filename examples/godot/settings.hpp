@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/shore.hpp"
 
 namespace pelagic::godot {
 
@@ -18,6 +20,9 @@ struct OceanSettings {
     int threads = 0;  ///< number of threads including the engine's; 0: one per core
     bool foam = true;
     bool velocities = false;
+    bool dynamic_waves = false;
+    DynamicWavesOptions dynamic_waves_options;
+    ShoreOptions shore;                    ///< no shore if heights_m is empty
     std::string interpolation = "linear";  ///< interpolation of queries: "linear" or "cubic"
     std::string quality = "medium";        ///< level of detail, a name of quadtree_presets()
     double size_m = 2048;                  ///< side of the square of waves around the camera

@@ -1,5 +1,5 @@
-# Prints hashes, samples and errors of the node without a window, which answers_test.py compares with
-# the command line.
+# Prints hashes, samples and errors of the node without a window, which answers_test.py compares
+# with the command line.
 extends SceneTree
 
 var refusals = []

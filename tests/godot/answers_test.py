@@ -79,7 +79,8 @@ with tempfile.TemporaryDirectory() as work:
         assert answers[32 * i:32 * (i + 1)] == expected, (points[i], row)
 
     hit, drawn_m, water_m = single(says, "hit").split()
-    # The hit is within a millimetre of the water. Its position is a float, which adds 2e-6 m at 30 m.
+    # The hit is within a millimetre of the water. Its position is a float, which adds 2e-6 m at
+    # 30 m.
     assert hit == "True" and abs(float(drawn_m) - float(water_m)) < 1.1e-3, says["hit"]
     assert single(says, "miss") == "False"
 
@@ -107,7 +108,8 @@ with tempfile.TemporaryDirectory() as work:
             assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
         assert len(kib) == 3
         assert len(set(words.split()[1] for words in frames["frame"])) == 3
-        # A frame's textures are 1.2 MB: a leak in one of fifty frames would be 9.6 MB in 400 frames.
+        # A frame's textures are 1.2 MB: a leak in one of fifty frames would be 9.6 MB in 400
+        # frames.
         assert kib[2] - kib[1] < 8 * 1024, kib
         print(f"{kib} KiB in frames 200, 600 and 1000")
 print(f"{len(hashes) + len(presets)} hashes, {len(points)} points and {len(refused)} refusals agree")

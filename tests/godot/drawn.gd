@@ -1,5 +1,5 @@
-# The sea through the engine's camera, each pixel with its distance instead of a colour, as half floats that drawn_test.py compares with
-# the command line; without and with a wall in it. The vertex shader is the node's own.
+# Renders the sea to images of half floats for drawn_test.py. Instead of a colour, a pixel has its
+# distance or the components of its normal; the rest of the shader is that of the node.
 extends SceneTree
 
 const CODED = """
@@ -50,6 +50,24 @@ func _init():
 func refused(why):
 	print("SAYS refused ", why)
 
+func floats_in(name):
+	var file = File.new()
+	file.open("%s/%s" % [OS.get_environment("IMAGES"), name], File.READ)
+	var numbers = PoolRealArray()
+	while file.get_position() < file.get_len():
+		numbers.append(file.get_float())
+	file.close()
+	return numbers
+
+# Drops a stone in the second tick, and computes the ticks until the image's time.
+func play(ticks, center, stone):
+	ocean.set_center(Vector3(center[0], 0, center[1]))
+	for tick in range(ticks[0], ticks[1] + 1):
+		if tick == ticks[0] + 1:
+			ocean.add_impulse(stone)
+		ocean.time_s = tick / 60.0
+		ocean.hash()
+
 func next_case():
 	number += 1
 	frame = 0
@@ -71,9 +89,18 @@ func next_case():
 	ocean.foam = false
 	for property in case["values"]:
 		ocean.set(property, case["values"][property])
+	if case.has("heights"):
+		ocean.shore_heights_m = floats_in(case["heights"])
+	if case.has("stone"):
+		play(case["ticks"], case["center"], case["stone"])
 	var code = load("res://addons/pelagic/sea.shader").code
-	code = code.substr(0, code.find("void fragment()")).replace("skip_vertex_transform", "skip_vertex_transform, unshaded")
-	ocean.material = shader_material(code + CODED)
+	if case.has("normals"):
+		var colour = "ALBEDO = mix(water, foam_colour.rgb, foam);"
+		assert(colour in code)
+		code = code.replace(colour, "ALBEDO = 0.5 + 0.5 * normal;")
+	else:
+		code = code.substr(0, code.find("void fragment()")) + CODED
+	ocean.material = shader_material(code.replace("skip_vertex_transform", "skip_vertex_transform, unshaded"))
 	view.add_child(ocean)
 
 func _idle(_seconds):

@@ -1,4 +1,5 @@
-# Every command line and script of docs/users/godot.md, in a folder that has the build where the page has it.
+# Runs every command line and script of docs/users/godot.md, in a folder where the build has the
+# page's path, and compares the page's tables with the node.
 # usage: page_test.py SOURCE BUILD GOLDEN_HASHES
 import os
 import re
@@ -13,9 +14,9 @@ source, build, golden_file = sys.argv[1:]
 golden = dict(line.split() for line in Path(golden_file).read_text().splitlines())
 page = Path(source, "docs/users/godot.md").read_text()
 lines = re.findall(r"^    (\S.*)$", page, re.MULTILINE)
-scripts = dict(zip(re.findall(r"`(\w+\.gd)`:$", page, re.MULTILINE), re.findall(r"^```gdscript\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)))
-assert sorted(scripts) == ["buoy.gd", "server.gd"], "the page has other scripts than this test knows"
-assert len(lines) == 9, "the page has other lines than this test knows"
+scripts = dict(re.findall(r"`(\w+\.gd)`[^`]*:\n\n```gdscript\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
+assert sorted(scripts) == ["beach.gd", "buoy.gd", "server.gd", "wake.gd"], "the page has other scripts than this test knows"
+assert len(lines) == 10, "the page has other lines than this test knows"
 
 BUOY = """
 extends SceneTree
@@ -36,12 +37,43 @@ func _idle(_seconds):
 		quit()
 """
 
+# The boat moves 3 m/s along -z, for 1.5 s.
+WAKE = """
+extends SceneTree
+var frames = 0
+var ocean = load("res://addons/pelagic/ocean.gdns").new()
+var boat = Spatial.new()
+func _init():
+	ocean.name = "ocean"
+	ocean.dynamic_waves = true
+	root.add_child(ocean)
+	boat.set_script(load("res://wake.gd"))
+	boat.rotation.y = PI / 2
+	root.add_child(boat)
+func _idle(_seconds):
+	frames += 1
+	boat.translation.z -= 3.0 / 60
+	if frames == 90:
+		ocean.playing = false
+		var places = PoolVector3Array()
+		for i in range(-8, 9):
+			places.append(boat.translation + Vector3(i, 0, 0))
+			places.append(boat.translation + Vector3(0, 0, i))
+		var heights = ocean.query(places)["height"]
+		ocean.dynamic_waves = false
+		var without = ocean.query(places)["height"]
+		for i in range(places.size()):
+			print("SAYS added %.9f" % (heights[i] - without[i]))
+		quit()
+"""
+
 DESCRIBED = """
 extends SceneTree
 func _init():
 	var ocean = load("res://addons/pelagic/ocean.gdns").new()
 	for property in ocean.get_script().get_script_property_list():
 		print("SAYS property %s %d %s" % [property["name"], property["hint"], property["hint_string"]])
+		print("SAYS default %s %s" % [property["name"], ocean.get(property["name"])])
 	for method in ocean.get_script().get_script_method_list():
 		print("SAYS method ", method["name"])
 	ocean.free()
@@ -51,7 +83,7 @@ hint_none, hint_range, hint_exp_range, hint_enum, hint_resource_type = 0, 1, 2, 
 
 
 def difference(first, second):
-    """Of two images of one size: the mean of all bytes' differences."""
+    """Returns the mean difference of the bytes of two images of 640 x 360 pixels."""
     images = [subprocess.run(["pngtopnm", file], capture_output=True, check=True).stdout for file in (first, second)]
     headers, bytes_of = zip(*((image[:15], image[15:]) for image in images))
     assert headers == (b"P6\n640 360\n255\n",) * 2, headers
@@ -62,13 +94,13 @@ with tempfile.TemporaryDirectory() as work:
     os.chdir(work)
     Path("build").mkdir()
     Path("build/release").symlink_to(build)
-    # What Godot writes into a project is not left in the build.
     said = {}
     for line in lines:
         print(line, flush=True)
         command = line
         if line == "cmake --preset release":
-            command = f"cmake --list-presets=configure -S {source}"  # that there is one of this name is enough: this is its build
+            # BUILD is the build of this preset, which only has to exist.
+            command = f"cmake --list-presets=configure -S {source}"
         elif line.startswith("godot3 "):
             quits = "" if " -s " in line else " --quit"
             command = line.replace("godot3 ", "xvfb-run -a -s '-screen 0 1280x800x24' godot3 --audio-driver Dummy ", 1) + quits
@@ -79,22 +111,38 @@ with tempfile.TemporaryDirectory() as work:
 
     assert any('"release"' in line for line in said["cmake --preset release"])
     image = Path(build, "godot/image.png")
-    # A driver may round otherwise; another sea, camera or time differs by 10 and more. The page's image has 200 colours.
+    # Drivers round differently, and the page's image has 200 colours. Another sea, camera or time
+    # differs by 10 or more.
     apart = difference(image, Path(source, "docs/images/godot.png"))
     image.unlink()
     assert apart < 3, f"the page's image is {apart} off"
 
-    [server] = [words for line, words in said.items() if line.startswith("godot3-server")]
+    [server] = [words for line, words in said.items() if "server.gd" in line]
+    [beach] = [words for line, words in said.items() if "beach.gd" in line]
     [query] = [words for line, words in said.items() if "query" in line]
     [answer] = [line for line in server if re.fullmatch(r"[0-9a-f]{16} -?[0-9.]+", line)]
     hash_there, height_m = answer.split()
     assert hash_there == golden["preset-moderate@12.34"].zfill(16), answer
     assert abs(float(query[1].split(",")[2]) - float(height_m)) < 1e-6, (query, answer)
 
+    # 20 m deep at x = 0, rising by 0.4 m in 4 m.
+    [[depth_m, shore_height_m]] = [map(float, line.split()) for line in beach if re.fullmatch(r"-?[0-9.]+ -?[0-9.]+", line)]
+    assert abs(depth_m - 10) < 1e-3 and 0 < abs(shore_height_m) < 5, beach
+
     Path("buoy_test.gd").write_text(BUOY)
     buoy = run_headless("my_game", Path(work, "buoy_test.gd"), work, {})
     assert buoy["buoy"] == ["True"], buoy["lines"]
-    # The page's tables have the node's properties and methods, all of them, and the editor has a range or choices for each number and name.
+    Path("wake_test.gd").write_text(WAKE)
+    wake = run_headless("my_game", Path(work, "wake_test.gd"), work, {}, fps=60)
+    assert "refused" not in wake
+    added = [float(words) for words in wake["added"]]
+    # The hull, 0.5 m deep, presses a trough into the water. Its wake is highest behind the boat.
+    assert -1 < min(added) < -0.3 and 0.1 < max(added) < 1, added
+    behind, ahead = added[19::2], added[1:16:2]
+    assert max(behind) > 4 * max(ahead), added
+
+    # The tables have all properties and methods of the node and their numeric defaults. The editor
+    # has a range or choices for each number and name.
     Path("described.gd").write_text(DESCRIBED)
     node = run_headless("my_game", Path(work, "described.gd"), work, {})
     first_cells = [line.split("|")[1] for line in page.splitlines() if line.startswith("| `")]
@@ -103,5 +151,10 @@ with tempfile.TemporaryDirectory() as work:
     methods = [name for name in node["method"] if not name.startswith("_")]
     assert sorted(written) == sorted([*hints, *methods]), (written, hints, methods)
     without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
-    assert without == ["foam", "velocities", "time_s", "playing"], without
+    assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "shore_heights_m"], without
+    defaults = dict(words.split(" ", 1) for words in node["default"])
+    cells = [[cell.strip() for cell in line.split("|")] for line in page.splitlines() if re.match(r"\| `\w+` \|.*\| [0-9.]+ \|$", line)]
+    assert len(cells) > 20, cells
+    for _, name, *_, default, _ in cells:
+        assert float(default) == float(defaults[name.strip("`")]), (name, default, defaults)
 print(f"the image is {apart:.2f} off")
