@@ -19,7 +19,7 @@ function blocksOf(page, heading) {
 
 const run = (command, args, options) => execFileSync(command, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'], ...options });
 
-/** Runs the JavaScript blocks, and compares their outputs with the next blocks. Returns their number. */
+/** Compares the output of each JavaScript block with the block after it. Returns their number. */
 function runExamples(name, blocks) {
   let compared = 0;
   blocks.forEach(({ language, text }, i) => {

@@ -1,6 +1,6 @@
-// The page as a visitor has it, in headless Chromium, which draws in software: so its window is
-// small. What it shows is compared with the native program. usage: node page_test.mjs PAGE_FOLDER
-// PELAGIC, in a folder that page_test.sh has filled
+// The page in headless Chromium, compared with the native command. The window is small, because
+// Chromium draws in software.
+//   usage: node page_test.mjs PAGE_FOLDER PELAGIC, in a folder that page_test.sh has filled
 import assert from 'node:assert/strict';
 import {execFileSync, spawn, spawnSync} from 'node:child_process';
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, readlinkSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
@@ -19,7 +19,7 @@ const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppete
 
 let server, address, browser, page, scratch;
 const problems = [];
-/** What a page of a test takes: the cheapest image, standing still. */
+/** Options of a link with the cheapest image, paused. */
 const cheap = 'quality=low&shading=headset&scale=1&paused=true';
 
 before(async () => {
@@ -44,7 +44,7 @@ after(async () => {
   rmSync(scratch, {recursive: true, force: true});
 });
 
-/** The hash that is on the screen once the sea of the settings is drawn. */
+/** Waits until the sea of the settings is drawn, and returns the displayed hash. */
 async function shownHash() {
   await page.waitForFunction(() => {
     const {seaChanged, hash, shownTimeS, settings} = globalThis.pelagicPage;
@@ -56,27 +56,26 @@ async function shownHash() {
 async function openLink(text) {
   await page.evaluate(link => { location.hash = link; }, text);
   await page.waitForFunction(link => location.hash.slice(1) === link, {}, text);
-  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 0)));  // its event has been heard
+  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 0)));  // after the hashchange event
 }
 
-/** Of a frame by the native program. */
+/** Returns the hash of a frame, by the native command. */
 function nativeHash(timeS, ...flags) {
   const out = join(scratch, `native_${Math.random()}`);
   execFileSync(pelagic, ['export', '--out', out, '--start', String(timeS), '--maps', 'displacement', ...flags]);
   return JSON.parse(readFileSync(join(out, 'sea.json'))).frames[0].hash;
 }
 
-/** Where nothing lies over the canvas. */
+/** Returns a point of the canvas that no control covers. */
 const placeOnSea = () => page.evaluate(() => {
   for (let y = innerHeight / 2; y > 0; --y)
     if (document.elementFromPoint(innerWidth / 2, y)?.id === 'sea') return {x: innerWidth / 2, y};
 });
 const problemLine = () => page.$eval('#problem', line => (line.hidden ? '' : line.textContent));
 
-// ---- Serving
-// -------------------------------------------------------------------------------------------------------------------
+// Serving.
 
-test('the server gives types and isolates the page, and nothing from outside its folder', async () => {
+test('the server sends media types, isolates pages and serves no file outside of its folder', async () => {
   const asked = async path => {
     const answer = await fetch(address + path);
     await answer.arrayBuffer();
@@ -92,12 +91,12 @@ test('the server gives types and isolates the page, and nothing from outside its
   assert.equal((await asked('nothing.js')).status, 404);
   assert.equal((await fetch(address, {method: 'POST'})).status, 405);
   assert.equal((await fetch(`${address}main.js`, {method: 'HEAD'})).status, 200);
-  // fetch() would tidy such paths up.
+  // fetch() would normalise such paths.
   for (const path of ['/../page_bindings.cpp', '/..%2f..%2f..%2fetc%2fpasswd', '/%2e%2e/%2e%2e/etc/passwd', '/%'])
     assert.equal(await new Promise((resolve, reject) => request(address, {path}, answer => resolve(answer.statusCode)).on('error', reject).end()), 404, path);
 });
 
-test('the server follows no link out of its folder, and says in a line what it was not told', async () => {
+test('the server follows no link out of its folder, and rejects invalid arguments in one line', async () => {
   const folder = join(scratch, 'served');
   execFileSync('mkdir', [folder]);
   writeFileSync(join(folder, 'index.html'), 'here');
@@ -116,7 +115,7 @@ test('the server follows no link out of its folder, and says in a line what it w
   assert.equal(await new Promise(resolve => other.once('exit', resolve)), 0);
 });
 
-test('the server closes what an aborted download read, waits for no FIFO, and leads from a folder to its page', {timeout: 120000}, async () => {
+test('the server closes files of aborted downloads, does not wait for a FIFO, and redirects folders', {timeout: 120000}, async () => {
   const folder = join(scratch, 'attacked');
   mkdirSync(join(folder, 'inside'), {recursive: true});
   writeFileSync(join(folder, 'inside', 'index.html'), 'inside');
@@ -127,7 +126,7 @@ test('the server closes what an aborted download read, waits for no FIFO, and le
   try {
     const at = await new Promise(resolve => other.stdout.once('data', line => resolve(String(line).trim())));
     const openFiles = () => readdirSync(`/proc/${other.pid}/fd`).map(number => {
-      try { return readlinkSync(`/proc/${other.pid}/fd/${number}`); } catch { return ''; }  // closed meanwhile
+      try { return readlinkSync(`/proc/${other.pid}/fd/${number}`); } catch { return ''; }  // closed
     }).filter(path => path.startsWith(folder));
     for (let download = 0; download < 20; ++download)
       await new Promise((resolve, reject) => {
@@ -136,7 +135,7 @@ test('the server closes what an aborted download read, waits for no FIFO, and le
       });
     for (let wait = 0; wait < 1000 && openFiles().length; ++wait) await new Promise(resolve => setTimeout(resolve, 20));
     assert.deepEqual(openFiles(), []);
-    for (let call = 0; call < 8; ++call) assert.equal((await fetch(`${at}pipe`)).status, 404);  // more than node has threads for files
+    for (let call = 0; call < 8; ++call) assert.equal((await fetch(`${at}pipe`)).status, 404);  // more than node has file threads
     const redirect = await fetch(`${at}inside?wind=3`, {redirect: 'manual'});
     assert.equal(redirect.status, 301);
     assert.equal(redirect.headers.get('location'), './inside/?wind=3');
@@ -149,8 +148,7 @@ test('the server closes what an aborted download read, waits for no FIFO, and le
   }
 });
 
-// ---- Opening
-// -------------------------------------------------------------------------------------------------------------------
+// Opening.
 
 test('the first image is drawn before the first slice of the sky, which takes several', async () => {
   await page.waitForFunction(() => globalThis.pelagicPage.timings.skyMs, {timeout: 300000});
@@ -158,13 +156,13 @@ test('the first image is drawn before the first slice of the sky, which takes se
   assert.ok(timings.firstSliceMs >= timings.firstFrameMs);
   assert.ok(timings.slices.length > 10, `${timings.slices.length} slices`);
   assert.ok(await page.evaluate(() => globalThis.pelagicPage.view.hasSky()));
-  // The last one hands the sky to GL, which is no script.
+  // The last slice uploads the sky.
   const upload = timings.slices.pop();
   console.log(`first image after ${timings.firstFrameMs.toFixed(0)} ms, sky after ${timings.skyMs.toFixed(0)} ms, ` +
               `${timings.slices.length} slices, the longest ${Math.max(...timings.slices).toFixed(1)} ms, ${upload.toFixed(1)} ms with the upload`);
 });
 
-test('it shows a sea and no problem, and every control has a name', async () => {
+test('the page shows a sea without errors, and every control has a name', async () => {
   const image = await page.evaluate(() => {
     const {gl, view} = globalThis.pelagicPage;
     globalThis.pelagicPage.isStale = true;
@@ -188,14 +186,13 @@ test('it shows a sea and no problem, and every control has a name', async () => 
   assert.ok(await page.evaluate(() => document.getElementById('enter-vr').hidden), 'no headset here');
 });
 
-// ---- The sea
-// -------------------------------------------------------------------------------------------------------------------
+// Sea.
 
-test('the hash of a paused moment is that of the native program', async () => {
+test('the hash of a paused frame is that of the native command', async () => {
   assert.equal(await shownHash(), nativeHash(12.5));
 });
 
-test('sliders and presets change the sea into the native program\'s', async () => {
+test('sliders and presets give the hashes of the native command', async () => {
   await page.evaluate(() => {
     const select = document.getElementById('option-sea-state');
     select.value = 'storm';
@@ -213,12 +210,12 @@ test('sliders and presets change the sea into the native program\'s', async () =
   assert.equal(await shownHash(), nativeHash(12.5, '--preset', 'storm', '--wind-speed', '14.5', '--wind-direction', '30', '--choppiness', '0.65'));
 });
 
-test('a link opens the native program\'s sea', async () => {
+test('a link gives the hash of the native command', async () => {
   await openLink(`sea=swell&swellDirectionRad=120deg&seed=77&cascades=3&spreading=cosine-2s&timeS=-3.25&${cheap}`);
   assert.equal(await shownHash(), nativeHash(-3.25, '--preset', 'swell', '--swell-direction', '120', '--seed', '77', '--cascades', '3', '--spreading', 'cosine-2s'));
 });
 
-test('what does not fit is said in a line, and the sea stays', async () => {
+test('an invalid value shows one line and does not change the sea', async () => {
   const before = await shownHash();
   await page.evaluate(() => {
     const input = document.getElementById('option-fetch-m');
@@ -229,7 +226,7 @@ test('what does not fit is said in a line, and the sea stays', async () => {
   assert.equal(await shownHash(), before);
 });
 
-test('time runs unless it is paused, and a resting sea is not drawn again', async () => {
+test('time advances unless it is paused, and an unchanged image is not drawn again', async () => {
   const time = () => page.evaluate(() => globalThis.pelagicPage.settings.timeS);
   const isPressed = () => page.$eval('#pause', button => button.getAttribute('aria-pressed'));
   assert.equal(await isPressed(), 'true');
@@ -244,10 +241,9 @@ test('time runs unless it is paused, and a resting sea is not drawn again', asyn
   assert.equal(await time(), at);
 });
 
-// ---- Links
-// ---------------------------------------------------------------------------------------------------------------------
+// Links.
 
-test('a link holds every option to the bit', async () => {
+test('a link restores every option exactly', async () => {
   const failures = await page.evaluate(async () => {
     const {module, tables} = globalThis.pelagicPage;
     const {allOptions, check, defaultSettings} = await import('./options.js');
@@ -288,7 +284,7 @@ test('a link holds every option to the bit', async () => {
   assert.deepEqual(failures, []);
 });
 
-test('the button makes a link that opens what is seen', async () => {
+test('the button makes a link that restores the image', async () => {
   await openLink(`sea=storm&light=storm&${cheap}`);
   const before = await shownHash();
   const {x, y} = await placeOnSea();
@@ -308,7 +304,7 @@ test('the button makes a link that opens what is seen', async () => {
   assert.deepEqual(await page.evaluate(() => globalThis.pelagicPage.currentSettings()), shown.settings);
 });
 
-test('a damaged link is told in one line, and the default sea stands in', async () => {
+test('a damaged link shows one line and the default sea', async () => {
   await openLink(`sea=storm&${cheap}`);
   const link = await page.evaluate(() => new URL(globalThis.pelagicPage.link()).hash.slice(1));
   assert.match(link, /^sum=/);
@@ -317,7 +313,7 @@ test('a damaged link is told in one line, and the default sea stands in', async 
     const {readLink} = await import('./share_link.js');
     return all.map(text => { try { readLink(text, module, tables); return ''; } catch (error) { return error.message; } });
   }, texts);
-  // Cut off anywhere within or behind the sum, or with one letter changed.
+  // Truncated within or after the checksum, or with one changed character.
   const lines = await read([...Array(link.length - 5).keys()].map(count => link.slice(0, count + 5)));
   assert.ok(lines.every(line => line), `a piece of ${link} is taken for a link`);
   const changed = await read([...Array(link.length - 9).keys()].map(at => `${link.slice(0, at + 9)}%${link.slice(at + 10)}`));
@@ -346,7 +342,7 @@ test('a damaged link is told in one line, and the default sea stands in', async 
   assert.equal(await problemLine(), '');
 });
 
-test('the lines of the page for users do what they say', async () => {
+test('the commands and the link of docs/users/web.md work', async () => {
   const text = readFileSync(join(root, 'docs/users/web.md'), 'utf8');
   const [, link] = text.match(/^ {4}http:.*#(sum=\S+)$/m);
   const [, flags] = text.match(/^ {4}pelagic export (.*) --start 12.5 --out out$/m);
@@ -371,10 +367,9 @@ test('the lines of the page for users do what they say', async () => {
   assert.equal(await lines(demo(['fast'])), 'demo.sh web: what is fast? A port or --build-only is accepted\n');
 });
 
-// ---- The boat
-// ------------------------------------------------------------------------------------------------------------------
+// Boat.
 
-test('the boat lies on the native program\'s water', async () => {
+test('the pose of the boat agrees with heights of the native command', async () => {
   await openLink(`sea=rough&timeS=40&${cheap}`);
   await shownHash();
   const {pose, xz} = await page.evaluate(async () => {
@@ -389,16 +384,16 @@ test('the boat lies on the native program\'s water', async () => {
   const heights = rows.map(row => row.height);
   assert.equal(heights.length, 15);
   const mean = heights.reduce((sum, height) => sum + height, 0) / heights.length;
-  // Two searches of the surface, each within a millimetre horizontal.
+  // Two queries, each with a horizontal error of at most a millimetre.
   assert.ok(Math.abs(pose.height - mean) < 2e-3, `${pose.height} against ${mean}`);
-  assert.ok(Math.abs(mean) > 0.01, 'flat water would say nothing');
-  // Its keel's line goes through the water at bow and stern as well as a plane can.
+  assert.ok(Math.abs(mean) > 0.01, 'the water is flat');
+  // The slope along the keel is about that of the water from stern to bow.
   const atBow = heights.slice(12).reduce((sum, height) => sum + height / 3, 0), atStern = heights.slice(0, 3).reduce((sum, height) => sum + height / 3, 0);
   const steep = (atBow - atStern) / (0.8 * 7.2);
   assert.ok(Math.abs(pose.slopeX - steep) < 0.5 * Math.abs(steep) + 0.03, `${pose.slopeX} against ${steep}`);
 });
 
-test('the boat\'s mesh is whole: unit normals, no stray corner', async () => {
+test('the mesh of the boat has unit normals and no vertex outside of its bounds', async () => {
   const {length, beam, boatMesh} = await import(pathToFileURL(join(pageFolder, 'boat.js')));
   const mesh = boatMesh();
   assert.equal(mesh.length % 27, 0);
@@ -410,14 +405,12 @@ test('the boat\'s mesh is whole: unit normals, no stray corner', async () => {
   }
 });
 
-// ---- The headset
-// ---------------------------------------------------------------------------------------------------------------
+// Headset.
 
-test('the button leads into a headset, for whose two eyes is drawn, and back to the page', async () => {
+test('the button starts a headset session with two eyes, whose end returns to the page', async () => {
   const visitor = await browser.newPage();
   visitor.on('pageerror', error => problems.push(error.message));
-  // Chromium has navigator.xr without a headset; iwer puts a Quest 3 in its place, before the page
-  // looks.
+  // Chromium has navigator.xr without a headset; iwer replaces it by a Quest 3.
   await visitor.evaluateOnNewDocument(`${readFileSync(require.resolve('iwer/build/iwer.min.js'))}
     globalThis.headset = new IWER.XRDevice(IWER.metaQuest3, {stereoEnabled: true});
     headset.installRuntime({forceInstall: true});`);
@@ -448,10 +441,9 @@ test('the button leads into a headset, for whose two eyes is drawn, and back to 
   await visitor.close();
 });
 
-// ---- The window
-// ----------------------------------------------------------------------------------------------------------------
+// Window size and input.
 
-test('the image follows the window, and a phone begins with the sea alone', async () => {
+test('the image has the size of the window, and the panel is hidden on phones at first', async () => {
   const phone = {width: 180, height: 320};
   await page.setViewport(phone);
   await page.waitForFunction(() => globalThis.pelagicPage.gl.drawingBufferHeight === 320, {timeout: 120000});
@@ -466,7 +458,7 @@ test('the image follows the window, and a phone begins with the sea alone', asyn
   await other.close();
 });
 
-test('keys and wheel move the camera as the window\'s do', async () => {
+test('keys and wheel move the camera', async () => {
   const eye = () => page.evaluate(() => globalThis.pelagicPage.currentSettings());
   const before = await eye();
   const {x, y} = await placeOnSea();
@@ -483,4 +475,4 @@ test('keys and wheel move the camera as the window\'s do', async () => {
   assert.equal((await eye()).cameraHeadingRad, flying.cameraHeadingRad);
 });
 
-test('nothing went wrong meanwhile', () => assert.deepEqual(problems, []));
+test('the console has no warnings and errors', () => assert.deepEqual(problems, []));

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The page in headless Chromium, served as ./demo.sh web serves it.
-# usage: page_test.sh PAGE_FOLDER PELAGIC FOLDER    FOLDER keeps npm's packages between runs
+# Tests the page in headless Chromium.
+# usage: page_test.sh PAGE_FOLDER PELAGIC FOLDER
+# npm's packages remain in FOLDER.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do

@@ -1,5 +1,6 @@
-// The image that a page's SeaView should show, drawn by EGL: `view_image SCENE.json IMAGE` writes RGBA, the upper row first, and
-// prints the frame's hash and the heights at the scene's points. The scene is view_test.mjs's: a sea by its preset, a camera by where it looks, one eye or two.
+// The native image of a scene of view_test.mjs, drawn with EGL, for comparison with SeaView.
+//   usage: view_image SCENE.json IMAGE
+// Writes RGBA, the upper row first. Prints the frame's hash and the heights at the scene's points.
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -50,7 +51,7 @@ void draw(const nlohmann::json& scene, const char* image) {
     const gl::Sky& sky = baker.complete();
     renderer.set_sky(sky);
     renderer.upload(frame);
-    gl.Finish();  // Mesa's software driver with threads may sample mips before they are written
+    gl.Finish();  // Mesa's threaded software driver may sample mips before they are written
 
     const nlohmann::json& from = scene["camera"];
     const Camera camera{.position_m = vector_in(from["position"]),

@@ -1,4 +1,4 @@
-// The page of view_test.mjs: a SeaView, and how a camera looks in matrices.
+// The page of view_test.mjs: a module for SeaView, and the matrices of cameras.
 import createPelagicView from './page/pelagic_view.js';
 import {XrSession} from './page/xr_session.js';
 
@@ -12,7 +12,7 @@ const dot = (a, b) => a.reduce((sum, v, i) => sum + v * b[i], 0);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = a => a.map(v => v / Math.hypot(...a));
 
-/** The matrices of an eye as WebXR has them, with a far plane, which is to make no difference. */
+/** Returns the matrices of an eye as in WebXR. The far plane must not affect the image. */
 function eyeOf({position, target, verticalViewRad}, viewport) {
   const back = unit(minus(position, target)), right = unit(cross([0, 1, 0], back)), up = cross(back, right);
   const axes = [right, up, back];
@@ -22,7 +22,7 @@ function eyeOf({position, target, verticalViewRad}, viewport) {
   return {viewport, view: new Float32Array(view), projection: new Float32Array(projection)};
 }
 
-/** RGBA of the bound framebuffer, the upper row first, in base 64. */
+/** Returns RGBA of the bound framebuffer, the upper row first, in base 64. */
 function pixels(gl, width, height) {
   const rows = new Uint8Array(4 * width * height), upright = new Uint8Array(rows.length);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rows);

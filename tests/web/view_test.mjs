@@ -1,5 +1,6 @@
-// A page's SeaView in headless Chromium, which draws in software: usage: node view_test.mjs
-// VIEW_IMAGE SERVE, in a folder that view_test.sh has filled. Images stay there as .rgba files.
+// SeaView in headless Chromium, compared with native images.
+//   usage: node view_test.mjs VIEW_IMAGE SERVE, in a folder that view_test.sh has filled
+// Images remain in that folder as .rgba files.
 import assert from 'node:assert/strict';
 import {execFileSync, spawn} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -17,11 +18,11 @@ const scene = {
   preset: 'moderate', resolution: 64, timeS: 12.5, light: 'noon', skyFaceSize: 64, quality: 'medium', shading: 'medium', width: 320, height: 180, eyesApartM: 0,
   camera: {position: [3, 5, -2], target: [60, 1, 35], verticalViewRad: 0.8}, points: [[0, 0], [3.5, -7.25], [1234.5, 99]],
 };
-/** For many frames: a software driver takes seconds for what a GPU does in a millisecond. */
+/** A cheaper scene for many frames, because Chromium draws in software. */
 const quickScene = {...scene, quality: 'low', shading: 'headset'};
 const viewOptions = ({preset, resolution, skyFaceSize, quality, shading}) => ({preset, resolution, skyFaceSize, quality, shading});
 
-/** What EGL draws of it: {pixels, hash, heights}. */
+/** Returns the native results of a scene: {pixels, hash, heights}. */
 function nativeImage(name, wanted) {
   writeFileSync(`${name}.json`, JSON.stringify(wanted));
   const [hash, ...heights] = execFileSync(viewImage, [`${name}.json`, `${name}_native.rgba`]).toString().trim().split('\n');
@@ -34,7 +35,7 @@ function saved(name, base64) {
   return bytes;
 }
 
-/** Peak signal over noise of two RGBA images' colours, in decibels. */
+/** Returns the peak signal-to-noise ratio of the colours of two RGBA images, in decibels. */
 function psnr(a, b) {
   assert.equal(a.length, b.length);
   let squares = 0;
@@ -42,7 +43,7 @@ function psnr(a, b) {
   return 10 * Math.log10(255 ** 2 / (squares / (0.75 * a.length)));
 }
 
-/** Shown in the log, for who wants to know how far it is from the bound. */
+/** Compares two images, and prints the ratio. */
 function assertAlike(name, a, b, minDb) {
   const db = psnr(a, b);
   console.log(`${name}: ${db.toFixed(1)} dB`);
@@ -76,7 +77,7 @@ after(async () => {
   if (profile) rmSync(profile, {recursive: true, force: true});
 });
 
-test('the first image has a plain sky, and the baked one is what EGL draws; hash and heights have its bits', {timeout: 120000}, async () => {
+test('the first image has a plain sky; the baked one agrees with EGL, hash and heights exactly', {timeout: 120000}, async () => {
   const native = nativeImage('mono', scene);
   const drawn = await page.evaluate(async (scene, options) => {
     const {module, canvas, eyeOf, pixels, resize} = tested;
@@ -96,8 +97,7 @@ test('the first image has a plain sky, and the baked one is what EGL draws; hash
     const baked = image();
     const hash = view.hash(), heights = [...view.heights(new Float64Array(scene.points.flat())).heights];
 
-    // Framebuffers of the page's own script: one with as many samples as the canvas has, and one
-    // that takes their means.
+    // Framebuffers of the page: one with as many samples as the canvas, and one to resolve them.
     const gl = view.context;
     const framebufferOf = samples => {
       const framebuffer = gl.createFramebuffer();
@@ -129,8 +129,7 @@ test('the first image has a plain sky, and the baked one is what EGL draws; hash
   assert.equal(drawn.first.hasSky, false);
   assert.equal(drawn.hasSky, true);
   const first = saved('first', drawn.first.image);
-  // The upper half is sky: as bright as a sky is, and without clouds that differ from column to
-  // column.
+  // The upper half is bright sky without clouds, which would differ from column to column.
   const {width} = scene;
   const row = Array.from({length: width}, (_, x) => first[4 * (20 * width + x) + 2]);
   assert.ok(Math.min(...row) > 40, `the first sky's blue is ${Math.min(...row)}`);
@@ -140,7 +139,7 @@ test('the first image has a plain sky, and the baked one is what EGL draws; hash
   assertAlike("canvas and a framebuffer of the page's", baked, saved('own', drawn.own), 50);
 });
 
-test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000}, async () => {
+test('200 frames with resizes cause no GL error', {timeout: 150000}, async () => {
   const {errors, simulateMs, drawMs, triangles} = await page.evaluate((camera, options) => {
     const {module, eyeOf, resize} = tested;
     tested.view.delete();
@@ -155,7 +154,7 @@ test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000},
       resize(width, height);
       view.simulate(0.05 * i);
       view.draw({width, height, eyes: [eyeOf(camera, [0, 0, width, height])]});
-      view.context.readPixels(0, 0, 1, 1, view.context.RGBA, view.context.UNSIGNED_BYTE, pixel);  // waits until it is drawn
+      view.context.readPixels(0, 0, 1, 1, view.context.RGBA, view.context.UNSIGNED_BYTE, pixel);  // waits for the image
       simulateMs += view.simulateMs();
       drawMs += view.drawMs();
       const error = view.glError();
@@ -169,8 +168,7 @@ test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000},
 });
 
 /**
- * Where a band of rows of the left half lies in the right half: columns by which it moved to the
- * left.
+ * Returns the disparity of some rows: by how many columns the right half is shifted to the left.
  */
 function disparity(image, width, rows) {
   const half = width / 2, largest = 12;
@@ -184,7 +182,7 @@ function disparity(image, width, rows) {
   return best[1];
 }
 
-test('a headset has two eyes, a head that moves, and an end', {timeout: 150000}, async () => {
+test('a headset session draws two eyes, follows the head and ends', {timeout: 150000}, async () => {
   await page.evaluate(async preset => {
     const {XRDevice, metaQuest3} = await import('/node_modules/iwer/build/iwer.module.js');
     const device = tested.device = new XRDevice(metaQuest3, {stereoEnabled: true, fovy: 1.2, ipd: 0.2});
@@ -202,7 +200,7 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
       },
     });
   });
-  // Looking along -z from the head's place in the room, which stands in the sea at `origin`.
+  // The head looks along -z. The room has its floor at `origin`.
   const seenFrom = async (name, [x, y, z], [tx, ty, tz]) => {
     await page.waitForFunction(x => Math.abs(tested.seen?.pose - x) < 1e-6, {timeout: 90000, polling: 200}, x);
     const seen = await page.evaluate('tested.seen');
@@ -216,14 +214,13 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
     return {...seen, image};
   };
   const first = await seenFrom('stereo', [0.3, 1.7, -0.2], [0, 0, -1]);
-  // The right eye sees the water before it further to the left, and the horizon where the left eye
-  // does.
+  // Near water is further to the left in the right eye; the horizon is not.
   const rows = (from, to) => Array.from({length: to - from}, (_, i) => from + i);
   const near = disparity(first.image, first.width, rows(first.height - 16, first.height));
   const far = disparity(first.image, first.width, rows(6, first.height / 2 - 4));
   console.log(`disparity ${near} pixels near, ${far} far`);
-  // 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is the
-  // half height / tan(0.6).
+  // Eyes 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is
+  // half the height / tan(0.6).
   assert.ok(near >= 2 && near <= 6, `near water is ${near} pixels further to the left`);
   assert.equal(far, 0);
 
@@ -248,8 +245,8 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
   assert.equal(after.width, 160, 'the canvas is the page\'s again');
 });
 
-test('what is wrong is refused by one line, and the sea stays', async () => {
-  const refusals = await page.evaluate(() => {
+test('an invalid value is rejected by one line and does not change the sea', async () => {
+  const rejected = await page.evaluate(() => {
     const {module, view} = tested;
     const lines = [];
     view.simulate(1);
@@ -266,9 +263,9 @@ test('what is wrong is refused by one line, and the sea stays', async () => {
     view.simulate(1);
     return {lines, same: before === view.hash()};
   });
-  assert.deepEqual(refusals.lines, [
+  assert.deepEqual(rejected.lines, [
     'Error: windSpeedMps -3 is out of range (0, 60]',
-    refusals.lines[1],
+    rejected.lines[1],
     'Error: cloudCover 3 is out of range [0, 1]',
     'Error: preset is "dusk", expected noon, golden-hour, overcast, storm or moonlight',
     'Error: shading is "best", expected headset, medium or high',
@@ -276,11 +273,11 @@ test('what is wrong is refused by one line, and the sea stays', async () => {
     "Error: an eye's view needs 16 numbers",
     'Error: timeS is nan, expected a finite number',
   ]);
-  assert.match(refusals.lines[1], /^Error: there is no option windSpeed, expected windSpeedMps/);
-  assert.equal(refusals.same, true);
+  assert.match(rejected.lines[1], /^Error: there is no option windSpeed, expected windSpeedMps/);
+  assert.equal(rejected.same, true);
 });
 
-test('a context that the browser takes away is told, and a new view draws in the next one', {timeout: 60000}, async () => {
+test('a lost context is reported, and a new view draws in the restored one', {timeout: 60000}, async () => {
   const {line, error} = await page.evaluate(async scene => {
     const {module, canvas, eyeOf} = tested;
     const {context} = tested.view;
@@ -313,7 +310,7 @@ test('a context that the browser takes away is told, and a new view draws in the
   assert.deepEqual(problems, []);
 });
 
-test("docs/users/web.md's lines show the sea in a headset", {timeout: 120000}, async () => {
+test("the example of docs/users/web.md shows the sea in a headset", {timeout: 120000}, async () => {
   const documented = await browser.newPage();
   const errors = [];
   documented.on('pageerror', error => errors.push(String(error)));

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The page's view in headless Chromium against native images.
-# usage: view_test.sh MODULE_FOLDER VIEW_IMAGE FOLDER    MODULE_FOLDER has pelagic_view.js; FOLDER keeps images, and npm's packages between runs
+# Compares SeaView in headless Chromium with native images.
+# usage: view_test.sh MODULE_FOLDER VIEW_IMAGE FOLDER
+# MODULE_FOLDER has pelagic_view.js. Images and npm's packages remain in FOLDER.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do
@@ -11,7 +12,7 @@ mkdir -p "$3/page"
 cd "$3"
 cp "$1"/pelagic_view.* "$here"/../../web/page/*.js page/
 cp "$here"/view_page.* "$here"/documented.html "$here"/package.json .
-# The page's own lines under that heading.
+# The example under that heading.
 sed -n "/^## In a headset's browser/,/^## /{/^\`\`\`js/,/^\`\`\`$/{/^\`\`\`/!p}}" "$here/../../docs/users/web.md" >page/documented.js
 [ -d node_modules/iwer ] || npm install --no-audit --no-fund --no-save >npm.log 2>&1 || { cat npm.log; exit 1; }
 exec node "$here/view_test.mjs" "$2" "$here/../../web/page/serve.mjs"

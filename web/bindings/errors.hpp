@@ -1,4 +1,4 @@
-// Exceptions of C++ as errors of JavaScript, whose message is the library's line.
+// Conversion of C++ exceptions to JavaScript errors with the same message.
 #pragma once
 
 #include <exception>
@@ -10,7 +10,7 @@ namespace pelagic::web {
 /// Throws a JavaScript Error.
 [[noreturn]] void throw_error(const char* message);
 
-/// Calls it; what it throws reaches JavaScript as an Error.
+/// Returns the result of `call`. Converts its exception to a JavaScript Error.
 template <class Call>
 auto or_throw_error(Call&& call) {
     std::string message;

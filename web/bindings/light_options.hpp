@@ -1,5 +1,5 @@
-// Light as a page gives it, an object {preset: "noon", cloudCover: 0.3}: names and ranges are those of gl/sky/sky.hpp, in JavaScript's
-// spelling.
+// Light options, read from JavaScript objects such as {preset: "noon", cloudCover: 0.3}. Names and
+// ranges are those of gl/sky/sky.hpp, in camelCase.
 #pragma once
 
 #include <emscripten/val.h>
@@ -10,11 +10,12 @@ namespace pelagic::web {
 
 struct Light {
     gl::SkyOptions sky;
-    float stops = 0;  ///< brighter than the sky's own exposure
+    float stops = 0;  ///< above the sky's exposure; [-5, 5]
 };
 
-/// The preset or the default, and on top of it what else the object says; undefined: the default. Throws std::invalid_argument, one line
-/// that names the option, the value and what is accepted.
+/// Returns the preset, or the default light, with the other options of an object; for undefined the
+/// default light. Throws std::invalid_argument, one line that names the option, its value and what
+/// is accepted.
 Light light_with(const emscripten::val& options);
 
 }  // namespace pelagic::web

@@ -1,5 +1,5 @@
-// Options by name, read from JavaScript objects such as {windSpeedMps: 9, preset: "rough"}. Names and
-// ranges are those of the C++ tables of fields, in camelCase.
+// Options by name, read from JavaScript objects such as {windSpeedMps: 9, preset: "rough"}. Names
+// and ranges are those of the C++ tables of fields, in camelCase.
 #pragma once
 
 #include <emscripten/val.h>
@@ -32,8 +32,8 @@ bool is_object(const emscripten::val& value);
 /// Returns the own enumerable property names of an object.
 std::vector<std::string> keys_of(const emscripten::val& object);
 
-// The readers throw std::invalid_argument for any other value, with a message that names the option,
-// its value and what is accepted.
+// The readers throw std::invalid_argument for any other value, with a message that names the
+// option, its value and what is accepted.
 
 /// Reads true or false.
 bool flag_of(const std::string& name, const emscripten::val& value);
@@ -87,12 +87,13 @@ emscripten::val option_row(const NumericField<Options>& field) {
 }
 
 /// Returns `sea` with the options of an object: first its `preset`, then the others in any order. A
-/// preset changes the cascades, depth, loop period and seed only where it does not have the defaults.
+/// preset changes the cascades, depth, loop period and seed only where it does not have the
+/// defaults.
 ///
 /// \param options  an object, or undefined for `sea` itself
 /// \param others   names of further options, which the caller reads
-/// \throws std::invalid_argument for an unknown option, a wrong type and what check() rejects; one
-///     line that names the option, its value and what is accepted
+/// \throws std::invalid_argument for an unknown option, a wrong type and what check() rejects;
+///     one line that names the option, its value and what is accepted
 SeaState sea_with(const SeaState& sea, const emscripten::val& options, std::span<const std::string_view> others = {});
 
 /// Returns an object of every option of the sea.

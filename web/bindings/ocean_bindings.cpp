@@ -1,6 +1,6 @@
-// The module of an ocean for JavaScript. The ocean holds two frames, in slots 0 and 1. package/ocean.js
-// wraps them in classes, checks whether a frame is still valid and copies results of queries.
-// Functions that may fail return {value} or {error} (named_options.hpp).
+// The module of an ocean for JavaScript. The ocean holds two frames, in slots 0 and 1.
+// package/ocean.js wraps them in classes, checks whether a frame is still valid and copies results
+// of queries. Functions that may fail return {value} or {error} (named_options.hpp).
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -168,7 +168,7 @@ class Answers {
 
     /// Returns views, valid until the next batch.
     val views(const SurfaceQuery& query) {
-        // All arrays are filled before the first view is made, because growing memory empties views.
+        // All arrays are filled before the first view is made: growing memory empties views.
         interleave(normals_, normal_x_, normal_y_, normal_z_);
         if (query.has_velocities()) interleave(velocities_, velocity_x_, velocity_y_, velocity_z_);
         val object = val::object();

@@ -1,5 +1,5 @@
-// Options of dynamic waves, shores and wave inputs, read from JavaScript objects. Names, defaults and
-// ranges are those of the C++ tables of fields, in camelCase.
+// Options of dynamic waves, shores and wave inputs, read from JavaScript objects. Names, defaults
+// and ranges are those of the C++ tables of fields, in camelCase.
 #pragma once
 
 #include <emscripten/val.h>
@@ -41,8 +41,8 @@ OceanInput input_of(const std::string& name, const emscripten::val& object);
 /// Replaces the waves, or the ripple, of an input. The object must be of the same kind.
 void set_input(OceanInput& input, const std::string& name, const emscripten::val& object);
 
-/// Returns {dynamicWaves, disturbance, rain, shore, analyticWave, ripple}: for each an array with an
-/// object for each option, as sea_option_table() has them.
+/// Returns {dynamicWaves, disturbance, rain, shore, analyticWave, ripple}, arrays of rows as those
+/// of sea_option_table().
 emscripten::val ocean_option_tables();
 
 }  // namespace pelagic::web

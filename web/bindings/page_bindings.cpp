@@ -1,9 +1,9 @@
-// What a page's panel and its share link are made of: every option by name, with its default and range, presets, and the sliders of the
-// window's panel. Applications' own pages may use it, too.
+// Option tables and checks for the panel and share link of a page, in the module `pelagic_view`:
 //
-//   pageTables()        {seaOptions, seaPresets, lightOptions, lightPresets, seaSliders, lightSliders, qualities, shadings}
-//   checkSea(options)   {value: every option of that sea} or {error: one line}
-//   checkLight(options) the same of a light, `stops` included
+//   pageTables()         {seaOptions, seaPresets, lightOptions, lightPresets, seaSliders,
+//                        lightSliders, qualities, shadings}, with the sliders of the native viewer
+//   checkSea(options)    {value: every option of the sea} or {error: one line}
+//   checkLight(options)  {value: every option of the light, with `stops`} or {error: one line}
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -26,7 +26,7 @@ namespace {
 using emscripten::val;
 using SkyField = NumericField<gl::SkyOptions>;
 
-/// As JavaScript reads the digits of a float: 0.6 and not 0.6000000238418579.
+/// Returns the double of a float's shortest decimals: 0.6, not 0.6000000238418579.
 double short_number(float value) { return std::stod(number_text(value)); }
 
 double number_in(const SkyField& field, const gl::SkyOptions& sky) {

@@ -1,9 +1,10 @@
-// What an application says about threads, where emscripten would ask a page: node has no navigator, and its own thread may wait.
+// Substitutes for Emscripten functions that assume a page: node has no navigator, and its main
+// thread may block.
 mergeInto(LibraryManager.library, {
-  // package/module.js says it.
+  // package/module.js sets it.
   emscripten_num_logical_cores: function() {
     return Module['cores'] || 1;
   },
-  // package/module.js has no threads where waiting is forbidden.
+  // package/module.js makes no threads where blocking is forbidden.
   emscripten_check_blocking_allowed: function() {},
 });

@@ -12,7 +12,7 @@
 namespace pelagic::web {
 namespace {
 
-/// What stands for the sky until it is baked: the same light without clouds, coarse.
+/// Texels along a side of the coarse sky without clouds, drawn until the first sky is baked.
 constexpr int plain_face_size = 16;
 
 QuadtreeOptions quadtree_of(const ViewOptions& options) {
@@ -37,7 +37,7 @@ struct SeaView::State {
         take(sea);
     }
 
-    /// Textures and shaders stay where the cascades are of the same kind.
+    /// Replaces the ocean. Keeps the renderer if resolution and number of cascades are equal.
     void take(const SeaState& sea) {
         auto next = std::make_unique<Ocean>(
             sea, OceanOptions{.executor = executor, .queries = true, .slopes = true, .foam = options.foam});
@@ -67,10 +67,10 @@ struct SeaView::State {
     Selection selection;
     gl::SkyBaker plain, baker;
     std::unique_ptr<gl::SeaRenderer> renderer;
-    const gl::Sky* sky = nullptr;  ///< that the renderer shows
-    bool has_baked = false;        ///< no plain sky any more
+    const gl::Sky* sky = nullptr;  ///< drawn by the renderer
+    bool has_baked = false;        ///< a baked sky is drawn
     bool is_baking = false;
-    std::optional<gl::SkyOptions> next_light;  ///< set while another one is being baked
+    std::optional<gl::SkyOptions> next_light;  ///< to be baked next
     float stops = 0;
     const Frame* frame = nullptr;
     double simulate_ms = 0;
@@ -143,7 +143,7 @@ void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> exposure)
     }
     const DrawList& list = s.selection.select({.viewer_m = viewer, .views = views, .bounds = s.frame->bounds});
     {
-        const gl::GlStateGuard keep(s.gl);  // which opens all masks
+        const gl::GlStateGuard keep(s.gl);  // enables all masks
         s.gl.ClearColor(0, 0, 0, 1);
         s.gl.ClearDepthf(1);
         s.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -1,4 +1,4 @@
-// A sea that is drawn: ocean, quadtree, sky and renderer of one GL context, on one thread.
+// A sea drawn on one GL context: ocean, quadtree, sky and renderer, on one thread.
 //
 //   SeaView view(functions, sea, {});
 //   view.set_light(sky);  while (!view.continue_baking(10)) draw a frame;
@@ -19,13 +19,14 @@ namespace pelagic::web {
 
 struct ViewOptions {
     std::string quality = "high";               ///< of the quadtree: low, medium, high or ultra
-    double size_m = 4096;                       ///< side of the square of sea with waves; [256, 8192]
-    gl::Shading shading = gl::Shading::medium;  ///< what a pixel may cost
-    int sky_face_size = 256;                    ///< texels along a side of the baked sky; a power of two, 16 to 2048
-    bool foam = true;                           ///< foam lasts, which costs a tenth to a fifth of a frame more
+    double size_m = 4096;                       ///< side of the square with waves; [256, 8192]
+    gl::Shading shading = gl::Shading::medium;  ///< cost of a pixel
+    int sky_face_size = 256;                    ///< texels of a side of the baked sky; a power of two, 16 to 2048
+    bool foam = true;                           ///< foam accumulation; 10 to 20 % of a frame
 };
 
-/// What is in the scene's light, for whatever else a page draws: irradiances in the sky's unit, and what radiance is multiplied with.
+/// The light of the scene, for other objects that a page draws: irradiances in the sky's unit, and
+/// the factor of radiance.
 struct ShownLight {
     glm::vec3 direction, sun_irradiance, sky_irradiance;
     float exposure;
@@ -33,31 +34,33 @@ struct ShownLight {
 
 class SeaView {
    public:
-    /// \param gl  of a context that is current here and in all calls; outlives the view
+    /// \pre the context of `gl` is current here and in all calls; `gl` outlives the view
     SeaView(const gl::Functions& gl, const SeaState& sea, const ViewOptions& options);
     ~SeaView();
 
-    /// The next frame is one of that sea. Throws std::invalid_argument, and keeps the sea that it has.
+    /// Replaces the sea from the next frame on. Throws std::invalid_argument and changes nothing
+    /// then.
     void set_sea(const SeaState& sea);
-    /// Begins to bake a sky, which is drawn when it is done; the last call counts. Throws std::invalid_argument.
-    /// Until the first one is done a plain sky is drawn, without clouds, of the first call's light; without a call, of the default one.
-    /// \param stops  brighter than the sky's own exposure
+    /// Starts to bake a sky, which is drawn when it is complete. Replaces a sky that waits. Until
+    /// the first sky is complete, a coarse sky without clouds is drawn. Throws
+    /// std::invalid_argument.
+    /// \param stops  exposure above that of the sky
     void set_light(const gl::SkyOptions& sky, float stops);
-    /// Bakes on for about that long; true if nothing is left to bake.
+    /// Continues baking for about that time. Returns whether the sky is complete.
     bool continue_baking(double budget_ms);
-    bool has_sky() const;      ///< the sky of the last set_light() is the one that is drawn
-    ShownLight light() const;  ///< of the sky that is drawn
+    bool has_sky() const;      ///< whether the sky of the last set_light() is drawn
+    ShownLight light() const;  ///< of the drawn sky
 
-    /// Computes the frame of that time.
+    /// Computes a frame and uploads it.
     const Frame& simulate(double time_s);
     double simulate_ms() const;
-    /// Of the last simulate(). \\pre there was one, also below
+    /// Returns the frame of the last simulate(). \pre simulate() was called, also below
     const Frame& frame() const;
     const Ocean& ocean() const;
     const gl::DrawStatistics& statistics() const;
 
-    /// Into the framebuffer that is bound, which it clears. One selection for all eyes.
-    /// \param exposure  what radiance is multiplied with; none: the sky's
+    /// Clears the bound framebuffer and draws into it, with one selection of patches for all eyes.
+    /// \param exposure  factor of radiance; none: the sky's
     void draw(std::span<const gl::Eye> eyes, std::optional<float> exposure);
 
    private:

@@ -1,38 +1,47 @@
-// SeaView for JavaScript, the module `pelagic_view`: one thread, WebGL 2.
+// The module `pelagic_view` for JavaScript: SeaView, on one thread, with WebGL 2.
 //
-//   const module = await createPelagicView({canvas});    // a canvas element, an OffscreenCanvas, or a selector of one
+//   const module = await createPelagicView({canvas});  // an element, OffscreenCanvas or selector
 //   const view = new module.SeaView({windSpeedMps: 9, quality: 'medium'});
 //   view.setLight({preset: 'noon'});
 //   each frame:
 //     view.simulate(seconds);
 //     view.draw({eyes: [{viewport: [0, 0, width, height], view, projection}]});
-//   between frames, until it says true:
+//   between frames, until it returns true:
 //     view.continueBaking(10);
 //
-// Options of SeaView: those of a sea (sim/sea_state.hpp) in camelCase, `preset`, `waves`, `spectrum`, `spreading` by name, and of the
-// image `quality` ('low', 'medium', 'high', 'ultra'), `sizeM`, `shading` ('headset', 'medium', 'high'), `skyFaceSize`, `foam`.
+// Options of SeaView are those of a sea (sim/sea_state.hpp) in camelCase, with `preset`, `waves`,
+// `spectrum` and `spreading` by name, and of the image: `quality` ('low', 'medium', 'high' or
+// 'ultra'), `sizeM`, `shading` ('headset', 'medium' or 'high'), `skyFaceSize`, `foam`.
 //
-//   setSea(options)         those of a sea; what is not in them is the preset's or the default
-//   setLight(options)       `preset` (noon, golden-hour, overcast, storm, moonlight), the others of gl/sky/sky.hpp in camelCase, and `stops`,
-//                           brighter than the sky's own exposure. A clear sky of the same sun stands in until this one is baked
-//   continueBaking(ms)      bakes on for about that long; true if nothing is left
-//   hasSky()                the sky of the last setLight() is the one that is drawn
-//   simulate(timeS)         computes the frame of that time and uploads it
-//   hash()                  of that frame: 16 hexadecimal digits, the same as everywhere else
-//   simulateMs(), drawMs()  milliseconds of script in the last calls, without the upload; a GPU's own are not in them
-//   seaInfo()               {significantHeightM, cascades, resolution, memoryBytes, triangles}
-//   draw(request)           {framebuffer, eyes, origin, exposure}: clears the framebuffer and draws into it. `framebuffer`
-//                           is a WebGLFramebuffer of the page's own script or of an XRWebGLLayer; null or undefined is the canvas.
-//                           One or two eyes; `view` and `projection` are column-major as WebXR and OpenGL have them, of any far plane:
-//                           the sea's is infinite. `origin` [x, y, z]: where the views' own origin stands above the sea, metres
-//   lightInfo()             of the sky that is drawn, for what a page draws itself: {direction, sunIrradiance, skyIrradiance} of three numbers, towards
-//                           sun or moon, in the sky's unit; `exposure`, what radiance is multiplied with
-//   heights(xz)             Float64Array of x, z, x, z ... to {heights, normals}: Float32Array of the last frame, 1 and 3 numbers a point
-//   glError()               the first GL error since it was asked last, as a number; 0 is none
-//   delete()                frees everything; the context and the canvas stay the page's
-//   context                 the WebGL2RenderingContext
+//   setSea(options)        replaces the sea; absent options are those of the preset or the defaults
+//   setLight(options)      sets the light: `preset` (noon, golden-hour, overcast, storm,
+//                          moonlight), options of gl/sky/sky.hpp in camelCase, and `stops`, above
+//                          the exposure of the sky. Until the first sky is baked, a clear sky is
+//                          drawn
+//   continueBaking(ms)     bakes the sky for about that time; returns whether it is complete
+//   hasSky()               returns whether the sky of the last setLight() is drawn
+//   simulate(timeS)        computes the frame of a time and uploads it
+//   hash()                 returns the frame's hash: 16 hexadecimal digits, as `pelagic export` has
+//                          it
+//   simulateMs(), drawMs() return milliseconds of script in the last calls, without upload and GPU
+//   seaInfo()              returns {significantHeightM, cascades, resolution, memoryBytes,
+//                          triangles}
+//   draw(request)          clears a framebuffer and draws into it: {framebuffer, eyes, origin,
+//                          exposure}. `framebuffer` is a WebGLFramebuffer of the page or of an
+//                          XRWebGLLayer; null or undefined is the canvas. One or two eyes; `view`
+//                          and `projection` are column-major, as in WebXR and OpenGL; the far plane
+//                          is replaced by infinity. `origin` [x, y, z] is the position of the
+//                          views' origin in the world, metres
+//   lightInfo()            returns the drawn sky's light for other objects: {direction,
+//                          sunIrradiance, skyIrradiance} of three numbers, towards sun or moon, in
+//                          the sky's unit, and `exposure`, the factor of radiance
+//   heights(xz)            samples the last frame at a Float64Array of x, z, x, z, ...; returns
+//                          {heights, normals}, Float32Arrays of 1 and 3 numbers per point
+//   glError()              returns the first GL error since the last call, 0 for none
+//   delete()               frees all memory; context and canvas remain those of the page
+//   context                the WebGL2RenderingContext
 //
-// Between calls GL is as the page left it, but that objects which the page's own script had bound are unbound.
+// Each call restores the GL state, except that it unbinds objects that the page had bound.
 #include <emscripten/bind.h>
 #include <emscripten/html5.h>
 #include <emscripten/val.h>
@@ -57,7 +66,7 @@
 using emscripten::val;
 
 // clang-format off
-// Emscripten's number of the page's context; 0: the browser has none, -1: there is no such canvas.
+// Returns Emscripten's handle of the context; 0: no WebGL 2, -1: no such canvas.
 EM_JS(int, pelagic_make_context, (), {
     let canvas = Module['canvas'];
     if (typeof canvas === 'string') canvas = document.querySelector(canvas);
@@ -70,7 +79,7 @@ EM_JS(int, pelagic_make_context, (), {
 EM_JS(emscripten::EM_VAL, pelagic_context, (), {
     return Emval.toHandle(GLctx);
 });
-// A framebuffer that the page or the headset made, by a number as GL's functions take it.
+// Returns the name for GL functions of a framebuffer that the page or the headset made.
 EM_JS(int, pelagic_framebuffer_name, (emscripten::EM_VAL handle), {
     const framebuffer = Emval.toValue(handle);
     if (!framebuffer) return 0;
@@ -96,7 +105,7 @@ glm::dmat4 matrix_of(const char* name, const val& numbers) {
     return glm::make_mat4(values.data());
 }
 
-/// The same with its far plane at infinity, where the sea's horizon is.
+/// Moves the far plane to infinity, because the sea extends to the horizon.
 glm::dmat4 without_far_plane(glm::dmat4 projection) {
     if (projection[2][3] != -1) return projection;  // parallel rays
     const double near = projection[3][2] / (projection[2][2] - 1);
@@ -117,7 +126,7 @@ gl::Eye eye_of(const val& eye, glm::dvec3 origin) {
     return seen;
 }
 
-/// What SeaView's options have beside a sea's.
+/// Options of SeaView that are not a sea's.
 constexpr std::array<std::string_view, 5> view_names = {"quality", "sizeM", "shading", "skyFaceSize", "foam"};
 
 ViewOptions view_options_of(const val& options) {
@@ -144,7 +153,7 @@ ViewOptions view_options_of(const val& options) {
     return view;
 }
 
-/// The context that a canvas has, whose objects a SeaView is made of.
+/// The WebGL context of a canvas.
 class CanvasContext {
    public:
     CanvasContext() : context_(pelagic_make_context()) {
@@ -168,7 +177,7 @@ class CanvasContext {
     gl::Functions functions_;
 };
 
-/// What JavaScript holds.
+/// The class SeaView of JavaScript.
 class BoundView {
    public:
     explicit BoundView(const val& options) {
@@ -260,7 +269,7 @@ class BoundView {
             normals[3 * i + 2] = normal_z[i];
         }
         const val array = val::global("Float32Array");
-        val answer = val::object();  // copies: memory that grows would take views away
+        val answer = val::object();  // copies, because growing memory empties views
         answer.set("heights", array.new_(val(emscripten::typed_memory_view(height.size(), height.data()))));
         answer.set("normals", array.new_(val(emscripten::typed_memory_view(normals.size(), normals.data()))));
         return answer;
@@ -293,7 +302,7 @@ val context_of(const BoundView& view) {
     return or_throw_error([&] { return view.context(); });
 }
 
-/// The member as a free function that throws JavaScript's errors.
+/// Makes a free function of a member, which throws JavaScript errors.
 template <auto member>
 struct Bound;
 template <class Result, class... Arguments, Result (BoundView::*member)(Arguments...)>

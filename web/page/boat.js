@@ -1,16 +1,17 @@
-// A small wooden boat that lies on the sea: it asks the frame how high the water is at fifteen places of its hull, and takes the plane through
-// them as its own. A boat much smaller than the waves heels with their slope (W. Froude, "On the rolling of ships", 1861), and the places of
-// a hull's length and beam are why it does not follow the ripples. Where it lies depends on the frame alone, so a link shows it as it was.
+// A small wooden boat. It samples the frame's height at fifteen points of its hull, and takes the
+// plane nearest to them. A boat much smaller than the waves heels with their slope (W. Froude, "On
+// the rolling of ships", 1861); points along the hull's length and beam filter ripples. The pose is
+// a function of the frame alone, so a link reproduces it.
 //
-// Its own axes: x forward, y up from the waterline, z to starboard; metres.
+// Axes of the boat: x forward, y up from the waterline, z to starboard; metres.
 
 export const length = 7.2, beam = 2.5;
-/** Where it rides at anchor, and how it heads. */
+/** Position at anchor, and heading. */
 export const place = {x: 0, z: 0, heading: 2.3};
 
 const keelM = -0.55, rows = 5, columns = 3;
 
-/** World x, z of the places that it asks for, as SeaView.heights() takes them. */
+/** Returns x, z of the sample points in the world, for SeaView.heights(). */
 export function places() {
   const xz = new Float64Array(2 * rows * columns);
   const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
@@ -23,7 +24,10 @@ export function places() {
   return xz;
 }
 
-/** The plane nearest to the heights at places(), by least squares: its height in the middle and its slopes along the boat's x and z. */
+/**
+ * Returns the least-squares plane of the heights at places(): its height in the middle, and its
+ * slopes along the boat's x and z.
+ */
 export function poseOn(heights) {
   let height = 0, alongX = 0, alongZ = 0, squaresX = 0, squaresZ = 0;
   for (let i = 0, at = 0; i < rows; ++i)
@@ -41,7 +45,7 @@ export function poseOn(heights) {
 const normalised = v => v.map(part => part / Math.hypot(...v));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** From the boat to axes of the world whose origin is there, column-major. */
+/** Returns the matrix from the boat to world axes at an origin, column-major. */
 function placed({height, slopeX, slopeZ}, origin) {
   const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
   const forward = normalised([cosine, slopeX, sine]);
@@ -50,9 +54,9 @@ function placed({height, slopeX, slopeZ}, origin) {
   return [...forward, 0, ...up, 0, ...starboard, 0, place.x - origin[0], height - origin[1], place.z - origin[2], 1];
 }
 
-// Its mesh: positions, normals, colours.
+// The mesh: positions, normals, colours.
 
-/** Half the beam, keel and sheer along the hull; s runs from the transom, 0, to the stem, 1. */
+/** Returns half the beam, keel and sheer at s along the hull: transom 0, stem 1. */
 function section(s) {
   const fullness = (1 - Math.max(0, (s - 0.3) / 0.7) ** 2.4) * (0.84 + 0.16 * Math.min(1, s / 0.3));
   return {
@@ -62,7 +66,7 @@ function section(s) {
   };
 }
 
-/** Of the hull: v runs from one gunwale, -1, under the keel to the other, 1. */
+/** Returns a point of the hull: v is -1 at one gunwale, 0 at the keel, 1 at the other gunwale. */
 function hullPoint(s, v) {
   const {half, keel, sheer} = section(s);
   const t = Math.abs(v);
@@ -92,7 +96,7 @@ class Mesh {
     this.triangle([a, c, d], [n[0], n[2], n[3]], colour);
   }
 
-  /** A smooth sheet; `side` turns its normals. */
+  /** Adds a smooth surface; `side` is the sign of its normals. */
   sheet(at, us, vs, side, colourAt) {
     const normal = (u, v) => {
       const e = 1e-3;
@@ -108,7 +112,7 @@ class Mesh {
       }
   }
 
-  /** Upright walls between x0 and x1 and as far as z to both sides, leaning in by `lean` at the top, and a lid. */
+  /** Adds walls from x0 to x1 and -z to z, which lean in by `lean` at the top, and a lid. */
   box(x0, x1, z, y0, y1, lean, colour, lid = colour) {
     this.prism(x0, x1, -z, z, y0, y1, lean, colour, lid);
   }
@@ -150,7 +154,7 @@ export function boatMesh() {
   return new Float32Array(mesh.values);
 }
 
-// Drawing it.
+// Drawing.
 
 const vertexShader = `#version 300 es
 uniform mat4 clip_from_world, world_from_boat;
@@ -166,8 +170,8 @@ void main() {
     gl_Position = clip_from_world * world_from_boat * vec4(position, 1.0);
 }`;
 
-// Dull paint in the light of sun and sky, wet at the waterline; the curve is that of gl/shaders/film.glsl, or the boat would not be in the
-// image's light.
+// Diffuse paint lit by sun and sky, wet at the waterline. The tone curve is that of
+// gl/shaders/film.glsl, as for the sea.
 const fragmentShader = `#version 300 es
 precision highp float;
 uniform vec3 sun, sun_irradiance, sky_irradiance;
@@ -185,7 +189,7 @@ vec3 filmic(vec3 exposed) {
 void main() {
     vec3 n = normalize(normal);
     vec3 wet = albedo * mix(0.45, 1.0, smoothstep(0.05, 0.3, above_water));
-    // What does not see the sky sees the sea, which sends about 6 % of it back.
+    // Downward faces see the sea, which reflects about 6 % of the sky's light.
     vec3 irradiance = sun_irradiance * max(dot(n, sun), 0.0) + sky_irradiance * mix(0.06, 1.0, 0.5 + 0.5 * n.y);
     vec3 shown = filmic(wet / 3.14159265 * irradiance * exposure);
     colour = vec4(mix(12.92 * shown, 1.055 * pow(max(shown, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, shown)), 1.0);
@@ -224,16 +228,17 @@ export class Boat {
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
   }
 
-  /** Takes its place on the view's last frame. */
+  /** Computes the pose on the view's last frame. */
   float(view) {
     this.pose = poseOn(view.heights(places()).heights);
   }
 
   /**
-   * Into the framebuffer that the sea was drawn into, whose depth says what water hides of it.
-   * @param eye    {viewport, view, projection} as SeaView.draw() takes it
-   * @param light  of SeaView.lightInfo()
-   * @param origin where the eye's own origin stands in the world
+   * Draws into the framebuffer of the sea, whose depth buffer occludes it.
+   *
+   * @param eye     {viewport, view, projection}, as for SeaView.draw()
+   * @param light   result of SeaView.lightInfo()
+   * @param origin  position of the eye's origin in the world
    */
   draw(eye, light, origin) {
     const {gl, program} = this;

@@ -1,13 +1,14 @@
-// The camera: round a point, or free, as the window's (viewer/view_camera.cpp); y is up, and a heading of 0 looks along +x.
+// The camera, which orbits a point or flies, as that of the native viewer (viewer/view_camera.cpp).
+// y is up, and a heading of 0 looks along +x.
 
 const steepestRad = 1.5, nearestM = 1, furthestM = 3000, lowestM = -50, highestM = 5000;
 const radiansAPixel = 0.004, slowestMps = 8, nearPlaneM = 0.1;
 
 const clamp = (value, least, most) => Math.min(Math.max(value, least), most);
-/** Centimetres and tenths of a milliradian are enough for a link. */
+/** Rounds for links, to centimetres and tenths of a milliradian. */
 const rounded = (value, digits) => Number(value.toFixed(digits));
 
-/** What is seen: the fields of settings that start with `camera`. */
+/** The camera of the settings that begin with `camera`. */
 export class Camera {
   constructor(settings) {
     this.take(settings);
@@ -40,7 +41,7 @@ export class Camera {
     return [across * Math.cos(this.heading), Math.sin(this.pitch), across * Math.sin(this.heading)];
   }
 
-  /** A drag, pixels to the right and down: round the target, or of the head. */
+  /** Turns by a drag in pixels, around the target or around the eye. */
   turn(right, down) {
     const target = this.target();
     this.heading += right * radiansAPixel;
@@ -49,7 +50,7 @@ export class Camera {
     if (!this.flies) this.stand(target);
   }
 
-  /** Nearer (below 1) or further: the distance to the target, or a step ahead. */
+  /** Scales the distance to the target; a flying camera moves ahead or back. */
   zoom(factor) {
     if (this.flies) return this.move([0, 0, (1 - factor) * 20]);
     const target = this.target();
@@ -57,7 +58,7 @@ export class Camera {
     this.stand(target);
   }
 
-  /** Right, up and ahead, metres. */
+  /** Moves to the right, up and ahead, metres. */
   move([right, up, ahead]) {
     const direction = this.ahead();
     const horizontal = [-Math.sin(this.heading), 0, Math.cos(this.heading)];
@@ -65,7 +66,7 @@ export class Camera {
     this.eye[1] = clamp(this.eye[1] + up, lowestM, highestM);
   }
 
-  /** Of the keys that are held: faster with height. */
+  /** Moves by the pressed keys; the speed increases with the height. */
   fly(keys, seconds) {
     const held = name => (keys.has(name) ? 1 : 0);
     const metres = seconds * Math.max(slowestMps, Math.abs(this.eye[1]));
@@ -86,7 +87,7 @@ export class Camera {
     this.eye[1] = clamp(this.eye[1], lowestM, highestM);
   }
 
-  /** Column-major, as WebGL and WebXR have them; the far plane is at infinity, where the sea ends. */
+  /** Returns column-major matrices, as in WebGL and WebXR, with the far plane at infinity. */
   matrices(aspect) {
     const f = this.ahead();
     const right = [-Math.sin(this.heading), 0, Math.cos(this.heading)];
@@ -98,7 +99,7 @@ export class Camera {
       right[1], up[1], back[1], 0,
       right[2], up[2], back[2], 0,
       dot(right), dot(up), dot(back), 1]);
-    // Upright images keep the width in view, or a phone would show a slit of sea.
+    // In portrait images the field of view is that of the width, which would be narrow on phones.
     const scale = 1 / Math.tan(this.fov / 2) * Math.min(1, Math.sqrt(aspect));
     const projection = new Float64Array([
       scale / aspect, 0, 0, 0,
@@ -109,7 +110,7 @@ export class Camera {
   }
 }
 
-/** Mouse, touch and keys on the canvas move the camera. Returns the set of keys that are held. */
+/** Connects mouse, touch and keys of the canvas. Returns the set of pressed keys. */
 export function followInput(canvas, camera) {
   const pointers = new Map(), keys = new Set();
   const spread = () => {

@@ -1,7 +1,8 @@
 // The page: a sea in a canvas, its panel, and a link that holds every option.
 //
-// Each frame: settings to the view, simulate, draw, the boat. The sky is baked between frames, a slice at a time; until the first one is done
-// the view draws a plain sky. `window.pelagicPage` is for whoever asks from outside: tests and the console.
+// Each frame applies the settings, simulates, and draws the sea and the boat. The sky is baked in
+// slices between frames; until then the view draws a plain sky. Tests and the console use
+// `window.pelagicPage`.
 import createPelagicView from './pelagic_view.js';
 import {Boat} from './boat.js';
 import {Camera, followInput} from './camera.js';
@@ -11,18 +12,19 @@ import {FrameScale} from './frame_scale.js';
 import {readLink, writeLink} from './share_link.js';
 import {offerVr} from './vr_button.js';
 
-/** Milliseconds of script in a slice of the sky, beside a frame's own. */
+/** Duration of a slice of the sky, milliseconds of script. */
 const sliceMs = 12;
-/** The hash of a sea that moves is shown twice a second; it costs a few milliseconds. */
+/** Interval of the displayed hash, which takes a few milliseconds to compute. */
 const hashEveryMs = 500;
 /**
- * The page has no light meter. That of `pelagic render` exposes the first view brighter than the sky's own exposure, a white card's: by 1.7 stops at
- * noon, 1.6 overcast, 1.3 in a storm, 1.4 by moonlight, 0.4 in the golden hour.
+ * Exposure above that of the sky, which is for a white card, in stops; the page has no light meter.
+ * The meter of `pelagic render` gives 1.7 stops at noon, 1.6 overcast, 1.3 in a storm, 1.4 by
+ * moonlight and 0.4 in the golden hour.
  */
 const meteredStops = 1.3;
-/** After so many frames an image that rests is drawn in full size. */
+/** Number of equal frames after which the image is drawn in full size. */
 const framesToRest = 12;
-/** While the sky is baked, a frame comes no later than this after the one before. */
+/** Longest time between frames while the sky is baked. */
 const longestRestMs = 1000;
 
 const byId = id => document.getElementById(id);
@@ -51,7 +53,7 @@ class Page {
     this.requestFrame();
   }
 
-  // ---- Settings ---------------------------------------------------------------------------------------------------------------
+  // Settings.
 
   settingsOfLink() {
     try {
@@ -70,7 +72,7 @@ class Page {
     this.take(settings);
   }
 
-  /** What the user chose; what does not fit is said, and nothing changes. */
+  /** Applies choices of the user. If one is invalid, shows why and changes nothing. */
   change(changes) {
     const settings = {...this.currentSettings(), ...changes};
     const reason = check(settings, this.module, this.tables);
@@ -80,7 +82,7 @@ class Page {
     this.take(settings);
   }
 
-  /** \pre they are checked */
+  /** \pre check(settings) is empty */
   take(settings) {
     const before = this.settings;
     this.settings = settings;
@@ -105,16 +107,16 @@ class Page {
     return {...this.settings, ...this.camera.settings()};
   }
 
-  /** The address of what is seen now. */
+  /** Returns a link to the current image. */
   link() {
     const settings = this.currentSettings();
     settings.timeS = Number(settings.timeS.toFixed(3));
-    this.settings.timeS = settings.timeS;  // the link shows the moment that is on the screen
+    this.settings.timeS = settings.timeS;  // the displayed time is that of the link
     const text = writeLink(settings, this.tables);
     return `${location.origin}${location.pathname}${text && '#'}${text}`;
   }
 
-  // ---- View -------------------------------------------------------------------------------------------------------------------
+  // View.
 
   makeView() {
     const {quality, shading} = this.settings;
@@ -126,7 +128,7 @@ class Page {
     this.bake();
   }
 
-  /** The light of the settings, as bright as the window shows it. */
+  /** Returns the light of the settings with the page's exposure. */
   metered() {
     const light = groupOf(this.settings, this.tables, 'light');
     return {...light, stops: Math.min(light.stops + meteredStops, 5)};
@@ -145,8 +147,8 @@ class Page {
   }
 
   /**
-   * Slices of the sky until it is done. Frames have half of the time: where one takes long, as on a driver without a GPU, the next waits for
-   * as many slices.
+   * Bakes the sky in slices. Slices and frames have equal time: after a long frame, as of a
+   * software driver, the next frame waits for as many slices.
    */
   bake() {
     if (this.isBaking) return;
@@ -179,7 +181,7 @@ class Page {
     requestAnimationFrame(now => this.frame(now));
   }
 
-  /** As large as the window, or a part of it where frames take long. */
+  /** Sets the canvas's size to that of the window, times the scale. */
   fit() {
     const ofFrameTime = this.restingFrames >= framesToRest ? 1 : this.scale.value;
     const scale = (this.settings.scale || ofFrameTime) * devicePixelRatio;
@@ -191,7 +193,7 @@ class Page {
   frame(now) {
     this.isFrameRequested = false;
     if (this.isInVr) return;
-    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // no leaps after a pause
+    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // without a jump after a pause
     const sinceLast = now - (this.lastNow ?? now);
     this.lastNow = now;
     if (!this.isBaking && !this.restingFrames) this.scale.follow(sinceLast);
@@ -200,7 +202,7 @@ class Page {
     this.fit();
     const {width, height} = canvas;
     const eye = {viewport: [0, 0, width, height], ...this.camera.matrices(width / height)};
-    // A sea that is paused before a camera that stands is on the screen already.
+    // An image of the same time and camera is not drawn again.
     const seen = [this.shownTimeS, canvas.clientWidth, canvas.clientHeight, ...eye.view].join();
     const rests = seen === this.seen && !this.isStale;
     this.restingFrames = rests ? this.restingFrames + 1 : 0;
@@ -209,7 +211,7 @@ class Page {
     this.drawnWidth = width;
     this.isStale = false;
     this.showStatistics(now, sinceLast);
-    // The next task begins when the driver has taken this frame's calls.
+    // The next task begins after the driver has accepted this frame's calls.
     setTimeout(() => this.endFrame(now), 0);
   }
 
@@ -221,7 +223,7 @@ class Page {
     if (!this.isBaking) this.requestFrame();
   }
 
-  /** The sea of the settings, that many seconds later. */
+  /** Simulates the sea of the settings, `passed` seconds later. */
   advance(passed) {
     this.followSettings();
     if (!this.settings.paused) this.settings.timeS += passed;
@@ -236,7 +238,7 @@ class Page {
     this.drawBoat(framebuffer, eyes, [0, 0, 0]);
   }
 
-  /** \param origin  where the eyes' own origin stands */
+  /** @param origin  position of the eyes' origin in the world */
   drawBoat(framebuffer, eyes, origin) {
     if (!this.settings.boat) return;
     this.boat.float(this.view);
@@ -245,7 +247,7 @@ class Page {
     for (const eye of eyes) this.boat.draw(eye, light, origin);
   }
 
-  /** The room's floor stands where the camera is, three metres above rest or as high as the camera. */
+  /** The floor of the room is 1.6 m below the camera, and at least 1 m above the rest level. */
   vrOptions() {
     const [x, y, z] = this.camera.eye;
     return {
@@ -275,7 +277,7 @@ class Page {
     if (byId('sky-state').textContent !== sky) byId('sky-state').textContent = sky;
   }
 
-  // ---- Buttons and keys -------------------------------------------------------------------------------------------------------
+  // Buttons and keys.
 
   connectButtons() {
     const togglePanel = () => {
@@ -299,7 +301,7 @@ class Page {
     });
   }
 
-  /** Into the address bar, and to the clipboard where the browser lets us. */
+  /** Writes the link to the address bar, and to the clipboard if the browser permits it. */
   async share() {
     const link = this.link();
     history.replaceState(null, '', link);

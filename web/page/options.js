@@ -1,9 +1,10 @@
-// Every option of the page in one table, and settings: an object with a value for each of them.
+// The table of the page's options, and settings: an object with a value for each option.
 //
-// An option is {name, group, default, accepted} and, if it is a number, {least, most}, if a word, {words}. Groups are the sea and the light,
-// whose tables and checks are the library's own, and the view, which the page adds.
+// An option is {name, group, default, accepted}, a number also has {least, most} and a word
+// {words}. The groups sea and light have the library's tables and checks; the page adds the group
+// view.
 
-/** What the page adds to the library's options: camera, image, clock. */
+/** Returns the options of the page itself: camera, image, clock. */
 function viewOptions(tables) {
   const number = (name, value, least, most, accepted = `[${least}, ${most}]`) =>
     ({name, group: 'view', default: value, least, most, accepted});
@@ -27,7 +28,7 @@ function viewOptions(tables) {
   ];
 }
 
-/** All options, in the order of the panel and of links. */
+/** Returns all options, in the order of the panel and of links. */
 export function allOptions(tables) {
   return [
     ...tables.seaOptions.map(option => ({...option, group: 'sea'})),
@@ -38,14 +39,14 @@ export function allOptions(tables) {
 
 const pageLight = 'noon';
 
-/** The sea and the light that the page opens with. */
+/** Returns the initial settings. */
 export function defaultSettings(tables) {
   const settings = {};
   for (const option of allOptions(tables)) settings[option.name] = option.default;
   return {...settings, ...tables.lightPresets.find(preset => preset.name === pageLight).light};
 }
 
-/** The options of one group. */
+/** Returns the settings of one group. */
 export function groupOf(settings, tables, group) {
   const names = allOptions(tables).filter(option => option.group === group).map(option => option.name);
   return Object.fromEntries(names.map(name => [name, settings[name]]));
@@ -61,7 +62,7 @@ function checkView(option, value) {
     : `${option.name} is ${value}, expected ${option.accepted}`;
 }
 
-/** Empty if the settings are usable, else one line that names the option, its value and what is accepted. */
+/** Returns '' for valid settings, else a line with the option, its value and what is accepted. */
 export function check(settings, module, tables) {
   const sea = module.checkSea(groupOf(settings, tables, 'sea'));
   if (sea.error) return sea.error;

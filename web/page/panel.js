@@ -1,4 +1,5 @@
-// The panel: the sliders of the window's, from the library's own table, and every other option of the sea and the light below them.
+// The panel: the sliders of the native viewer, by the library's table, then all other options of
+// the sea and the light.
 import {allOptions} from './options.js';
 
 const degrees = 180 / Math.PI;
@@ -9,7 +10,7 @@ function element(kind, properties = {}, ...children) {
   return made;
 }
 
-/** "fetchM" as "fetch, m". */
+/** Returns a label: "fetch, m" for "fetchM". */
 function labelOf(name) {
   const units = {Mps: 'm/s', Rad: 'deg', M: 'm', S: 's'};
   const unit = Object.keys(units).find(one => name.endsWith(one) && name.length > one.length);
@@ -18,7 +19,7 @@ function labelOf(name) {
   return unit ? `${words}, ${units[unit]}` : words;
 }
 
-/** "%+.1f stops" as a function of numbers to text. */
+/** Returns a function that formats numbers by a text such as "%+.1f stops". */
 function formatOf(text) {
   const [, plus, digits, unit] = text.match(/%(\+?)\.(\d)f ?(.*)/);
   return value => `${plus && value > 0 ? '+' : ''}${value.toFixed(digits)} ${unit.replace('deg', '°')}`.replace(' °', '°').trim();
@@ -26,13 +27,13 @@ function formatOf(text) {
 
 export class Panel {
   /**
-   * @param form    is filled
-   * @param change  called with an object of what the user chose: options by name
+   * @param form    to be filled
+   * @param change  called with the options that the user changed, by name
    */
   constructor(form, tables, change) {
     this.tables = tables;
     this.change = change;
-    this.followers = [];  // functions of the settings, that show them
+    this.followers = [];  // functions that display settings
     this.options = new Map(allOptions(tables).map(option => [option.name, option]));
     const slid = [...tables.seaSliders, ...tables.lightSliders].map(slider => slider.option);
     const others = group => allOptions(tables).filter(option => option.group === group && !slid.includes(option.name));
@@ -45,13 +46,13 @@ export class Panel {
         this.presetRow('light', tables.lightPresets, 'light', []),
         ...tables.lightSliders.map(slider => this.sliderRow(slider)),
         this.group('More of the light', false, ...others('light').map(option => this.optionRow(option)))),
-      this.group('RgbaImage', innerWidth > 640,
+      this.group('Image', innerWidth > 640,
         ...['quality', 'shading', 'scale', 'boat', 'cameraFlies'].map(name => this.optionRow(this.options.get(name)))),
       element('p', {className: 'hint', textContent: 'Camera: drag, wheel or pinch, arrows, W A S D R F. H hides this, space pauses.'}));
     form.addEventListener('submit', event => event.preventDefault());
   }
 
-  /** Shows these settings. */
+  /** Displays the settings. */
   show(settings) {
     for (const follow of this.followers) follow(settings);
   }
@@ -65,7 +66,7 @@ export class Panel {
     return element('div', {className: `row ${kind}`}, element('label', {htmlFor: input.id, textContent: label}), input, ...more);
   }
 
-  /** A chosen preset sets every option of its group but the kept ones, which say how the sea is computed. */
+  /** Makes a list of presets. A preset sets the options of its group, except the kept ones. */
   presetRow(label, presets, group, kept) {
     const select = element('select', {}, element('option', {value: '', textContent: 'own'}),
       ...presets.map(preset => element('option', {value: preset.name, textContent: preset.name, title: preset.summary})));
@@ -91,7 +92,7 @@ export class Panel {
     const row = this.row('', label, input, output);
     output.htmlFor = input.id;
     this.followers.push(settings => {
-      // Chosen cascades are four, the waves' own sliders are for those waves.
+      // The default number of cascades is four. Two sliders apply to one kind of waves only.
       const value = option === 'cascades' && settings.cascades === 0 ? 4 : settings[option];
       input.value = value * scale;
       output.value = text(value * scale);
@@ -116,7 +117,7 @@ export class Panel {
       return this.row('wide', label.replace('camera flies', 'fly'), box);
     }
     const scale = option.name.endsWith('Rad') ? degrees : 1;
-    const input = element('input', {type: 'number', step: 'any', title: `needs ${option.accepted}`});
+    const input = element('input', {type: 'number', step: 'any', title: `accepts ${option.accepted}`});
     input.addEventListener('change', () => this.change({[option.name]: Number(input.value) / scale}));
     this.followers.push(settings => { if (document.activeElement !== input) input.value = Number((settings[option.name] * scale).toPrecision(7)); });
     return this.row('number', label, input);

@@ -1,7 +1,9 @@
 #!/usr/bin/env node
-// Serves a folder on localhost: `serve.mjs FOLDER [PORT]`, any free port unless it is given. Prints the address; Ctrl-C ends it.
+// A server of a folder on localhost: `serve.mjs FOLDER [PORT]`. The default is a free port. Prints
+// the address. Ctrl-C ends it.
 //
-// Pages are isolated (COOP and COEP), so that they may have threads, and WebAssembly has its type, so that it compiles while it loads.
+// Pages are isolated (COOP and COEP), so that they may have threads. WebAssembly has its media
+// type, so that browsers compile it while it loads.
 import {constants} from 'node:fs';
 import {open, realpath} from 'node:fs/promises';
 import {createServer} from 'node:http';
@@ -35,11 +37,14 @@ const folder = await realpath(resolve(folderText)).catch(() => fail(`there is no
 const port = Number(portText);
 if (!/^\d+$/.test(portText) || port > 65535) fail(`PORT is ${portText}, expected 0 to 65535`);
 
-/** Opens the regular file or folder of a path; throws outside the served folder, also through a link. Closed by the caller. */
+/**
+ * Opens the regular file or folder of a path; the caller closes it. Throws for paths outside of the
+ * served folder, also through links.
+ */
 async function openPath(path) {
   const file = await realpath(join(folder, decodeURIComponent(path)));
   if (file !== folder && !file.startsWith(folder + sep)) throw new Error('outside');
-  // Without waiting for a FIFO's writer.
+  // Does not wait for the writer of a FIFO.
   const handle = await open(file, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0));
   try {
     const status = await handle.stat();
@@ -58,7 +63,7 @@ async function serve(request, response) {
     if (isFolder) return response.writeHead(301, {...headers, Location: `./${posix.basename(pathname)}/${search}`}).end();
     response.writeHead(200, {...headers, 'Content-Length': size, 'Content-Type': types[extname(file)] ?? 'application/octet-stream'});
     if (request.method === 'HEAD' || size === 0) return response.end();
-    // Closes the file when the reader goes away, too.
+    // Closes the file also if the reader disconnects.
     await pipeline(handle.createReadStream({end: size - 1}), response);
   } finally {
     await handle.close();

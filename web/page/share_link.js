@@ -1,15 +1,15 @@
-// Settings as the part of an address behind its #, and back to the bit:
+// Settings as the fragment of an address, and back without loss:
 //
 //   #sum=xr8l&sea=storm&light=golden-hour&windDirectionRad=30deg&paused=true&timeS=12.5
 //
-// Only what differs from a preset of sea and light is in it, and from the page's defaults. A number is written in the fewest digits that read
-// back as the same double, an angle in degrees where that is shorter. `sum` tells a link that lost a piece on its way from a whole one;
-// whoever writes a link by hand leaves it out.
+// A link has the nearest presets of sea and light, and the options that differ from them and from
+// the page's defaults. Numbers have the fewest digits that give the same double; an angle is in
+// degrees if that is shorter. The optional checksum `sum` detects damaged links.
 import {allOptions, check, defaultSettings} from './options.js';
 
 const radiansPerDegree = Math.PI / 180;
 
-/** FNV-1a over the text, as four letters of base 36. */
+/** Returns the FNV-1a of a text, as four digits of base 36. */
 function sumOf(text) {
   let hash = 0x811c9dc5;
   for (let i = 0; i < text.length; ++i) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193) >>> 0;
@@ -36,12 +36,12 @@ function valueOf(option, text) {
   return number;
 }
 
-/** The preset, or none, from which the settings differ in the fewest options. */
+/** Returns the name of the preset with the fewest different options, or ''. */
 function nearestPreset(presets, group, settings, defaults) {
   const differences = start => Object.keys(start).filter(name => start[name] !== settings[name]).length;
   let best = {name: '', count: differences(Object.fromEntries(presets.length ? Object.keys(presets[0][group]).map(name => [name, defaults[name]]) : []))};
   for (const preset of presets) {
-    const count = differences(preset[group]) + 1;  // its name is a word more
+    const count = differences(preset[group]) + 1;  // counts the preset's name
     if (count < best.count) best = {name: preset.name, count};
   }
   return best.name;
@@ -49,7 +49,7 @@ function nearestPreset(presets, group, settings, defaults) {
 
 const kinds = tables => [['sea', tables.seaPresets], ['light', tables.lightPresets]];
 
-/** The text behind the #. Empty for the defaults. */
+/** Returns the text after the #; empty for the defaults. */
 export function writeLink(settings, tables) {
   const words = [];
   let start = defaultSettings(tables);
@@ -70,8 +70,8 @@ export function writeLink(settings, tables) {
 }
 
 /**
- * The settings of a link.
- * Throws an Error whose message is one line if the link is damaged or says what is not accepted.
+ * Returns the settings of a link. Throws an Error of one line if the link is damaged or an option
+ * is invalid.
  */
 export function readLink(text, module, tables) {
   const words = text.replace(/^#/, '').split('&').filter(word => word);
@@ -110,7 +110,7 @@ function decoded(text) {
   }
 }
 
-/** One line, however long and odd the text is. */
+/** Returns a text as one short line of printable characters. */
 function shown(text) {
   const line = text.replace(/[^\x20-\x7e]/g, '?');
   return line.length > 40 ? `${line.slice(0, 40)}...` : line;

@@ -1,10 +1,10 @@
-// The button that leads into a headset, shown where the browser says that there is one.
+// The button that starts a headset's session, shown if the browser has a headset.
 
 import {XrSession} from './xr_session.js';
 
 /**
- * @param start  () => options of XrSession.enter() and the view: {view, ...options}; called on a click
- * @param rest   (isInVr) => void: the page's own frames rest meanwhile
+ * @param start  () => {view, ...options of XrSession.enter()}; called on a click
+ * @param rest   (isInVr) => void; the page draws no frames while isInVr
  * @param fail   (line) => void
  */
 export async function offerVr(button, start, rest, fail) {

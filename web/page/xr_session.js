@@ -1,31 +1,35 @@
-// A headset's session: the sea for two eyes, at the time at which a frame will be seen.
+// A headset's session, which draws the sea for two eyes at the predicted display time.
 //
 //   if (await XrSession.isSupported())
-//     button.onclick = async () => { const session = await XrSession.enter(view, {timeS: 12}); await session.ended; };
+//     button.onclick = async () => {
+//       const session = await XrSession.enter(view, {timeS: 12});
+//       await session.ended;
+//     };
 //
-// Each frame: simulate() at the predicted display time, then one draw() of both eyes into the headset's layer, of which the renderer
-// selects patches once. The page's own frames should rest meanwhile: there is one view and one sea.
+// Each frame calls simulate(), then draw() with both eyes and the headset's layer, for which
+// patches are selected once. The page must not draw during a session, because both use one view.
 
-/** Metres from a floor to the eyes of somebody standing, where the headset does not know its floor. */
+/** Height of the eyes above the floor, if the headset does not know its floor. */
 const eyeHeightM = 1.6;
-/** The sea has no far plane, whatever a projection says; this one is for what else a page draws. */
+/** The far plane of other objects; the sea is drawn without one. */
 const depthFarM = 10000;
 
 export class XrSession {
-  /** Whether there is a headset. \param xr  navigator.xr, or what stands for it */
+  /** Returns whether there is a headset. @param xr  navigator.xr or a substitute */
   static async isSupported(xr = globalThis.navigator?.xr) {
     return Boolean(await xr?.isSessionSupported('immersive-vr').catch(() => false));
   }
 
   /**
-   * Asks the user for the headset, so call it from a click. Rejects with the browser's own error if he or it declines.
+   * Starts a session. Browsers require a click. Rejects with the browser's error if the user or the
+   * browser declines.
    *
-   * @param view       a SeaView, whose sky and sea stay as they are
-   * @param timeS      the sea's time at the first frame
-   * @param origin     where the floor of the room stands, metres: [x, height above the sea, z]
-   * @param drawMore   (framebuffer, eyes) => void after the sea of each frame, for what else is to be seen
-   * @param scale      of the image's resolution, 1 is the headset's own advice
-   * @param foveation  how much coarser an image may be at its edges, 0 to 1, where the headset offers that
+   * @param view       a SeaView; its sea and light do not change
+   * @param timeS      the sea's time of the first frame
+   * @param origin     position of the room's floor, metres: [x, height above the rest level, z]
+   * @param drawMore   (framebuffer, eyes, origin) => void, called after the sea of each frame
+   * @param scale      of the image's resolution; 1 is the headset's recommendation
+   * @param foveation  reduction of the resolution at the edges, 0 to 1, if the headset supports it
    */
   static async enter(view, {xr = navigator.xr, timeS = 0, origin = [0, 3, 0], drawMore, scale = 1, foveation = 0.5} = {}) {
     const session = await xr.requestSession('immersive-vr', {optionalFeatures: ['local-floor']});
@@ -47,9 +51,9 @@ export class XrSession {
     Object.assign(this, parts);
     this.session = session;
     this.frames = 0;
-    /** The first error of a frame, which ends the session. */
+    /** The error of a frame, which ends the session. */
     this.error = undefined;
-    /** Resolves when the session is over, whoever ended it; rejects with a frame's error. */
+    /** Resolves at the end of the session; rejects with a frame's error. */
     this.ended = new Promise((resolve, reject) => {
       session.addEventListener('end', () => (this.error ? reject(this.error) : resolve()));
     });
@@ -68,14 +72,14 @@ export class XrSession {
     try {
       this.advance(frame.predictedDisplayTime ?? now);
       const pose = frame.getViewerPose(this.space);
-      if (pose) this.draw(pose);  // the headset may have lost its place
+      if (pose) this.draw(pose);  // none while the headset has lost tracking
     } catch (error) {
       this.error = error;
       this.session.end().catch(() => {});
     }
   }
 
-  /** The sea's time runs with the display's, and stands still while nobody sees it. */
+  /** Advances the sea's time with the display's, except while the session is hidden. */
   advance(seenMs) {
     if (this.lastSeenMs !== undefined) this.timeS += (seenMs - this.lastSeenMs) / 1000;
     this.lastSeenMs = seenMs;
@@ -84,7 +88,7 @@ export class XrSession {
 
   draw(pose) {
     const {framebuffer, framebufferWidth: width, framebufferHeight: height} = this.layer;
-    // Some headsets have more views than eyes, for observers; a mono one has an empty second view.
+    // Some headsets have further views, for observers; the second view of a mono one is empty.
     const eyes = pose.views
       .map(view => ({viewport: this.layer.getViewport(view), view}))
       .filter(({viewport}) => viewport && viewport.width > 0 && viewport.height > 0)
@@ -98,13 +102,13 @@ export class XrSession {
   }
 }
 
-/** The room with its floor, or what comes next to it. */
+/** Returns the best supported reference space, and the height of its origin above the floor. */
 async function referenceSpaceOf(session) {
   for (const [type, floorM] of [['local-floor', 0], ['local', eyeHeightM], ['viewer', eyeHeightM]]) {
     try {
       return {space: await session.requestReferenceSpace(type), floorM};
     } catch {
-      // The next one.
+      // Not supported.
     }
   }
   throw new Error('the headset has no reference space to stand in: neither local-floor nor local nor viewer');

@@ -1,4 +1,4 @@
-// A sea in three.js: a mesh displaced by Pelagic's maps, lit by a sun and a sky. The sea is computed in a worker.
+// A sea in three.js: a mesh displaced by Pelagic's maps, lit by sun and sky. A worker computes it.
 import * as THREE from 'three';
 import { createOcean, levelCount, levelOffset } from 'pelagic/worker';
 import { seaShaders, skyShaders } from './shaders.js';
@@ -8,7 +8,7 @@ let frame = await ocean.frameAt(0);
 const { resolution } = frame.cascades[0];
 const count = frame.cascades.length;
 
-// Textures of each cascade. Displacement holds half floats, as the frame does; slopes come with all their mipmaps.
+// Textures of each cascade: displacement in half floats, slopes and moments with mipmaps.
 function repeating(type, minFilter) {
   const texture = new THREE.DataTexture(null, resolution, resolution, THREE.RGBAFormat, type);
   Object.assign(texture, { wrapS: THREE.RepeatWrapping, wrapT: THREE.RepeatWrapping, magFilter: THREE.LinearFilter, minFilter });
@@ -24,7 +24,7 @@ const levels = (chain) => Array.from({ length: levelCount(resolution) }, (_, lev
   return { data: chain.subarray(first, first + 4 * side * side), width: side, height: side };
 });
 
-// Nothing is copied here: three uploads the frame's maps from where they are when it draws next.
+// Sets the maps without copying them; three.js uploads them with the next image.
 function show({ cascades }) {
   cascades.forEach((cascade, i) => {
     displacement[i].image.data = cascade.displacement;
@@ -34,7 +34,7 @@ function show({ cascades }) {
   });
 }
 
-// A disc around the eye whose rings grow with distance, up to the horizon.
+// A disc around the eye, up to the horizon, with rings that grow with the distance.
 function disc(rings, sectors, nearest, farthest) {
   const positions = [0, 0, 0], indices = [];
   for (let ring = 0; ring < rings; ++ring)
@@ -62,7 +62,7 @@ const uniforms = {
   displacement: { value: displacement },
   slopes: { value: slopes },
   moments: { value: moments },
-  // What each cascade needs to be laid over the world: side, turn, and what its bytes count in.
+  // For each cascade: side and rotation, and the units of its bytes.
   grid: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
   ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
   whitecaps: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.makesWhitecaps ? cascade.whitecapJacobian : -10, cascade.whitecapRamp)) },
@@ -83,7 +83,8 @@ function resize() {
 addEventListener('resize', resize);
 resize();
 
-// While one frame is drawn the worker computes the next. Where it is late, the last one is drawn again.
+// The worker computes the next frame while one is drawn. If it is late, the last frame is drawn
+// again.
 let isComputing = false;
 renderer.setAnimationLoop((milliseconds) => {
   if (!isComputing) {

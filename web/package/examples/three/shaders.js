@@ -1,4 +1,4 @@
-// How the water and the sky look. The sums over cascades are those of Pelagic's documentation (docs/library.md, "Slopes that add").
+// Shaders of water and sky. The sums over cascades follow docs/library.md, "Slopes that add".
 
 const skyColour = `
   uniform vec3 sun;
@@ -10,12 +10,12 @@ const skyColour = `
     return colour;
   }`;
 
-// `body` for each cascade; a shader may index its samplers by constants only.
+// Repeats `body` for each cascade, because samplers can be indexed by constants only.
 const forEachCascade = (count, body) => Array.from({ length: count }, (_, cascade) => `{ ${body.replaceAll('CASCADE', cascade)} }`).join('\n');
 
 const grids = (count) => `
-  uniform vec3 grid[${count}];  // side, cosine and sine of the turn
-  // A place at rest as coordinates of the cascade's maps; texel 0 rests at the origin.
+  uniform vec3 grid[${count}];  // side, cosine and sine of the rotation
+  // Returns an undisplaced position in texture coordinates; texel 0 is at the origin.
   vec2 placeIn(vec3 cascade, vec2 rest, ivec2 texels) {
     return vec2(cascade.y * rest.x + cascade.z * rest.y, cascade.y * rest.y - cascade.z * rest.x) / cascade.x + 0.5 / vec2(texels);
   }`;
@@ -52,7 +52,7 @@ const vertexShader = (count) => `
     foam = 0.0;
     ${forEachCascade(count, `
       vec4 texel = textureLod(displacement[CASCADE], placeIn(grid[CASCADE], rest, textureSize(displacement[CASCADE], 0)), 0.0);
-      // Waves shorter than the mesh's own steps fade with distance: their slopes stay.
+      // Waves shorter than the mesh's cells fade with distance; their slopes remain.
       moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / grid[CASCADE].x));
       foam = max(foam, texel.w);`)}
     place = vec3(rest.x, 0.0, rest.y) + moved;
@@ -71,7 +71,7 @@ const fragmentShader = (count) => `
   const float zero = 128.0 / 127.0, one = 255.0 / 127.0;  // a byte b is (b - 128)/127
 
   void main() {
-    // Derivatives of cascades add up, and so do variances of slopes that the maps' levels left out.
+    // Sums of the derivatives, and of the variances of slopes within texels.
     vec2 h = vec2(0.0);
     vec3 d = vec3(0.0);  // D_xx, D_zz, D_xz
     float variance = unresolved, white = 0.0;
@@ -90,7 +90,7 @@ const fragmentShader = (count) => `
     vec3 toEye = cameraPosition - place;
     float distance = length(toEye);
     toEye /= distance;
-    // A facet that faces away is hidden behind another one.
+    // Facets that face away are occluded by others.
     float facing = max(dot(normal, toEye), 0.02);
     normal = normalize(normal + toEye * max(0.02 - dot(normal, toEye), 0.0));
 
@@ -99,11 +99,11 @@ const fragmentShader = (count) => `
     mirrored.y = abs(mirrored.y) + 0.4 * sqrt(variance);
     vec3 light = skyAt(normalize(mirrored));
 
-    // Light that comes back out of the water, more where a crest is thin and the sun behind it.
+    // Light scattered in the water, stronger in crests in front of the sun.
     float through = pow(max(dot(-toEye, sun), 0.0), 3.0) * max(place.y, 0.0) * 0.12;
     vec3 body = vec3(0.006, 0.045, 0.065) + vec3(0.02, 0.11, 0.09) * (0.25 * max(dot(normal, sun), 0.0) + through);
 
-    // The sun in facets whose slopes vary by as much as the maps don't show (Cox and Munk's glitter).
+    // Sun glitter of unresolved slopes (Cox and Munk 1954).
     vec3 half_ = normalize(sun + toEye);
     vec3 local = half_ / max(half_.y, 1e-3) - normal / max(normal.y, 1e-3);
     float spread = max(variance, 1e-3);
@@ -113,7 +113,7 @@ const fragmentShader = (count) => `
 
     float cover = max(foam, white) * smoothstep(3000.0, 200.0, distance);
     colour = mix(colour, vec3(0.75, 0.78, 0.8) * (0.5 + 0.5 * max(dot(normal, sun), 0.0)), 0.85 * cover);
-    // Air between here and the horizon.
+    // Haze.
     vec3 haze = skyAt(normalize(vec3(-toEye.x, 0.015, -toEye.z)));
     colour = mix(colour, haze, 1.0 - exp(-distance / 9000.0));
     gl_FragColor = vec4(colour, 1.0);
