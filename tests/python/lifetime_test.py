@@ -89,11 +89,11 @@ def test_frames_overlap_with_the_next(small):
 
 def test_calls_in_the_wrong_order_are_rejected(small):
     with pelagic.Ocean(small) as ocean:
-        with pytest.raises(RuntimeError, match=r"no frame is in flight, expected schedule\(\) first"):
+        with pytest.raises(RuntimeError, match=r"no frame is in flight; call schedule\(\) first"):
             ocean.complete()
         ocean.schedule(1)
         for ask in (ocean.schedule, ocean.frame_at):
-            with pytest.raises(RuntimeError, match=r"a frame is in flight, expected complete\(\) first"):
+            with pytest.raises(RuntimeError, match=r"a frame is in flight; call complete\(\) first"):
                 ask(2)
         assert ocean.complete().time_s == 1
 

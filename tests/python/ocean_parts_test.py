@@ -142,7 +142,7 @@ def test_sources_rain_and_restored_states_are_reproducible():
 
         ocean.schedule(2)
         for ask in (waves.save_state, lambda: waves.restore_state(saved)):
-            with pytest.raises(RuntimeError, match=r"^a frame is in flight, expected complete\(\) first$"):
+            with pytest.raises(RuntimeError, match=r"^a frame is in flight; call complete\(\) first$"):
                 ask()
         waves.add_impulse(STONE)  # for the next frame
         ocean.complete()
@@ -299,7 +299,7 @@ def test_invalid_values_raise_a_one_line_error(small):
         "wavelength_m -1 is out of range [0.01, 1000]": (ValueError, lambda: pelagic.AnalyticWave(wavelength_m=-1)),
         "amplitude_m is 1, expected at most wavelength_m / (2 pi), ": (ValueError, lambda: pelagic.Ripple(amplitude_m=1)),
         "steepness is ": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave(amplitude_m=5)])),
-        "choppiness is 2, expected ": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave()], 2)),
+        "choppiness 2 is out of range [0, 1]": (ValueError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave()], 2)),
         "waves[1] is 3, expected a pelagic.AnalyticWave": (TypeError, lambda: pelagic.GerstnerInput([pelagic.AnalyticWave(), 3])),
         "ripple is 3, expected a pelagic.Ripple": (TypeError, lambda: pelagic.RippleInput(3)),
         "inputs[0] is 3, expected a list of ": (TypeError, lambda: pelagic.Ocean(small, inputs=[3])),
@@ -313,7 +313,7 @@ def test_invalid_values_raise_a_one_line_error(small):
         hash_ = ocean.frame_at(0).dynamic_waves.hash
         cases |= {
             "the ocean has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()": (ValueError, lambda: still.dynamic_waves),
-            "the frame has no dynamic waves, expected an ocean with ": (ValueError, lambda: frame.dynamic_waves),
+            "the frame has no dynamic waves: create the ocean with ": (ValueError, lambda: frame.dynamic_waves),
             "the frame has no shore: create the ocean with shore=pelagic.ShoreOptions(heights_m)": (ValueError, lambda: frame.shore),
             "disturbance is 3, expected a pelagic.Disturbance": (TypeError, lambda: waves.add_impulse(3)),
             "source is None, expected a pelagic.Disturbance": (TypeError, lambda: waves.add_source(None)),
