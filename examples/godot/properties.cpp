@@ -62,7 +62,8 @@ Property sea_property(std::string_view name, std::string range, PropertyHint hin
 template <class Options>
 void add_fields(std::vector<Property>& all, const std::string& prefix, Options OceanSettings::*member,
                 std::span<const NumericField<Options>> fields) {
-    constexpr double wide = 1000;  // ratio of the limits from which the editor's slider is exponential
+    // ratio of the limits from which the editor's slider is exponential
+    constexpr double wide = 1000;
     for (const NumericField<Options>& field : fields) {
         const double min = field.also ? std::min(*field.also, field.min) : field.min;
         const bool is_wide = min > 0 && field.max > wide * min;

@@ -48,7 +48,7 @@ cases += [{**case, "normals": True} for case in cases if "flags" in case]
 
 
 def directions(case):
-    """Yields unit vectors of the rays through the centres of the pixels, row by row from the top."""
+    """Yields unit vectors of the rays through the pixels' centres, row by row from the top."""
     back = [a - b for a, b in zip(case["from"], case["to"])]
     length = math.sqrt(sum(c * c for c in back))
     back = [c / length for c in back]

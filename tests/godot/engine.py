@@ -31,7 +31,8 @@ def run_headless(project, script, home, environment, fps=None):
 
 
 def run_drawing(project, script, home, environment, fps=None):
-    """Runs a script in a window of 64 x 36. Scripts that save images render to viewports of their own."""
+    """Runs a script in a window of 64 x 36. Scripts that save images render to viewports of their
+    own."""
     fixed = ["--fixed-fps", str(fps)] if fps else []
     return run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "godot3", "--path", str(project), "--audio-driver", "Dummy",
                 "--resolution", "64x36", *fixed, "-s", str(script)], home, environment, 560)

@@ -131,7 +131,8 @@ test('ten thousand frames take no more memory than a hundred', async () => {
     return [[...first, begin], [...last, await heap()]];
   });
   assert.deepEqual(later.slice(0, 2), before.slice(0, 2));
-  assert.ok(later[2] - before[2] < 1e6, `${later[2] - before[2]} bytes more`);  // a leak of one number per frame would be 80 KB, of a view a megabyte
+  // a leak of one number per frame would be 80 KB, of a view a megabyte
+  assert.ok(later[2] - before[2] < 1e6, `${later[2] - before[2]} bytes more`);
   await page.close();
 });
 

@@ -49,7 +49,8 @@ test('maps and planes have the same waves at the documented positions', async ()
       assert.ok(Math.abs(valueOfHalf(cascade.displacement[texel + channel]) - exact) <= Math.max(Math.abs(exact) * 2 ** -11, 2 ** -25));
     }
     const [x, z] = [i * cascade.texelM + dx[64 * j + i], j * cascade.texelM + dz[64 * j + i]];
-    assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);  // the tolerance of a millimetre, on slopes below 1
+    // the tolerance of a millimetre, on slopes below 1
+    assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);
   }
   assert.equal(Math.max(...rows), cascade.bounds.heightMaxM);
   assert.equal(Math.min(...rows), cascade.bounds.heightMinM);

@@ -56,7 +56,8 @@ async function shownHash() {
 async function openLink(text) {
   await page.evaluate(link => { location.hash = link; }, text);
   await page.waitForFunction(link => location.hash.slice(1) === link, {}, text);
-  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 0)));  // after the hashchange event
+  // after the hashchange event
+  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 0)));
 }
 
 /** Returns the hash of a frame, by the native command. */
@@ -126,7 +127,8 @@ test('the server closes files of aborted downloads, does not wait for a FIFO, an
   try {
     const at = await new Promise(resolve => other.stdout.once('data', line => resolve(String(line).trim())));
     const openFiles = () => readdirSync(`/proc/${other.pid}/fd`).map(number => {
-      try { return readlinkSync(`/proc/${other.pid}/fd/${number}`); } catch { return ''; }  // closed
+      // A file may have been closed meanwhile.
+      try { return readlinkSync(`/proc/${other.pid}/fd/${number}`); } catch { return ''; }
     }).filter(path => path.startsWith(folder));
     for (let download = 0; download < 20; ++download)
       await new Promise((resolve, reject) => {
@@ -135,7 +137,8 @@ test('the server closes files of aborted downloads, does not wait for a FIFO, an
       });
     for (let wait = 0; wait < 1000 && openFiles().length; ++wait) await new Promise(resolve => setTimeout(resolve, 20));
     assert.deepEqual(openFiles(), []);
-    for (let call = 0; call < 8; ++call) assert.equal((await fetch(`${at}pipe`)).status, 404);  // more than node has file threads
+    // more than node has file threads
+    for (let call = 0; call < 8; ++call) assert.equal((await fetch(`${at}pipe`)).status, 404);
     const redirect = await fetch(`${at}inside?wind=3`, {redirect: 'manual'});
     assert.equal(redirect.status, 301);
     assert.equal(redirect.headers.get('location'), './inside/?wind=3');

@@ -154,7 +154,8 @@ test('200 frames with resizes cause no GL error', {timeout: 150000}, async () =>
       resize(width, height);
       view.simulate(0.05 * i);
       view.draw({width, height, eyes: [eyeOf(camera, [0, 0, width, height])]});
-      view.context.readPixels(0, 0, 1, 1, view.context.RGBA, view.context.UNSIGNED_BYTE, pixel);  // waits for the image
+      // waits for the image
+      view.context.readPixels(0, 0, 1, 1, view.context.RGBA, view.context.UNSIGNED_BYTE, pixel);
       simulateMs += view.simulateMs();
       drawMs += view.drawMs();
       const error = view.glError();

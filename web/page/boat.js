@@ -142,7 +142,8 @@ export function boatMesh() {
   mesh.sheet(hullPoint, stations, strakes, 1, hullColour);
   mesh.sheet(hullPoint, stations, strakes.map(v => -v), 1, hullColour);
   mesh.sheet(deckPoint, stations, steps(-1, 1, 6), -1, () => paint.deck);
-  for (const [a, b] of [...strakes.keys()].slice(1).map(i => [strakes[i - 1], strakes[i]]))  // the transom
+  // the transom
+  for (const [a, b] of [...strakes.keys()].slice(1).map(i => [strakes[i - 1], strakes[i]]))
     mesh.quad(hullPoint(0, -a), hullPoint(0, a), hullPoint(0, b), hullPoint(0, -b), hullColour(hullPoint(0, a)[1], (a + b) / 2));
   mesh.box(-1.7, 0.35, 0.78, 0.55, 1.35, 0.03, paint.white);
   mesh.box(-1.67, 0.32, 0.75, 1.35, 1.85, 0.07, paint.glass);

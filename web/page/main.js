@@ -193,7 +193,8 @@ class Page {
   frame(now) {
     this.isFrameRequested = false;
     if (this.isInVr) return;
-    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // without a jump after a pause
+    // without a jump after a pause
+    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);
     const sinceLast = now - (this.lastNow ?? now);
     this.lastNow = now;
     if (!this.isBaking && !this.restingFrames) this.scale.follow(sinceLast);
