@@ -1,8 +1,6 @@
-"""Common actions in Blender: undo, several oceans, duplicates, invalid options, presets, units,
-disabling the add-on.
+"""What an artist does: undo, several oceans, duplicates, options that make no sea, presets, units, taking the add-on off again.
 
-usage: blender -b -P artist_test.py -- PELAGIC FOLDER
-"""
+usage: blender -b -P artist_test.py -- PELAGIC FOLDER"""
 import os
 import shutil
 import subprocess
@@ -26,8 +24,7 @@ def bits(name):
     return vertices_of(bpy.data.objects[name]).tobytes()
 
 
-# Several oceans in a scene are independent; a moved object moves its sea; neighbours join without a
-# seam.
+# Several oceans in a scene, each its own; a moved object takes its sea along; a seam between neighbours closes.
 bpy.ops.pelagic.add_ocean(preset="moderate")
 bpy.context.object.pelagic.resolution = 32
 bpy.ops.pelagic.add_ocean(preset="storm")
@@ -85,7 +82,7 @@ for name in library.pelagic.presets:
 bpy.ops.pelagic.preset(preset="moderate")
 first.pelagic.size = 100
 
-# Invalid options: one line on the panel, and the mesh stays unchanged, on other frames too.
+# Options that make no sea: one line on the panel, and the mesh stays as it was, on other frames too.
 scene.frame_set(40)
 kept = bits("Ocean")
 first.pelagic.cascade_side = 250
@@ -168,8 +165,7 @@ first = bpy.data.objects["Ocean"]
 assert first.pelagic.is_ocean and first.pelagic.wind_speed == wind
 scene.frame_set(70)
 compare(pelagic, ["--preset", "moderate", "--wind-speed", repr(round(wind, 5))], 69 / 24, first)
-# A zip that was built for another Python: Blender starts normally, and the panel has one line with
-# the reason.
+# A zip made for another Python: Blender starts all the same, and the panel has one line that says why there is no ocean.
 home = Path(folder) / "another home"
 shutil.copytree(os.environ["BLENDER_USER_RESOURCES"], home)
 (module,) = home.glob("scripts/addons/pelagic_ocean/python/pelagic/_pelagic.*.so")

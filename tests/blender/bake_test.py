@@ -1,8 +1,6 @@
-"""Bakes: the written files, continuation after a stop, no partial files, and playback in a Blender
-without the add-on.
+"""Bakes: what is written, that it goes on where it was stopped, that nothing is half there, and that a Blender without the add-on plays it.
 
-usage: blender -b -P bake_test.py -- PELAGIC FOLDER
-"""
+usage: blender -b -P bake_test.py -- PELAGIC FOLDER"""
 import json
 import os
 import subprocess
@@ -118,8 +116,7 @@ for frame in (3, 8, 5, 4):
     places = numpy.empty(len(mesh.vertices) * 3, numpy.float32)
     mesh.vertices.foreach_get("co", places)
     assert places.tobytes() == live[f"vertices{frame}"].tobytes(), f"frame {frame} moves elsewhere"
-# Tests which image a frame shows in Blender: rendered flat from above, without light, with a pixel
-# for each vertex.
+# Which image a frame shows is Blender's to say: drawn flat from above, without light, a pixel a vertex.
 side = 49
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 camera.data.type, camera.data.ortho_scale, camera.location = "ORTHO", 60, (0, 0, 100)
@@ -145,8 +142,7 @@ for frame in (3, 8, 5):
     grey = numpy.empty(48 * 48 * 4, numpy.float32)
     drawn.pixels.foreach_get(grey)
     foam = live[f"foam{frame}"].reshape(side, side)
-    # a pixel shows a face
-    faces = (foam[1:, 1:] + foam[1:, :-1] + foam[:-1, 1:] + foam[:-1, :-1]) / 4
+    faces = (foam[1:, 1:] + foam[1:, :-1] + foam[:-1, 1:] + foam[:-1, :-1]) / 4  # a pixel shows a face
     off = numpy.abs(grey.reshape(48, 48, 4)[:, :, 0] - faces)
     others = [numpy.abs(grey.reshape(48, 48, 4)[:, :, 0] - (lambda f: (f[1:, 1:] + f[1:, :-1] + f[:-1, 1:] + f[:-1, :-1]) / 4)(live[f"foam{n}"].reshape(side, side))).mean() for n in (3, 4, 5, 6, 7, 8) if n != frame]
     print("frame", frame, "foam off by", off.max(), off.mean(), "other frames' by", min(others), "most", faces.max())

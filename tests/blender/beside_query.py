@@ -1,4 +1,4 @@
-"""Compares vertices in Blender with the command line, for the same sea, time and points."""
+"""Holds vertices in Blender to what the command line says of the same sea, at the same time, at the same points."""
 import csv
 import json
 import subprocess
@@ -46,9 +46,8 @@ def hash_of(pelagic, sea, time_s):
 
 
 def compare(pelagic, sea, time_s, object, place=(0, 0), folds=0.0, vertices=None):
-    """Checks that each vertex is on the surface that `query` returns. folds: the fraction of
-    vertices that may be below another intersection at an overturning crest, where query returns the
-    highest."""
+    """Each vertex lies on the surface that `query` tells of. folds: which part of them may lie below another sheet of a breaking crest, of
+    which query tells the highest."""
     vertices = vertices_of(object) if vertices is None else vertices
     points = numpy.stack([vertices[:, 0].astype(float) + place[0], -(vertices[:, 1].astype(float) + place[1])], axis=1)
     sea_there = ask(pelagic, sea, time_s, points, "--foam") if "foam" in object.data.attributes else ask(pelagic, sea, time_s, points)

@@ -1,8 +1,6 @@
-"""Runs every line of docs/users/blender.md: its shell lines in the clone, and its Python in one
-Blender, which prints the documented output.
+"""Every line of docs/users/blender.md: its lines for a shell in the clone, its Python in one Blender, which prints what the page says.
 
-usage: page_lines.py SOURCE_FOLDER
-"""
+usage: page_lines.py SOURCE_FOLDER"""
 import os
 import re
 import shutil
@@ -41,13 +39,11 @@ printed = run("blender", "-b", "--python-exit-code", "1", "--python-expr", pytho
 assert expected.strip() in printed.splitlines(), f"the page says {expected}, Blender says {printed}"
 assert (source / "out/pelagic_bake/Ocean/foam_0010.png").exists()
 
-# The first of these lines renders, the second queries, the third measures times, here for fewer
-# frames: times are not tested.
+# The first of these lines renders, the second asks, the third times, here for fewer frames: figures are no test's.
 run("bash", "-e", "-c", shell[1])
 assert (source / "out/drawn_0003.png").exists()
 told = run("bash", "-e", "-c", shell[2])
-# notes are on standard error
-header, row = [line for line in told.splitlines() if not line.startswith("note: ")]
+header, row = [line for line in told.splitlines() if not line.startswith("note: ")]  # notes are on standard error
 assert header.startswith("x,z,height") and row.startswith("12,-7,"), told
 assert " ratio" in run("bash", "-e", "-c", shell[3].rstrip() + " -- --frames 4")
 print("the page's lines do what it says")

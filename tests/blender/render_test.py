@@ -1,8 +1,6 @@
-"""A render of frames, `blender -b -a`, has each frame's sea; with velocities Cycles adds motion
-blur.
+"""A render of frames, `blender -b -a`, draws each frame's sea; with velocities Cycles blurs what moves.
 
-usage: blender -b -P render_test.py -- PELAGIC FOLDER
-"""
+usage: blender -b -P render_test.py -- PELAGIC FOLDER"""
 import subprocess
 import sys
 from pathlib import Path
@@ -47,8 +45,7 @@ scene.render.image_settings.file_format, scene.render.image_settings.color_depth
 
 
 def render(name):
-    """Saves the scene and renders it in another process, as on a farm. Returns rows from the upper
-    edge of each frame, with height, foam and blue."""
+    """Saved, and drawn by a process of its own, as on a farm. Of each frame rows from the upper edge, of height, foam and blue."""
     blend = str(Path(folder) / f"{name}.blend")
     scene.frame_set(1)
     bpy.ops.wm.save_as_mainfile(filepath=blend)
@@ -65,18 +62,17 @@ def render(name):
 
 drawn = render("waves")
 centres = ((numpy.arange(side) + 0.5) / side - 0.5) * size
-# the upper edge is +Y, Pelagic's -z
-points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)
+points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper edge is +Y, Pelagic's -z
 told = [ask(pelagic, ["--preset", "rough"], (frame - 1) * 10 / 24, points, "--foam") for frame in frames]
 for image, frame in zip(drawn, frames):
     off = [numpy.abs(image[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]
     foam_off = [numpy.abs(image[:, :, 1].ravel() - each["foam"]).mean() for each in told]
     print(f"frame {frame}: height off by", numpy.round(off, 4), "foam by", numpy.round(foam_off, 4))
     assert numpy.argmin(off) == numpy.argmin(foam_off) == frame - frames[0]
-    # Faces of 0.4 m smooth waves and foam.
+    # Faces of 0.4 m round waves and foam off.
     assert min(off) < 0.03 and min(foam_off) < 0.015 and min(off) < 0.2 * sorted(off)[1] and min(foam_off) < 0.5 * sorted(foam_off)[1]
 
-# Keyframes of options, which a render evaluates in its own copy.
+# Keys of options, which a render evaluates in a copy of its own.
 ocean.pelagic.keyframe_insert("time_offset", frame=frames[0])
 ocean.pelagic.time_offset = 3
 ocean.pelagic.keyframe_insert("time_offset", frame=frames[-1])
@@ -88,8 +84,7 @@ assert numpy.abs(render("keyed")[1, :, :, 0].ravel() - 100 - keyed["height"]).me
 ocean.animation_data_clear()
 ocean.pelagic.time_offset = 0
 
-# Motion blur: without velocities the image is unchanged; with them it is blurred along the motion
-# of the water.
+# Motion blur: without velocities the image stays; with them it is smeared along the water's way.
 scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1
 still = render("still")
 ocean.pelagic.velocity = True
@@ -97,8 +92,7 @@ blurred = render("blurred")
 assert numpy.abs(still - drawn).max() < 0.2, "without velocities nothing should be smeared"
 assert numpy.abs(blurred - drawn)[:, :, :, 0].mean() > 0.002, "with velocities nothing is smeared"
 
-# Extent of the blur: Cycles' vectors, in pixels to a point's position one frame before, compared
-# with the velocities of `query`.
+# How far they smear: Cycles' own vectors, in pixels to where a point was a frame before, beside the velocities that `query` tells.
 scene.render.use_motion_blur = False
 scene.view_layers[0].use_pass_vector = scene.use_nodes = True
 layers, composite = scene.node_tree.nodes["Render Layers"], scene.node_tree.nodes["Composite"]

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
-# Runs a test in Blender, with the add-on installed from its zip as documented, in its own home and
-# folder.
+# Runs a test in Blender, with the add-on installed from its zip as the page says, in a home and a folder of its own.
 #
-# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC
-# The zip is the newest of SOURCE_FOLDER/build/python.
+# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC    the zip is the newest of SOURCE_FOLDER/build/python
 set -euo pipefail
 source=$1 here=$1/tests/blender
 command -v blender >/dev/null || { echo "there is no blender; ./test.sh hosts installs it on Debian"; exit 1; }

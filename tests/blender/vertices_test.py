@@ -1,8 +1,6 @@
-"""Vertices, foam and velocities of oceans, compared with the command line, on frames in both
-directions, saved and loaded.
+"""Vertices, foam and velocities of oceans beside the command line, on frames forth and back, saved and loaded.
 
-usage: blender -b -P vertices_test.py -- PELAGIC FOLDER
-"""
+usage: blender -b -P vertices_test.py -- PELAGIC FOLDER"""
 import math
 import subprocess
 import sys
@@ -32,7 +30,7 @@ def add(preset, **settings):
     return ocean
 
 
-# As a user would type it, and as on the command line. Numbers without an exact float are intended.
+# As an artist would type it, and as the command line has it. Figures without an exact float are meant.
 oceans = {
     "moderate": (add("moderate"), ["--preset", "moderate"], {}),
     "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77, wind_alignment=0.31,

@@ -1,9 +1,7 @@
-"""Blender's window on a virtual display: the panel draws for all kinds of seas and for an invalid
-one; Escape stops a bake, and the next bake continues. Leaves an image of the window;
-docs/images/blender_panel.png is a crop of it.
+"""Blender's window on a virtual display: the panel draws, for all kinds of seas and for one that can't be; a bake that Escape stops, and the
+next, which goes on. Leaves an image of the window, of which docs/images/blender_panel.png is a part.
 
-usage: blender -b -P window_test.py -- PELAGIC FOLDER
-"""
+usage: blender -b -P window_test.py -- PELAGIC FOLDER"""
 import os
 import subprocess
 import sys

@@ -6,8 +6,7 @@ live_name = "Pelagic Water"
 
 
 def water():
-    """Returns the material of all live oceans, created once for each file; changes to it affect all
-    of them."""
+    """The material of all live oceans, made once a file; whoever changes it changes it for all of them."""
     return bpy.data.materials.get(live_name) or make(live_name)
 
 
@@ -43,8 +42,7 @@ def make(name):
 
 
 def lace(add, links, amount):
-    """Foam has holes finer than the mesh. They move with the water: noise over "rest_position",
-    metres."""
+    """Foam has holes that are finer than a mesh. They rest with the water: noise over "rest_position", metres."""
     rest = add("ShaderNodeAttribute", -1100, -300)
     rest.attribute_name = "rest_position"
     noise = add("ShaderNodeTexNoise", -900, -300, Scale=1.7, Detail=9.0, Roughness=0.68)
@@ -62,8 +60,7 @@ def lace(add, links, amount):
 
 
 def baked_water(name, first_image, first_frame, frames):
-    """Creates the same material with foam from a sequence of images, one for each frame, instead of
-    the attribute: it needs no add-on."""
+    """The same with foam of a sequence of images, one a frame, in place of the attribute: it needs no add-on."""
     old = bpy.data.materials.get(name)
     material = water().copy()
     if old:

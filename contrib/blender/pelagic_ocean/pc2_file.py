@@ -1,9 +1,7 @@
-"""A point cache for Blender's Mesh Cache modifier (PC2), written frame by frame into NAME.part,
-which is renamed to NAME when it is complete.
+"""A point cache for Blender's Mesh Cache modifier (PC2), written frame by frame into NAME.part, which becomes NAME when it is whole.
 
-A header of 32 bytes (the string POINTCACHE2, version 1, points, first frame, frames a sample,
-samples; little-endian), then the points of each sample as three 32-bit floats.
-"""
+A header of 32 bytes (the word POINTCACHE2, version 1, points, first frame, frames a sample, samples; little-endian), then the
+points of each sample as three 32-bit floats."""
 import os
 import struct
 
@@ -16,8 +14,7 @@ class Pc2Writer:
         self.path, self.part, self.frame_bytes = path, path + ".part", 12 * points
         if done:
             self.file = open(self.part, "r+b")
-            # an incomplete frame is written again
-            self.file.truncate(header.size + done * self.frame_bytes)
+            self.file.truncate(header.size + done * self.frame_bytes)  # a frame that was cut off begins again
             self.file.seek(0, os.SEEK_END)
         else:
             self.file = open(self.part, "wb")
