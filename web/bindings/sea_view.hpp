@@ -21,7 +21,7 @@ struct ViewOptions {
     std::string quality = "high";               ///< of the quadtree: low, medium, high or ultra
     double size_m = 4096;                       ///< side of the square with waves; [256, 8192]
     gl::Shading shading = gl::Shading::medium;  ///< cost of a pixel
-    int sky_face_size = 256;                    ///< texels of a side of the sky; a power of two, 16 to 2048
+    int sky_face_size = 256;                    ///< texels a side of the sky; 2^n, 16 to 2048
     bool foam = true;                           ///< foam accumulation; 10 to 20 % of a frame
 };
 
