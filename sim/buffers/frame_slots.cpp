@@ -83,7 +83,7 @@ FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, 
 }
 
 void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {
-    Slot& slot = slots_[back_];
+    Slot& slot = slots_.back();
     const std::size_t last = last_level();
     for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
         const TextureTargets& elsewhere = slot.elsewhere[i] = cascades.empty() ? TextureTargets{} : cascades[i];
@@ -100,7 +100,7 @@ void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {
 }
 
 void FrameSlots::finish_textures() {
-    Slot& slot = slots_[back_];
+    Slot& slot = slots_.back();
     const std::size_t last = last_level();
     for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
         const TextureTargets& own = slot.own_textures[i];

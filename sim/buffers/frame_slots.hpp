@@ -2,7 +2,6 @@
 // renders the previous one.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "pelagic/sim/buffers/contraction_map.hpp"
+#include "pelagic/sim/buffers/double_buffer.hpp"
 #include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/texture_targets.hpp"
@@ -60,21 +60,19 @@ class FrameSlots {
     FrameSlots(const FrameSlots&) = delete;  // frames hold pointers into the slots
     FrameSlots& operator=(const FrameSlots&) = delete;
 
-    std::size_t cascade_count() const { return slots_[0].cascades.size(); }
-    int resolution() const { return slots_[0].cascades.front().resolution(); }
+    std::size_t cascade_count() const { return slots_.back().cascades.size(); }
+    int resolution() const { return slots_.back().cascades.front().resolution(); }
 
-    CascadeBuffers& buffers(std::size_t cascade) { return slots_[back_].buffers[cascade]; }
-    Cascade& cascade(std::size_t cascade) { return slots_[back_].cascades[cascade]; }
+    CascadeBuffers& buffers(std::size_t cascade) { return slots_.back().buffers[cascade]; }
+    Cascade& cascade(std::size_t cascade) { return slots_.back().cascades[cascade]; }
     /// Returns the targets of all textures of the cascade: its own buffers or the application's
     /// memory.
-    const TextureTargets& textures(std::size_t cascade) const { return slots_[back_].textures[cascade]; }
-    Frame& frame() { return slots_[back_].frame; }
+    const TextureTargets& textures(std::size_t cascade) const { return slots_.back().textures[cascade]; }
+    Frame& frame() { return slots_.back().frame; }
     /// Returns the accumulated foam of the cascade in the back slot.
-    RememberedFoam& remembered_foam(std::size_t cascade) { return slots_[back_].remembered_foam[cascade]; }
+    RememberedFoam& remembered_foam(std::size_t cascade) { return slots_.back().remembered_foam[cascade]; }
 
-    /// Swaps the slots: for the next frame, or to discard the last frame without overwriting the
-    /// one before it.
-    void turn() { back_ = 1 - back_; }
+    void turn() { slots_.swap(); }
 
     /// Sets the application's texture targets of the back slot's frame. The frame has no views of
     /// textures in the application's memory.
@@ -99,8 +97,7 @@ class FrameSlots {
     };
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }
 
-    std::array<Slot, 2> slots_;
-    std::size_t back_ = 0;
+    DoubleBuffer<Slot> slots_;
 };
 
 }  // namespace pelagic

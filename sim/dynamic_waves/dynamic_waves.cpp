@@ -2,7 +2,6 @@
 #include "pelagic/sim/dynamic_waves.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -15,9 +14,10 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/sim/buffers/double_buffer.hpp"
+#include "pelagic/sim/buffers/height_field_buffers.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/dynamic_waves/grid.hpp"
-#include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -58,13 +58,7 @@ struct DynamicWaves::State {
         : executor(resources.executor ? std::move(resources.executor) : make_default_executor()),
           grid(options, choose_isa(resources.isa), resources.memory) {
         const auto n = static_cast<std::size_t>(options.resolution);
-        for (Slot& slot : slots) {
-            slot.height = AlignedBuffer<float>(n * n, resources.memory);
-            slot.vertical_velocity = AlignedBuffer<float>(n * n, resources.memory);
-            slot.foam = AlignedBuffer<std::uint8_t>(n * n, resources.memory);
-            slot.lowest.resize(n);
-            slot.highest.resize(n);
-        }
+        for (Slot& slot : slots) slot.allocate(n * n, n, resources.memory);
         const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
             graph.add({.name = "dynamic waves show",
                        .count = n / DynamicWaveGrid::rows_an_item,
@@ -84,10 +78,7 @@ struct DynamicWaves::State {
         tick_and_show_run = prepared(tick_and_show_graph);
     }
 
-    struct Slot {
-        AlignedBuffer<float> height, vertical_velocity;
-        AlignedBuffer<std::uint8_t> foam;
-        std::vector<float> lowest, highest;
+    struct Slot : HeightFieldBuffers {
         DynamicWavesView view;  ///< empty until a frame is complete
     };
     struct Command {
@@ -108,9 +99,8 @@ struct DynamicWaves::State {
     std::vector<Command> commands;       ///< since the last begin_frame()
     std::size_t new_impulses = 0;        ///< among them
     std::vector<std::uint32_t> numbers;  ///< of the sources after all commands, in ascending order
-    std::array<Slot, 2> slots;
-    std::size_t back = 0;   ///< the slot of the frame that is computed
-    std::size_t shown = 0;  ///< the slot of the frame completed last
+    DoubleBuffer<Slot> slots;
+    const DynamicWavesView* shown = &slots.back().view;  ///< of the frame completed last
     bool has_clock = false;
     double last_time_s = 0;      ///< of the last frame
     std::int64_t last_tick = 0;  ///< by the frames' time
@@ -191,7 +181,7 @@ const DynamicWavesView& DynamicWaves::advance(double time_s) {
     return view();
 }
 
-const DynamicWavesView& DynamicWaves::view() const { return state_->slots[state_->shown].view; }
+const DynamicWavesView& DynamicWaves::view() const { return *state_->shown; }
 
 void DynamicWaves::State::apply_commands(bool time_goes_on) {
     DynamicWaveSources& sources = grid.sources();
@@ -214,7 +204,7 @@ void DynamicWaves::State::apply_commands(bool time_goes_on) {
     new_impulses = 0;
 }
 
-void DynamicWaves::turn() { state_->back = 1 - state_->back; }
+void DynamicWaves::turn() { state_->slots.swap(); }
 
 void DynamicWaves::begin_frame(double time_s) {
     State& s = *state_;
@@ -247,8 +237,8 @@ void DynamicWaves::complete_frame() {
     }
     if (!s.run_in_flight) s.begin_run(s.ticks_due == 1 ? *s.tick_and_show_run : *s.show_run);
     s.complete_run();
-    s.slots[s.back].view = s.view_of_back();
-    s.shown = s.back;
+    s.slots.back().view = s.view_of_back();
+    s.shown = &s.slots.back().view;
 }
 
 void DynamicWaves::State::begin_run(GraphRun& run) {
@@ -274,14 +264,14 @@ bool DynamicWaves::is_done() const {
 }
 
 void DynamicWaves::State::show_rows(std::size_t item) {
-    Slot& slot = slots[back];
+    Slot& slot = slots.back();
     grid.show(fraction, item,
               {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(),
                slot.highest.data()});
 }
 
 DynamicWavesView DynamicWaves::State::view_of_back() const {
-    const Slot& slot = slots[back];
+    const Slot& slot = slots.back();
     return {.resolution = grid.options().resolution,
             .texel_m = grid.texel_m(),
             .first_x = grid.first_x(),
@@ -289,8 +279,8 @@ DynamicWavesView DynamicWaves::State::view_of_back() const {
             .height_m = {slot.height.data(), slot.height.size()},
             .vertical_velocity_mps = {slot.vertical_velocity.data(), slot.vertical_velocity.size()},
             .foam = {slot.foam.data(), slot.foam.size()},
-            .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
-            .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end())};
+            .height_min_m = slot.min_height(),
+            .height_max_m = slot.max_height()};
 }
 
 void DynamicWaves::drop_frame() {
@@ -299,7 +289,7 @@ void DynamicWaves::drop_frame() {
     } catch (...) {  // the frame is discarded anyway
     }
     turn();
-    state_->shown = state_->back;
+    state_->shown = &state_->slots.back().view;
 }
 
 std::vector<std::uint8_t> DynamicWaves::save_state() const {
@@ -344,9 +334,7 @@ std::size_t DynamicWaves::memory_bytes() const {
     const State& s = *state_;
     std::size_t bytes = sizeof(State) + s.grid.bytes() + s.commands.capacity() * sizeof(State::Command) +
                         s.numbers.capacity() * sizeof(std::uint32_t);
-    for (const State::Slot& slot : s.slots)
-        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.foam.bytes() +
-                 (slot.lowest.capacity() + slot.highest.capacity()) * sizeof(float);
+    for (const State::Slot& slot : s.slots) bytes += slot.bytes();
     return bytes;
 }
 

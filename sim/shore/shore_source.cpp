@@ -135,13 +135,9 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     }
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
     for (Slot& slot : slots_) {
-        slot.height = AlignedBuffer<float>(bed_.texels(), memory);
-        slot.vertical_velocity = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.allocate(bed_.texels(), items, memory);
         slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
         slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
-        slot.foam = AlignedBuffer<std::uint8_t>(bed_.texels(), memory);
-        slot.lowest.resize(items);
-        slot.highest.resize(items);
     }
 }
 
@@ -396,7 +392,7 @@ void ShoreSource::end_bake() {
 
 void ShoreSource::add_frame_stage(JobGraph& graph) {
     graph.add({.name = "shore",
-               .count = slots_[0].lowest.size(),
+               .count = slots_.back().lowest.size(),
                .body = for_each_item([this](std::size_t item) { rows(item); }),
                .stack_bytes = stack_margin});
 }
@@ -413,7 +409,7 @@ void ShoreSource::begin_frame(double time_s) {
 }
 
 void ShoreSource::rows(std::size_t item) {
-    Slot& slot = slots_[back_];
+    Slot& slot = slots_.back();
     const std::size_t first = item * groups_an_item;
     kernels_.shore_rows({.waves = amplitudes_.data(),
                          .moments = moments_.data(),
@@ -434,10 +430,9 @@ void ShoreSource::rows(std::size_t item) {
 }
 
 ShoreSurface ShoreSource::end_frame() {
-    const Slot& slot = slots_[back_];
+    const Slot& slot = slots_.back();
     const std::size_t texels = bed_.texels();
-    const float lowest = *std::min_element(slot.lowest.begin(), slot.lowest.end());
-    const float highest = *std::max_element(slot.highest.begin(), slot.highest.end());
+    const float lowest = slot.min_height(), highest = slot.max_height();
     const float beyond = static_cast<float>(max_overshoot) * (highest - lowest);
     return {.columns = bed_.columns,
             .rows = bed_.rows,
@@ -462,8 +457,7 @@ std::size_t ShoreSource::bytes() const {
                         sharpness_.bytes() + depth_.bytes() + parts_.bytes() +
                         waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
-        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.potential.bytes() + slot.reach.bytes() +
-                 slot.foam.bytes() + (slot.lowest.size() + slot.highest.size()) * sizeof(float);
+        bytes += slot.HeightFieldBuffers::bytes() + slot.potential.bytes() + slot.reach.bytes();
     return bytes;
 }
 

@@ -5,13 +5,14 @@
 // the amplitudes by one phase for each wave, and adds them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/buffers/double_buffer.hpp"
+#include "pelagic/sim/buffers/height_field_buffers.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/shore/refraction.hpp"
@@ -49,7 +50,7 @@ class ShoreSource {
     void add_frame_stage(JobGraph& graph);
     /// Makes the other slot the back slot, for the next frame. It cannot fail; drop_frame() reverts
     /// it.
-    void turn() { back_ = 1 - back_; }
+    void turn() { slots_.swap(); }
     /// Sets the time that the next run of the stage computes. \pre turn() was called for this frame
     void begin_frame(double time_s);
     /// Returns the views of the last frame. They are valid until the second begin_frame() after it.
@@ -113,13 +114,10 @@ class ShoreSource {
     };
     std::unique_ptr<Bake> bake_;
 
-    struct Slot {
-        AlignedBuffer<float> height, vertical_velocity, potential, reach;
-        AlignedBuffer<std::uint8_t> foam;
-        std::vector<float> lowest, highest;
+    struct Slot : HeightFieldBuffers {
+        AlignedBuffer<float> potential, reach;
     };
-    std::array<Slot, 2> slots_;
-    std::size_t back_ = 0;
+    DoubleBuffer<Slot> slots_;
     std::vector<ShoreRowsJob::Moment> moments_;
 };
 
