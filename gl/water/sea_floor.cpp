@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <glm/gtc/packing.hpp>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/simd/bilinear.hpp"
 
 namespace pelagic::gl {
 
 double SeaFloor::height_at(double x_m, double z_m) const {
-    const double u = std::clamp((x_m - corner_m.x) / metres_a_texel, 0.0, columns - 1.0);
-    const double v = std::clamp((z_m - corner_m.y) / metres_a_texel, 0.0, rows - 1.0);
-    const int i = std::min(static_cast<int>(u), columns - 2), j = std::min(static_cast<int>(v), rows - 2);
-    const auto at = [&](int column, int row) {
-        return static_cast<double>(heights_m[static_cast<std::size_t>(row) * columns + column]);
-    };
-    return std::lerp(std::lerp(at(i, j), at(i + 1, j), u - i), std::lerp(at(i, j + 1), at(i + 1, j + 1), u - i),
-                     v - j);
+    return bilinear_sample(heights_m, columns, rows, (x_m - corner_m.x) / metres_a_texel,
+                           (z_m - corner_m.y) / metres_a_texel);
 }
 
 std::string check(const SeaFloor& floor) {

@@ -2,28 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/simd/constants.hpp"
 
 namespace pelagic::gl {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// surface_tension_m3ps2 is the surface tension of water over its density.
-constexpr double surface_tension_m3ps2 = 7.4e-5;
 constexpr double golden = 1.6180339887;
 constexpr std::array<std::string_view, 5> names = {"open", "lake", "coast", "river", "pond"};
 
 double fraction(double value) { return value - std::floor(value); }
 
-/// Returns the number of cycles in a loop of waves with wave number k, rad/m, rounded so that the
-/// loop closes.
-double cycles(double k, double loop_s) {
-    return std::round(std::sqrt(gravity_mps2 * k + surface_tension_m3ps2 * k * k * k) * loop_s / (2 * pi));
+/// Returns the number of cycles in a loop of waves with the wavelength, rounded so that the loop
+/// closes.
+double cycles(double wavelength_m, double loop_s) {
+    return std::round(ripple_frequency_hz(1 / wavelength_m) * loop_s);
 }
 
 /// Returns the elapsed fraction of the loop, [0, 1).
@@ -70,7 +69,7 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
         const double cell_m = kind.largest_m * std::pow(0.47, i);
         const double angle = sea.wind_direction_rad + 0.9 * (fraction(static_cast<double>(i) * golden) - 0.5) * 2;
         const double c = std::cos(angle), s = std::sin(angle);
-        const double k = pi / cell_m, turns = cycles(k, sea.loop_period_s);
+        const double turns = cycles(2 * cell_m, sea.loop_period_s);
         // Octaves drift by a whole number of periods in a loop.
         const double speed = kind.drift * turns * 2 * cell_m / sea.loop_period_s;
         const double periods = std::round(speed * sea.loop_period_s / (period_cells * cell_m));
@@ -95,29 +94,24 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
 
 void place_pond(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
-    constexpr double longest_m = 1.2, growth = 1.18, weight = 0.8, drag = 0.38;
-    const double first_k = 2 * pi / longest_m;
-    double squares = 0;
-    for (std::size_t i = 0; i < block.pond_wave.size(); ++i)
-        squares += std::pow(growth * weight, 2. * static_cast<double>(i));
-    // 0.1076: mean square slope of a wave with unit height times wave number, as in
-    // small_water.glsl.
-    const double height = std::sqrt(0.5 * mean_square_slope(sea.wind_speed_mps) / (squares * 0.1076)) / first_k;
-    for (std::size_t i = 0; i < block.pond_wave.size(); ++i) {
-        const double k = first_k * std::pow(growth, i);
-        const double angle =
-            sea.wind_direction_rad + 1.1 * pi * (fraction(0.5 + static_cast<double>(i) * golden) - 0.5);
-        const glm::dvec2 wave = k * glm::dvec2(std::cos(angle), std::sin(angle));
-        // Each wave has its own phase from the golden ratio sequence. Crests travel along the wave
-        // vector.
-        const double turns = (wave.x * viewer.x + wave.y * viewer.y) / (2 * pi) -
-                             cycles(k, sea.loop_period_s) * loop_fraction(facts) +
-                             fraction(static_cast<double>(i * i) * golden);
-        block.pond_wave[i] = {wave.x, wave.y, height * std::pow(weight, i), 2 * pi * fraction(turns)};
+    const std::vector<PondOctave> octaves = octaves_of(PondSea{.direction_rad = sea.wind_direction_rad});
+    assert(octaves.size() == block.pond_wave.size());
+    double slopes = 0, squares = 0;  // mean square slope, sum of squared heights
+    for (const PondOctave& octave : octaves) {
+        slopes += pond_slope_variance * std::pow(2 * pi * octave.turns_per_m() * octave.height_m, 2.);
+        squares += octave.height_m * octave.height_m;
     }
-    block.bump_kind = {1, drag / (first_k * height), 0, 0};
-    // 0.30: standard deviation of exp(sin - 1).
-    block.waves.x = static_cast<float>(4 * 0.30 * height / std::sqrt(1 - weight * weight));
+    const double scale = std::sqrt(0.5 * mean_square_slope(sea.wind_speed_mps) / slopes);
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
+        const PondOctave& octave = octaves[i];
+        const double turns = octave.turns_per_m_x * viewer.x + octave.turns_per_m_z * viewer.y -
+                             std::round(octave.frequency_hz * sea.loop_period_s) * loop_fraction(facts) +
+                             octave.phase_turns;
+        block.pond_wave[i] = {2 * pi * octave.turns_per_m_x, 2 * pi * octave.turns_per_m_z, scale * octave.height_m,
+                              2 * pi * fraction(turns)};
+    }
+    block.bump_kind = {1, octaves[0].drag_m / (scale * octaves[0].height_m), 0, 0};
+    block.waves.x = static_cast<float>(4 * scale * std::sqrt(pond_variance * squares));
 }
 
 void place_flow(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {

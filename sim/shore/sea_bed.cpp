@@ -3,27 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/simd/bilinear.hpp"
+
 namespace pelagic {
 namespace {
 
 constexpr int whole = 16;  // columns and rows are multiples of it
 
 int rounded_up(double texels) { return std::max(1, static_cast<int>(std::ceil(texels / whole))) * whole; }
-
-/// Returns a bilinear sample; coordinates are clamped to the edges of the field.
-double height_at(const ShoreOptions& field, double column, double row) {
-    const double u = std::clamp(column, 0.0, static_cast<double>(field.columns - 1));
-    const double v = std::clamp(row, 0.0, static_cast<double>(field.rows - 1));
-    const int i = std::min(static_cast<int>(u), field.columns - 2), j = std::min(static_cast<int>(v), field.rows - 2);
-    const auto height = [&](int x, int z) {
-        return static_cast<double>(
-            field.heights_m[static_cast<std::size_t>(z) * static_cast<std::size_t>(field.columns) +
-                            static_cast<std::size_t>(x)]);
-    };
-    const double above = height(i, j) + (u - i) * (height(i + 1, j) - height(i, j));
-    const double below = height(i, j + 1) + (u - i) * (height(i + 1, j + 1) - height(i, j + 1));
-    return above + (v - j) * (below - above);
-}
 
 }  // namespace
 
@@ -37,7 +24,8 @@ SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(optio
     depth_m.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            depth_m[at(i, j)] = 0 - height_at(options, i * samples_a_texel, j * samples_a_texel);
+            depth_m[at(i, j)] = 0 - bilinear_sample(options.heights_m, options.columns, options.rows,
+                                                    i * samples_a_texel, j * samples_a_texel);
 
     // On a full grid, the least-squares slopes along x and z are independent.
     double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;
