@@ -5,18 +5,18 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pelagic {
 
-/// Joins names as "a, b or c".
-inline std::string list_of(std::span<const std::string> names) {
+/// Joins names as "a, b or c". \tparam Names  a sequence of std::string or std::string_view
+template <class Names>
+std::string list_of(const Names& names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i)
-        list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+        list.append(i == 0 ? "" : i + 1 < names.size() ? ", " : " or ").append(names[i]);
     return list;
 }
 
@@ -38,22 +38,24 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// Returns the first of the names with the smallest edit distance to `name`. The distance is at
 /// most half of name's length and at most 3; otherwise returns no name.
-inline std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
+template <class Names>
+std::optional<std::string> near_name(std::string_view name, const Names& names) {
     std::optional<std::string> nearest;
     std::size_t min = std::min<std::size_t>(3, name.size() / 2) + 1;
-    for (const std::string& known : names) {
+    for (const std::string_view known : names) {
         // The difference in length bounds the distance from below, so long texts are skipped.
         if (name.size() >= known.size() + min) continue;
         const std::size_t distance = edit_distance(name, known);
         if (distance >= min) continue;
         min = distance;
-        nearest = known;
+        nearest = std::string(known);
     }
     return nearest;
 }
 
 /// Returns " (the nearest is storm)", or an empty string if near_name() finds no name.
-inline std::string nearest_hint(std::string_view name, std::span<const std::string> names) {
+template <class Names>
+std::string nearest_hint(std::string_view name, const Names& names) {
     const auto nearest = near_name(name, names);
     return nearest ? " (the nearest is " + *nearest + ")" : "";
 }

@@ -1,9 +1,12 @@
 // Disturbances of dynamic waves: oars, hulls, drops.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic {
@@ -45,6 +48,15 @@ struct Disturbance {
 double shape_at(const Disturbance& disturbance, double x_m, double z_m);
 
 /// Returns the table of its numeric fields.
+template <>
+struct EnumNames<Disturbance::Shape> {
+    static constexpr std::array<std::string_view, 2> all = {"gauss", "hull"};
+};
+template <>
+struct EnumNames<Disturbance::Mode> {
+    static constexpr std::array<std::string_view, 3> all = {"pressure", "relaxation", "impulse"};
+};
+
 std::span<const NumericField<Disturbance>> disturbance_fields();
 
 /// Returns an empty string for a usable disturbance, else what is wrong: "radius_m 0 is out of

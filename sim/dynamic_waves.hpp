@@ -18,6 +18,7 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
@@ -34,6 +35,10 @@ enum class DynamicWavesStep {
     /// h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4:
     /// one speed for all waves, for ponds and rings.
     verlet
+};
+template <>
+struct EnumNames<DynamicWavesStep> {
+    static constexpr std::array<std::string_view, 2> all = {"spectral", "verlet"};
 };
 
 struct DynamicWavesOptions {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic {
@@ -14,27 +15,25 @@ namespace pelagic {
 /// Wave model: the spectrum of a wind; up to 64 analytic waves (analytic/analytic_sea.hpp); or
 /// procedural pond waves, octaves of exp(sin - 1) (analytic/pond_waves.hpp).
 enum class WaveModel { spectrum, analytic, pond };
-
-/// Returns "spectrum", "analytic" or "pond".
-std::string_view name_of(WaveModel);
-std::optional<WaveModel> wave_model_named(std::string_view name);
-std::span<const WaveModel> wave_models();
+template <>
+struct EnumNames<WaveModel> {
+    static constexpr std::array<std::string_view, 3> all = {"spectrum", "analytic", "pond"};
+};
 
 enum class SpectrumModel { phillips_paper, phillips, pierson_moskowitz, jonswap };
-
-/// Returns "phillips-paper", "phillips", "pierson-moskowitz" or "jonswap".
-std::string_view name_of(SpectrumModel);
-std::optional<SpectrumModel> spectrum_model_named(std::string_view name);
-std::span<const SpectrumModel> spectrum_models();
+template <>
+struct EnumNames<SpectrumModel> {
+    static constexpr std::array<std::string_view, 4> all = {"phillips-paper", "phillips", "pierson-moskowitz",
+                                                            "jonswap"};
+};
 
 /// Directional spreading around the wind. The measured models, hasselmann and donelan_banner,
 /// depend on frequency and on the ratio of the wind speed to the peak's phase speed.
 enum class SpreadingModel { paper, cosine_2s, hasselmann, donelan_banner };
-
-/// Returns "paper", "cosine-2s", "hasselmann" or "donelan-banner".
-std::string_view name_of(SpreadingModel);
-std::optional<SpreadingModel> spreading_model_named(std::string_view name);
-std::span<const SpreadingModel> spreading_models();
+template <>
+struct EnumNames<SpreadingModel> {
+    static constexpr std::array<std::string_view, 4> all = {"paper", "cosine-2s", "hasselmann", "donelan-banner"};
+};
 
 /// Number of cascades that holds the waves of a sea down to a length of about 0.1 m.
 inline constexpr int default_cascades = 4;

@@ -45,11 +45,10 @@ enum class Interpolation {
     /// keep their own interpolation.
     cubic
 };
-
-/// Returns "linear" or "cubic".
-std::string_view name_of(Interpolation);
-std::optional<Interpolation> interpolation_named(std::string_view name);
-std::span<const Interpolation> interpolations();
+template <>
+struct EnumNames<Interpolation> {
+    static constexpr std::array<std::string_view, 2> all = {"linear", "cubic"};
+};
 
 struct SurfaceQueryOptions {
     /// Largest error of a converged point, positive, metres. The search aims at 1/64 of it, because

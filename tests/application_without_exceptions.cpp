@@ -35,7 +35,7 @@ int main() {
     pelagic_ocean* ocean = nullptr;
     sea.wind_speed_mps = -1;
     if (pelagic_ocean_create(&sea, nullptr, &ocean) != PELAGIC_INVALID_ARGUMENT ||
-        std::strncmp(pelagic_last_error(), "wind_speed_mps is -1", 20) != 0)
+        std::strncmp(pelagic_last_error(), "wind_speed_mps -1", 17) != 0)
         return 1;
     pelagic_sea_defaults(&sea);
     const bool done = pelagic_ocean_create(&sea, nullptr, &ocean) == PELAGIC_OK && print_frames(ocean);

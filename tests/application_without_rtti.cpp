@@ -57,7 +57,7 @@ bool refuses_wind_below_zero() {
         const pelagic::Ocean ocean(pelagic::SeaState{.wind_speed_mps = -1});
         return false;
     } catch (const std::invalid_argument& error) {
-        return std::string_view(error.what()).starts_with("wind_speed_mps is -1");
+        return std::string_view(error.what()).starts_with("wind_speed_mps -1");
     }
 }
 

@@ -137,7 +137,8 @@ void expect_rejected(pelagic_status status, const std::string& what, const char*
     const std::string line = pelagic_last_error();
     EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT) << what << ": " << line;
     EXPECT_NE(line.find(name), std::string::npos) << what << ": " << line;
-    EXPECT_NE(line.find(", expected "), std::string::npos) << what << ": " << line;
+    EXPECT_TRUE(line.find(", expected ") != line.npos || line.find(" is out of range ") != line.npos)
+        << what << ": " << line;
 }
 
 using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;
@@ -221,7 +222,7 @@ pelagic_sea sea_of(const Kind& kind) {
 
 pelagic_sea two_cascades() { return stack_sea(2); }
 
-TEST(CInterfaceLeastValues, FieldsOfASeaAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfASeaAreRejectedOrFinite) {
     const pelagic_ocean_options options = all_options();
     for (const Kind& kind : kinds)
         walk(sea_of(kind), sea_fields, kind.name,
@@ -232,7 +233,7 @@ TEST(CInterfaceLeastValues, FieldsOfASeaAreRejectedOrFinite) {
              });
 }
 
-TEST(CInterfaceLeastValues, QueryToleranceIsRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, QueryToleranceIsRejectedOrFinite) {
     constexpr Named<pelagic_ocean_options> fields[] = {
         {"query_tolerance_m", &pelagic_ocean_options::query_tolerance_m}};
     const pelagic_sea sea = two_cascades();
@@ -244,7 +245,7 @@ TEST(CInterfaceLeastValues, QueryToleranceIsRejectedOrFinite) {
          });
 }
 
-TEST(CInterfaceLeastValues, FieldsOfATransitionAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfATransitionAreRejectedOrFinite) {
     constexpr Named<pelagic_change> fields[] = {{"from_s", &pelagic_change::from_s},
                                                 {"over_s", &pelagic_change::over_s},
                                                 {"swell_from_m", &pelagic_change::swell_from_m}};
@@ -295,7 +296,7 @@ pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
 
 constexpr std::int32_t steps[] = {PELAGIC_DYNAMIC_WAVES_SPECTRAL, PELAGIC_DYNAMIC_WAVES_VERLET};
 
-TEST(CInterfaceLeastValues, FieldsOfDynamicWavesAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfDynamicWavesAreRejectedOrFinite) {
     constexpr Named<pelagic_dynamic_waves_options> fields[] = {
         {"side_m", &pelagic_dynamic_waves_options::side_m},
         {"border_m", &pelagic_dynamic_waves_options::border_m},
@@ -319,7 +320,7 @@ TEST(CInterfaceLeastValues, FieldsOfDynamicWavesAreRejectedOrFinite) {
              });
 }
 
-TEST(CInterfaceLeastValues, FieldsOfADisturbanceAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfADisturbanceAreRejectedOrFinite) {
     constexpr Named<pelagic_disturbance> fields[] = {{"x_m", &pelagic_disturbance::x_m},
                                                      {"z_m", &pelagic_disturbance::z_m},
                                                      {"radius_m", &pelagic_disturbance::radius_m},
@@ -352,7 +353,7 @@ TEST(CInterfaceLeastValues, FieldsOfADisturbanceAreRejectedOrFinite) {
     }
 }
 
-TEST(CInterfaceLeastValues, FieldsOfRainAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfRainAreRejectedOrFinite) {
     constexpr Named<pelagic_rain> fields[] = {{"drops_per_m2_s", &pelagic_rain::drops_per_m2_s},
                                               {"radius_m", &pelagic_rain::radius_m},
                                               {"height_m", &pelagic_rain::height_m}};
@@ -374,7 +375,7 @@ TEST(CInterfaceLeastValues, FieldsOfRainAreRejectedOrFinite) {
     }
 }
 
-TEST(CInterfaceLeastValues, FieldsOfAShoreAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfAShoreAreRejectedOrFinite) {
     constexpr Named<pelagic_shore_options> fields[] = {{"corner_x_m", &pelagic_shore_options::corner_x_m},
                                                        {"corner_z_m", &pelagic_shore_options::corner_z_m},
                                                        {"metres_a_sample", &pelagic_shore_options::metres_a_sample},
@@ -405,7 +406,7 @@ TEST(CInterfaceLeastValues, FieldsOfAShoreAreRejectedOrFinite) {
 }
 
 // The smallest accepted values also give finite frames.
-TEST(CInterfaceLeastValues, SmallestAcceptedValuesGiveFiniteFrames) {
+TEST(CInterfaceSmallestValues, SmallestAcceptedValuesGiveFiniteFrames) {
     const pelagic_sea sea = two_cascades();
     std::vector<float> heights(9, -1);
     heights[4] = 1;
@@ -448,7 +449,7 @@ pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pel
     return status;
 }
 
-TEST(CInterfaceLeastValues, FieldsOfARippleAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfARippleAreRejectedOrFinite) {
     constexpr Named<pelagic_ripple> fields[] = {{"x_m", &pelagic_ripple::x_m},
                                                 {"z_m", &pelagic_ripple::z_m},
                                                 {"wavelength_m", &pelagic_ripple::wavelength_m},
@@ -473,7 +474,7 @@ struct Wave {
     double amplitude_m = 0.3, wavelength_m = 20, direction_rad = 1, phase_rad = 1, choppiness = 1;
 };
 
-TEST(CInterfaceLeastValues, FieldsOfAWaveListAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, FieldsOfAWaveListAreRejectedOrFinite) {
     constexpr Named<Wave> fields[] = {{"amplitude_m", &Wave::amplitude_m},
                                       {"wavelength_m", &Wave::wavelength_m},
                                       {"direction_rad", &Wave::direction_rad},
@@ -496,7 +497,7 @@ TEST(CInterfaceLeastValues, FieldsOfAWaveListAreRejectedOrFinite) {
     });
 }
 
-TEST(CInterfaceLeastValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
     constexpr Named<pelagic_input_callback> fields[] = {{"largest_slope", &pelagic_input_callback::largest_slope}};
     auto usual = sized<pelagic_input_callback>();
     usual.add = [](void*, const pelagic_input_rows* rows) { rows->height[0] = 1e-30f; };
@@ -511,7 +512,7 @@ TEST(CInterfaceLeastValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
          });
 }
 
-TEST(CInterfaceLeastValues, TimesAndPositionsAreRejectedOrFinite) {
+TEST(CInterfaceSmallestValues, TimesAndPositionsAreRejectedOrFinite) {
     const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
     pelagic_ocean_options options = all_options();
     options.dynamic_waves = &dynamic_waves;

@@ -94,7 +94,7 @@ TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
     change.swell_from_m = 0;
     change.from_s = 40;
     change.sea = &other;
-    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "seed of change");
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "change 2: seed is 99");
     change.sea = nullptr;
     expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "sea is NULL");
     changes[1].struct_size = 24;
@@ -149,8 +149,8 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
         {"wind_speed_mps -3 is out of range (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
         {"wind_direction_rad is inf", [](pelagic_sea& sea) { sea.wind_direction_rad = infinity; }},
         {"fetch_m 0 is out of range (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
-        {"depth_m is -inf", [](pelagic_sea& sea) { sea.depth_m = -infinity; }},
-        {"choppiness is 1.5", [](pelagic_sea& sea) { sea.choppiness = 1.5; }},
+        {"depth_m -inf is out of range", [](pelagic_sea& sea) { sea.depth_m = -infinity; }},
+        {"choppiness 1.5 is out of range", [](pelagic_sea& sea) { sea.choppiness = 1.5; }},
         {"roughness is", [](pelagic_sea& sea) { sea.roughness = nan; }},
         {"short_wave_cutoff is", [](pelagic_sea& sea) { sea.short_wave_cutoff = 1e300; }},
         {"wind_alignment is", [](pelagic_sea& sea) { sea.wind_alignment = nan; }},

@@ -25,8 +25,8 @@ TEST(CommandLineEdges, ErrorsAreOneLineAndExitCode2) {
     const Edge edges[] = {
         {{"info", "--wind-speed", "3\n4"}, "--wind-speed 3\\n4 is out of range (0, 60]"},
         {{"info", "--wind-speed", "\x1b[2J"}, "--wind-speed \\x1b[2J is out of range (0, 60]"},
-        {{"info", "--seed="}, "--seed has no value"},
-        {{"info", "--wind-speed", "--seed", "3"}, "--wind-speed has no value"},
+        {{"info", "--seed="}, "--seed requires a value"},
+        {{"info", "--wind-speed", "--seed", "3"}, "--wind-speed requires a value"},
         {{"info", "--wind-speed", "+-3"}, "--wind-speed +-3 is out of range (0, 60]"},
         {{"info", "export", "--out", "OUT"}, "export"},
         {{"export", "--out", "OUT", "info"}, "info"},

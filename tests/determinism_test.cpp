@@ -434,7 +434,7 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
           .choppiness = 1,
           .roughness = 0.2,
           .wind_alignment = 0.7}}};
-    for (const SpectrumModel model : spectrum_models())
+    for (const SpectrumModel model : values_of<SpectrumModel>())
         seas[std::string(name_of(model)) + "-64"] = {
             .spectrum = model, .resolution = 64, .patch_size_m = 250, .roughness = 0.1};
     return seas;
@@ -463,9 +463,9 @@ TEST(Determinism, DeepCascadesKeepTheirDisplacement) {
 // A change of these hashes changes every user's sea; its commit message must give the reason.
 TEST(Determinism, FramesHaveTheGoldenHashes) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
-    for (const SpectrumModel model : spectrum_models())
+    for (const SpectrumModel model : values_of<SpectrumModel>())
         seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64, .patch_size_m = 250};
-    for (const SpreadingModel model : spreading_models())
+    for (const SpreadingModel model : values_of<SpreadingModel>())
         if (model != SpreadingModel::paper)
             seas["spreading-" + std::string(name_of(model)) + "-64"] = {
                 .spreading = model, .resolution = 64, .patch_size_m = 250};

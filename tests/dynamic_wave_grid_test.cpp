@@ -207,7 +207,7 @@ TEST(DynamicWaveState, InvalidStateIsRejectedWithoutAChange) {
     };
     refuses(with(0, std::numeric_limits<std::int64_t>::max()), "first texel");
     refuses(with(16, std::int64_t{-1}), "ticks");
-    refuses(with(24, std::numeric_limits<float>::quiet_NaN()), "texel of the water is nan");
+    refuses(with(24, std::numeric_limits<float>::quiet_NaN()), "texel of the water nan is out of range");
     refuses(with(saved.size() / 2, 1e30f), "texel of the water 1e+30 is out of range [-1e6, 1e6]");
 }
 

@@ -75,7 +75,7 @@ const std::map<std::string, Words> other_values = {
     {"wave-count", {"--waves", "analytic", "--wave-count", "9"}},
     {"longest-wave", {"--waves", "analytic", "--longest-wave", "80"}},
     {"shortest-wave", {"--waves", "analytic", "--shortest-wave", "3"}},
-    {"wave-height", {"--waves", "analytic", "--wave-height", "0.5"}},
+    {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
     {"wave-drag", {"--waves", "pond", "--wave-drag", "0.2"}},
     {"events", {"--events", events_placeholder}},

@@ -91,9 +91,7 @@ TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SmallWater, testing::Values(gl::Surface::lake, gl::Surface::coast, gl::Surface::pond),
-                         [](const auto& kind) {
-                             return std::string(gl::surface_names()[static_cast<std::size_t>(kind.param)]);
-                         });
+                         [](const auto& kind) { return std::string(name_of(kind.param)); });
 
 // The water is the same near the world's origin, far from it, and one loop later.
 TEST(SmallWater, DoesNotDependOnTheReferencePosition) {

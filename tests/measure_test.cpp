@@ -357,7 +357,7 @@ TEST(Measure, WritesOnlyTheRequestedImage) {
     const std::string svg = read_file(folder / "plot.svg");
     EXPECT_TRUE(svg.starts_with("<svg"));
     for (const char* part :
-         {"<title>Waves of 32 frames: Hs ", "Spectrum by frequency", "Spectrum by wave number", "asked for",
+         {"<title>Waves of 32 frames: Hs ", "Spectrum by frequency", "Spectrum by wave number", "expected",
           ">frequency, Hz<", ">variance density, m²/Hz<", ">wave number, rad/m<", ">variance density, m³<", "</svg>"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     // Both ends of each axis are labelled: numbers left of x = 0 at the frame's upper and lower

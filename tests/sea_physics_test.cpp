@@ -289,7 +289,7 @@ TEST(Direction, WavesTravelDownwind) {
 }
 
 TEST(Crests, AreSharpAndHaveTheLowestJacobian) {
-    for (const SpectrumModel model : spectrum_models()) {
+    for (const SpectrumModel model : values_of<SpectrumModel>()) {
         const SeaState sea{.spectrum = model, .resolution = 256, .patch_size_m = 250, .choppiness = 1};
         Ocean ocean = ocean_of(sea);
         const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(2));

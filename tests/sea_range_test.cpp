@@ -123,12 +123,11 @@ void expect_finite(SeaState sea) {
 }
 
 class SeaRange : public testing::TestWithParam<SpectrumModel> {};
-INSTANTIATE_TEST_SUITE_P(Models, SeaRange, testing::ValuesIn(spectrum_models().begin(), spectrum_models().end()),
-                         [](const auto& test) {
-                             std::string name(name_of(test.param));
-                             std::erase(name, '-');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Models, SeaRange, testing::ValuesIn(values_of<SpectrumModel>()), [](const auto& test) {
+    std::string name(name_of(test.param));
+    std::erase(name, '-');
+    return name;
+});
 
 // At night: each pair of options with every model. In the quick run: each pair with one or two of
 // the four models, with others for the next pair.
@@ -156,7 +155,7 @@ TEST_P(SeaRange, AllOptionsAtEdgesGiveFiniteFramesAndStatistics) {
     for (int n = 0; n < of_sweep(100, 300); ++n) {
         SeaState sea{.spectrum = GetParam()};
         if (sea.spectrum != SpectrumModel::phillips_paper)
-            sea.spreading = spreading_models()[random() % spreading_models().size()];
+            sea.spreading = values_of<SpreadingModel>()[random() % names_of<SpreadingModel>().size()];
         for (const SeaStateField& field : sea_state_fields()) {
             const Edges edges = edges_of(field);
             field.set(sea, edges[random() % edges.size()]);

@@ -366,7 +366,7 @@ TEST(SmallWaves, EndBelowAQuarterOfThePeakInEveryCascade) {
 
 // One call returns both densities, and the result does not depend on which of the two comes first.
 TEST(Directions, OfOppositeWavesAreComputedTogether) {
-    for (const SpreadingModel model : spreading_models()) {
+    for (const SpreadingModel model : values_of<SpreadingModel>()) {
         const SeaState sea{
             .spreading = model, .wind_direction_rad = 0.7, .swell_height_m = 1, .swell_direction_rad = 4};
         const WaveSpectrum spectrum = spectrum_of(sea);

@@ -34,7 +34,7 @@ std::function<OppositeDensities(double)> densities_of(const DirectionalLobe& lob
 double one(double) { return 1; }
 
 TEST(Spreading, OfEveryModelIntegratesToOneAtEveryFrequency) {
-    for (const SpreadingModel model : spreading_models()) {
+    for (const SpreadingModel model : values_of<SpreadingModel>()) {
         if (model == SpreadingModel::paper) continue;
         for (const double inverse_wave_age : {0.5, 0.83, 1.0, 2.0, 5.0, 100.0}) {
             const MeasuredSpreading spreading(model, 0.9, inverse_wave_age);

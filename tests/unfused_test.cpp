@@ -52,7 +52,7 @@ TEST_P(UnfusedOnEachIsa, StagesAreBitIdenticalToTheFusedJobs) {
     if (n > (is_sanitized || is_emulated ? 64 : 128)) return;
     expect_same_bits({.resolution = n, .patch_size_m = 250}, 0, isa, "default");
     expect_same_bits({.resolution = n, .patch_size_m = 250, .choppiness = 0}, 3, isa, "without choppiness");
-    for (const SpectrumModel model : spectrum_models())
+    for (const SpectrumModel model : values_of<SpectrumModel>())
         expect_same_bits(
             {.spectrum = model, .resolution = n, .patch_size_m = 250, .wind_speed_mps = 4, .roughness = 0.5}, 7.5,
             isa, "every spectrum");

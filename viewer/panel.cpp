@@ -116,17 +116,15 @@ void choose_shading(std::optional<gl::Shading>& shading, gl::Shading drawn) {
     const std::string by_time = "auto: " + std::string(name_of(drawn));
     if (!ImGui::BeginCombo("shading", shading ? name_of(*shading).data() : by_time.c_str())) return;
     if (ImGui::Selectable("auto", !shading)) shading.reset();
-    for (const std::string_view name : gl::shading_names)
-        if (ImGui::Selectable(name.data(), shading && name == name_of(*shading))) shading = gl::shading_named(name);
+    for (const gl::Shading each : values_of<gl::Shading>())
+        if (ImGui::Selectable(name_of(each).data(), shading == each)) shading = each;
     ImGui::EndCombo();
 }
 
 void choose_surface(gl::Surface& surface) {
-    const auto names = gl::surface_names();
-    if (!ImGui::BeginCombo("surface", names[static_cast<std::size_t>(surface)].data())) return;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (ImGui::Selectable(names[i].data(), i == static_cast<std::size_t>(surface)))
-            surface = static_cast<gl::Surface>(i);
+    if (!ImGui::BeginCombo("surface", name_of(surface).data())) return;
+    for (const gl::Surface each : values_of<gl::Surface>())
+        if (ImGui::Selectable(name_of(each).data(), each == surface)) surface = each;
     ImGui::EndCombo();
 }
 

@@ -590,7 +590,7 @@ class Viewer {
     std::string quality_;
     gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
-    std::array<std::unique_ptr<gl::SeaRenderer>, gl::shading_names.size()>
+    std::array<std::unique_ptr<gl::SeaRenderer>, names_of<gl::Shading>().size()>
         renderers_;                        ///< by shading; created when first used
     gl::SeaRenderer* renderer_ = nullptr;  ///< renderer of statistics_.shading
     std::optional<gl::RenderTarget> wireframe_;

@@ -170,7 +170,7 @@ std::optional<double> OceanNode::significant_wave_height_m() {
 }
 
 SurfaceQuery OceanNode::query_of(const Frame& frame) const {
-    return SurfaceQuery(frame, {.interpolation = *interpolation_named(settings_.interpolation)});
+    return SurfaceQuery(frame, {.interpolation = *value_named<Interpolation>(settings_.interpolation)});
 }
 
 std::optional<float> OceanNode::height_at(const Vector3& place) {

@@ -189,7 +189,7 @@ std::vector<Property> table() {
         flag("foam", &OceanSettings::foam),
         flag("velocities", &OceanSettings::velocities),
         choice("interpolation", "linear,cubic", &OceanSettings::interpolation,
-               [](std::string_view name) { return interpolation_named(name).has_value(); }),
+               [](std::string_view name) { return value_named<Interpolation>(name).has_value(); }),
         ranged(
             "threads", type_int, 0, 1024, "0,1024,1", "a whole number from 0 to 1024",
             [](const OceanSettings& settings) { return static_cast<double>(settings.threads); },

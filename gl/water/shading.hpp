@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
+
+#include "pelagic/message/enum_names.hpp"
 
 namespace pelagic::gl {
 
@@ -12,14 +13,13 @@ namespace pelagic::gl {
 /// omits.
 enum class Shading { headset, medium, high };
 
-inline constexpr std::array<std::string_view, 3> shading_names = {"headset", "medium", "high"};
-
-constexpr std::string_view name_of(Shading shading) { return shading_names[static_cast<std::size_t>(shading)]; }
-
-constexpr std::optional<Shading> shading_named(std::string_view name) {
-    for (std::size_t i = 0; i < shading_names.size(); ++i)
-        if (shading_names[i] == name) return static_cast<Shading>(i);
-    return std::nullopt;
-}
-
 }  // namespace pelagic::gl
+
+namespace pelagic {
+
+template <>
+struct EnumNames<gl::Shading> {
+    static constexpr std::array<std::string_view, 3> all = {"headset", "medium", "high"};
+};
+
+}  // namespace pelagic

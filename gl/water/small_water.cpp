@@ -15,7 +15,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double golden = 1.6180339887;
-constexpr std::array<std::string_view, 5> names = {"open", "lake", "coast", "river", "pond"};
 
 double fraction(double value) { return value - std::floor(value); }
 
@@ -132,14 +131,6 @@ void place_flow(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
 }
 
 }  // namespace
-
-std::span<const std::string_view> surface_names() { return names; }
-
-std::optional<Surface> surface_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return {};
-    return static_cast<Surface>(found - names.begin());
-}
 
 std::string check(const FlowMap& map) {
     if (map.side < 1 || map.side > 4096) return invalid_value_message("side", map.side, "1 to 4096");

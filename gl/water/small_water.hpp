@@ -3,13 +3,14 @@
 // Wind and loop period come from the frame, whose cascades are not drawn.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "pelagic/message/enum_names.hpp"
 
 namespace pelagic::gl {
 
@@ -21,10 +22,6 @@ enum class Surface {
     river,  ///< noise of 1 m to 1 cm that a flow map advects, on a level mesh
     pond,   ///< waves of 1.2 m to 3 cm with sharp crests that displace the mesh
 };
-
-/// Returns "open", "lake", "coast", "river", "pond", in the order of the values.
-std::span<const std::string_view> surface_names();
-std::optional<Surface> surface_named(std::string_view name);
 
 /// Extent of a flow map. The corner of its first texel is at x = z = 0, and the map repeats.
 struct FlowExtent {
@@ -55,3 +52,12 @@ struct SeaFacts;
 void place_small_water(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer);
 
 }  // namespace pelagic::gl
+
+namespace pelagic {
+
+template <>
+struct EnumNames<gl::Surface> {
+    static constexpr std::array<std::string_view, 5> all = {"open", "lake", "coast", "river", "pond"};
+};
+
+}  // namespace pelagic

@@ -22,7 +22,7 @@ constexpr const char* no_waves =
 
 DynamicWavesOptions read_options(py::handle object) {
     DynamicWavesOptions options;
-    options.step = static_cast<DynamicWavesStep>(name_in(object, "step", {"spectral", "verlet"}));
+    options.step = named_in<DynamicWavesStep>(object, "step");
     read_fields(object, dynamic_waves_fields(), options);
     require(check(options));
     return options;
@@ -30,8 +30,8 @@ DynamicWavesOptions read_options(py::handle object) {
 
 Disturbance read_disturbance(py::handle object) {
     Disturbance disturbance;
-    disturbance.shape = static_cast<Disturbance::Shape>(name_in(object, "shape", {"gauss", "hull"}));
-    disturbance.mode = static_cast<Disturbance::Mode>(name_in(object, "mode", {"pressure", "relaxation", "impulse"}));
+    disturbance.shape = named_in<Disturbance::Shape>(object, "shape");
+    disturbance.mode = named_in<Disturbance::Mode>(object, "mode");
     read_fields(object, disturbance_fields(), disturbance);
     return disturbance;
 }

@@ -27,7 +27,7 @@ double number_of(py::handle value, const std::string& name, bool is_whole, std::
     return number;
 }
 
-std::size_t name_in(py::handle object, const char* field, const std::vector<std::string>& names) {
+std::size_t name_in(py::handle object, const char* field, std::span<const std::string_view> names) {
     const py::object value = object.attr(field);
     if (!py::isinstance<py::str>(value))
         throw py::type_error(invalid_value_message(field, std::string(py::repr(value)), "a name: " + list_of(names)));

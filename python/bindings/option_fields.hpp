@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/numeric_field.hpp"
 
@@ -19,7 +20,12 @@ double number_of(pybind11::handle value, const std::string& name, bool is_whole,
 
 /// Returns the index in `names` of the attribute `field`. Throws TypeError unless it is a str, and
 /// std::invalid_argument if it is none of them.
-std::size_t name_in(pybind11::handle object, const char* field, const std::vector<std::string>& names);
+std::size_t name_in(pybind11::handle object, const char* field, std::span<const std::string_view> names);
+/// Returns the value that the attribute `field` names; throws as name_in().
+template <NamedEnum Enum>
+Enum named_in(pybind11::handle object, const char* field) {
+    return static_cast<Enum>(name_in(object, field, names_of<Enum>()));
+}
 
 /// Throws TypeError unless the object is of the class `name` of the package.
 void require_class(pybind11::handle object, const char* argument, const char* name);

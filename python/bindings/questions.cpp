@@ -215,7 +215,7 @@ class AnswerArrays {
 SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolation) {
     if (!(tolerance_m >= min_tolerance_m && tolerance_m <= max_tolerance_m))
         throw std::invalid_argument(invalid_value_message("tolerance_m", tolerance_m, "[1e-6, 1000]"));
-    const std::optional<Interpolation> named = interpolation_named(interpolation);
+    const std::optional<Interpolation> named = value_named<Interpolation>(interpolation);
     if (!named) throw std::invalid_argument(invalid_value_message("interpolation", interpolation, "linear or cubic"));
     return {.tolerance_m = tolerance_m, .interpolation = *named};
 }

@@ -16,19 +16,6 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-template <class Names>
-std::vector<std::string> names_of(const Names& all) {
-    std::vector<std::string> names;
-    for (const auto one : all) names.emplace_back(name_of(one));
-    return names;
-}
-
-/// Returns the option of a name.
-template <class Value, class All>
-Value named_in(py::handle sea, const char* field, const All& all) {
-    return all[name_in(sea, field, names_of(all))];
-}
-
 void check_sea(py::handle sea) { require(check(sea_state_of(sea))); }
 
 SeaState checked_sea(py::handle sea) {
@@ -74,9 +61,9 @@ SeaState sea_state_of(py::handle sea) {
         throw py::type_error(invalid_value_message("sea", std::string(py::repr(sea)),
                                                    "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
     SeaState state;
-    state.waves = named_in<WaveModel>(sea, "waves", wave_models());
-    state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_models());
-    state.spreading = named_in<SpreadingModel>(sea, "spreading", spreading_models());
+    state.waves = named_in<WaveModel>(sea, "waves");
+    state.spectrum = named_in<SpectrumModel>(sea, "spectrum");
+    state.spreading = named_in<SpreadingModel>(sea, "spreading");
     read_fields(sea, sea_state_fields(), state);
     return state;
 }

@@ -47,21 +47,7 @@ SampleSurfaceJob::Outputs outputs_of(const SurfaceSamples& samples, PointChunk& 
     return out;
 }
 
-constexpr std::array all_interpolations = {Interpolation::linear, Interpolation::cubic};
-
 }  // namespace
-
-std::string_view name_of(Interpolation interpolation) {
-    return interpolation == Interpolation::cubic ? "cubic" : "linear";
-}
-
-std::optional<Interpolation> interpolation_named(std::string_view name) {
-    for (const Interpolation interpolation : all_interpolations)
-        if (name_of(interpolation) == name) return interpolation;
-    return {};
-}
-
-std::span<const Interpolation> interpolations() { return all_interpolations; }
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options)
     : kernels_(&kernels_for(frame.isa)),

@@ -9,19 +9,6 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array all_waves = {WaveModel::spectrum, WaveModel::analytic, WaveModel::pond};
-constexpr std::array<std::string_view, all_waves.size()> wave_names = {"spectrum", "analytic", "pond"};
-
-constexpr std::array models = {SpectrumModel::phillips_paper, SpectrumModel::phillips,
-                               SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap};
-constexpr std::array<std::string_view, models.size()> model_names = {"phillips-paper", "phillips",
-                                                                     "pierson-moskowitz", "jonswap"};
-
-constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine_2s, SpreadingModel::hasselmann,
-                                   SpreadingModel::donelan_banner};
-constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
-                                                                             "donelan-banner"};
-
 // A cascade has 3 texels per shortest wave and 6 grid steps to its longest wave. The ratio of the
 // sides of consecutive cascades is therefore at most N / 18. Cascades with fewer texels cannot form
 // a stack.
@@ -78,42 +65,14 @@ int resolution_of(const SeaState& sea) {
     return is_cascade_for_good(sea) ? 256 : 128;
 }
 
-std::string_view name_of(WaveModel waves) { return wave_names[static_cast<std::size_t>(waves)]; }
-
-std::optional<WaveModel> wave_model_named(std::string_view name) {
-    for (const WaveModel waves : all_waves)
-        if (name_of(waves) == name) return waves;
-    return {};
-}
-
-std::span<const WaveModel> wave_models() { return all_waves; }
-
-std::string_view name_of(SpectrumModel model) { return model_names[static_cast<std::size_t>(model)]; }
-
-std::optional<SpectrumModel> spectrum_model_named(std::string_view name) {
-    for (const SpectrumModel model : models)
-        if (name_of(model) == name) return model;
-    return {};
-}
-
-std::span<const SpectrumModel> spectrum_models() { return models; }
-
-std::string_view name_of(SpreadingModel model) { return spreading_names[static_cast<std::size_t>(model)]; }
-
-std::optional<SpreadingModel> spreading_model_named(std::string_view name) {
-    for (const SpreadingModel model : spreadings)
-        if (name_of(model) == name) return model;
-    return {};
-}
-
-std::span<const SpreadingModel> spreading_models() { return spreadings; }
-
 std::span<const SeaStateField> sea_state_fields() { return fields; }
 
 std::string check(const SeaState& sea) {
-    if (static_cast<std::size_t>(sea.waves) >= all_waves.size()) return "waves is no known model";
-    if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
-    if (static_cast<std::size_t>(sea.spreading) >= spreadings.size()) return "spreading is no known model";
+    if (static_cast<std::size_t>(sea.waves) >= names_of<WaveModel>().size()) return "waves is no known model";
+    if (static_cast<std::size_t>(sea.spectrum) >= names_of<SpectrumModel>().size())
+        return "spectrum is no known model";
+    if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
+        return "spreading is no known model";
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {

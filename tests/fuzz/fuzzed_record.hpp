@@ -38,7 +38,7 @@ void read_back(Parse parse, std::string_view text) {
         }
         // Names must be plain file names in the export's folder, and not hidden.
         for (const std::string& name : earlier.images)
-            must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
+            must_hold((tools::cascade_map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
                        name.starts_with("mesh") || name.starts_with("flipbook")) &&
                       name.find('/') == name.npos && name.find('\0') == name.npos && name.size() < 40);
         const tools::Json now = tools::options_as_json(options);

@@ -44,7 +44,7 @@ void draw(const nlohmann::json& scene, const char* image) {
     gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
                                   .resolution = ocean.resolution(),
                                   .cascades = ocean.cascade_count(),
-                                  .shading = *gl::shading_named(shading)});
+                                  .shading = *value_named<gl::Shading>(shading)});
     const gl::LightPreset& light = *gl::light_preset_named(light_name);
     gl::SkyBaker baker(make_default_executor(), scene["skyFaceSize"]);
     baker.schedule(light.sky);

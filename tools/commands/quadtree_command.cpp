@@ -132,7 +132,7 @@ QuadtreeOptions QuadtreeFlags::resolve() const {
     if (preset == nullptr) {
         std::vector<std::string> names;
         for (const QuadtreePreset& known : quadtree_presets()) names.emplace_back(known.name);
-        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
+        throw unknown_name("--quality", name, names);
     }
     const double size_m = size_ ? number_in(size_option_, *size_, 256, 8192, "[256, 8192]") : 2048;
     return preset->options(size_m);

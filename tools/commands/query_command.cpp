@@ -37,9 +37,6 @@ constexpr std::size_t block_points = std::size_t{1} << 15;
 
 constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [-1e9, 1e9], at most 1000000 times";
 
-constexpr NamedValues<Interpolation, 2> interpolations = {
-    {{Interpolation::linear, "linear"}, {Interpolation::cubic, "cubic"}}};
-
 /// Throws InputError if the times span more than the sea's loop and --loop-period is not given. The
 /// message suggests a loop period.
 void require_no_repetition(const std::string& text, const std::vector<double>& times_s, const ResolvedSea& sea) {
@@ -188,7 +185,7 @@ void QueryCommand::run() {
     const ComputeOptions compute = compute_.resolve();
     const std::vector<double> times_s = times(sea);
     const Interpolation interpolation =
-        interpolation_ ? one_of(interpolations, "--interpolation", *interpolation_) : Interpolation::cubic;
+        interpolation_ ? one_of<Interpolation>("--interpolation", *interpolation_) : Interpolation::cubic;
     const std::optional<ShoreOptions> shore = this->shore(sea);
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());

@@ -82,7 +82,7 @@ std::string render_command_of(const viewer::ViewResult& result) {
             number_text(std::round(result.time_s * 1000) / 1000) + " --size " + number_text(result.width) + "x" +
             number_text(result.height);
     if (result.settings.surface != gl::Surface::open)
-        text += " --surface " + std::string(gl::surface_names()[static_cast<std::size_t>(result.settings.surface)]);
+        text += " --surface " + std::string(name_of(result.settings.surface));
     return text;
 }
 

@@ -19,10 +19,6 @@ namespace {
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,height";
 constexpr double radians_a_degree = std::numbers::pi / 180;
 
-constexpr NamedValues<Disturbance::Mode, 3> mode_names = {{{Disturbance::Mode::impulse, "impulse"},
-                                                           {Disturbance::Mode::pressure, "pressure"},
-                                                           {Disturbance::Mode::relaxation, "relaxation"}}};
-
 enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode };
 
 /// A column, the numbers that it may hold, and how that is said.
@@ -128,7 +124,7 @@ class EventReader {
             const ColumnRule& rule = *columns_[i];
             if (rule.column == Column::mode) {
                 if (cells[i].empty()) continue;
-                mode = value_in(mode_names, cells[i]);
+                mode = value_named<Disturbance::Mode>(cells[i]);
                 if (!mode) reject(rule.name, cells[i], rule.accepted);
                 continue;
             }

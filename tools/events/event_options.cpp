@@ -114,7 +114,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
             throw bad_value("--events-resolution", *resolution_, accepted);
         options.water.resolution = static_cast<int>(*texels);
     }
-    if (step_) options.water.step = one_of(dynamic_waves_step_names, "--events-step", *step_);
+    if (step_) options.water.step = one_of<DynamicWavesStep>("--events-step", *step_);
     options.water.border_m = options.water.side_m * border_part;
     options.water.depth_m = depth_m;
     if (const std::string reason = check(options.water); !reason.empty())

@@ -11,12 +11,8 @@
 
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/tools/events/event_file.hpp"
-#include "pelagic/tools/text/named_values.hpp"
 
 namespace pelagic::tools {
-
-inline constexpr NamedValues<DynamicWavesStep, 2> dynamic_waves_step_names = {
-    {{DynamicWavesStep::spectral, "spectral"}, {DynamicWavesStep::verlet, "verlet"}}};
 
 struct EventOptions {
     std::shared_ptr<const EventFile> file;

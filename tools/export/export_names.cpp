@@ -89,7 +89,7 @@ std::string packed_name(const MapOptions& options, int frame) {
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.is_exr(map)) return "exr";
-    return options.format == ImageFormat::exr_and_png ? "png" : name_of(options.format);
+    return options.format == ImageFormat::exr_and_png ? "png" : name_of(options.format).data();
 }
 
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern) {

@@ -35,7 +35,7 @@ std::vector<MapKind> maps_in(const std::string& text) {
     std::vector<MapKind> maps;
     if (text == no_maps) return maps;
     for (const std::string& name : split_at_commas(text)) {
-        const auto map = map_named(name);
+        const auto map = cascade_map_named(name);
         if (!map || std::find(maps.begin(), maps.end(), *map) != maps.end())
             throw bad_value("--maps", text, names_of_maps() + " or some of them with commas, each once, or none");
         maps.push_back(*map);
@@ -44,29 +44,35 @@ std::vector<MapKind> maps_in(const std::string& text) {
     return maps;
 }
 
-/// Returns the element of `all` with this name. Throws InputError if there is none.
-template <class All>
-auto named(const std::string& option, const std::string& text, const All& all) {
-    std::vector<std::string> names;
-    for (const auto one : all) names.emplace_back(name_of(one));
-    const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end()) throw bad_value(option, text, list_of(names));
-    return all[static_cast<std::size_t>(found - names.begin())];
+/// Returns what --compression accepts for a format.
+std::span<const Compression> compressions_of(ImageFormat format) {
+    using enum Compression;
+    static constexpr std::array exr = {zip, zips, piz, dwaa, none};
+    static constexpr std::array tiff = {zip, lzw, none};
+    static constexpr std::array ktx2 = {zstd, none};
+    static constexpr std::array dds = {none};
+    switch (format) {
+        case ImageFormat::exr_and_png: return exr;
+        case ImageFormat::tiff: return tiff;
+        case ImageFormat::ktx2: return ktx2;
+        case ImageFormat::dds: return dds;
+    }
+    return {};
 }
 
 /// Returns the compression with this name. Throws InputError if the format does not support it.
 Compression compression_in(ImageFormat format, const std::string& text) {
     const std::string option = "--compression";
-    switch (format) {
-        case ImageFormat::exr_and_png: return named(option, text, exr_compressions);
-        case ImageFormat::tiff: return named(option, text, tiff_compressions);
-        case ImageFormat::dds: return named(option, text, dds_compressions);
-        case ImageFormat::ktx2: break;
+    const std::span<const Compression> supported = compressions_of(format);
+    const auto compression = value_named<Compression>(text);
+    if (!compression || std::find(supported.begin(), supported.end(), *compression) == supported.end()) {
+        std::vector<std::string_view> names;
+        for (const Compression one : supported) names.push_back(name_of(one));
+        throw unknown_name(option, text, names);
     }
-    const Compression compression = named(option, text, ktx2_compressions);
-    if (compression == Compression::zstd && !has_zstd())
+    if (*compression == Compression::zstd && !has_zstd())
         throw bad_value(option, text, "a pelagic that was built with libzstd");
-    return compression;
+    return *compression;
 }
 
 /// Throws InputError if options for EXR files apply to no file, or EXR does not support them.
@@ -298,34 +304,29 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     options.mips = mips_;
     options.half = half_;
     if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
-    const auto set = [&](const std::string& flag, auto& option, const auto& words) {
-        if (const auto& text = typed(flag)) option = one_of(words, "--" + flag, *text);
+    const auto set = [&]<class Enum>(const std::string& flag, Enum& option) {
+        if (const auto& text = typed(flag)) option = one_of<Enum>("--" + flag, *text);
     };
-    set("bit-depth", options.bit_depth, bit_depth_names);
-    set("normal-y", options.normal_y, normal_y_names);
-    set("axes", options.up_axis, up_axis_names);
-    set("unit", options.unit, length_unit_names);
-    set("rows", options.rows, first_row_names);
+    set("bit-depth", options.bit_depth);
+    set("normal-y", options.normal_y);
+    set("axes", options.up_axis);
+    set("unit", options.unit);
+    set("rows", options.rows);
+    set("pack", options.pack);
     if (options.bit_depth != BitDepth::bits_8 && !options.has(MapKind::normal) && !options.has(MapKind::foam))
         throw bad_value("--bit-depth", *typed("bit-depth"),
                         "normal or foam among --maps: the others have types of their own");
     if (options.normal_y != NormalY::up && !options.has(MapKind::normal))
         throw bad_value("--normal-y", *typed("normal-y"), "normal among --maps");
-    const auto format_named = [](const std::string& name) {
-        return std::find_if(all_formats.begin(), all_formats.end(),
-                            [&](ImageFormat one) { return name == name_of(one); });
-    };
     const auto& typed_format = typed("format");
-    if (typed_format && format_named(*typed_format) == all_formats.end())
-        throw bad_value("--format", *typed_format, "exr, tif, ktx2 or dds");
-    if (names && format_named(names->extension()) == all_formats.end())
+    if (typed_format) options.format = one_of<ImageFormat>("--format", *typed_format);
+    if (names && !value_named<ImageFormat>(names->extension()))
         throw bad_value("--out", *typed("out"), "a name that ends with .exr, .tif, .ktx2 or .dds");
     if (names && typed_format && *typed_format != names->extension())
         throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
                          ", expected the same format");
-    if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
+    if (names) options.format = *value_named<ImageFormat>(names->extension());
     options.tiled = tiled_;
-    if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
     const auto& compression = typed("compression");
     if (is_texture(options.format)) options.compression = Compression::none;
     if (compression) options.compression = compression_in(options.format, *compression);

@@ -54,7 +54,7 @@ std::string text_of(std::span<const ChannelMeaning> channels) {
 }
 
 /// Returns the name of a part or layer: "displacement", "displacement_c1".
-std::string name_of(const ImagePart& part) {
+std::string part_name(const ImagePart& part) {
     return std::string(name_of(part.map)) + (part.cascade > 0 ? "_c" + number_text(part.cascade) : "");
 }
 
@@ -144,11 +144,11 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
         const Cascade& cascade = frame.cascades[static_cast<std::size_t>(of.cascade)];
         if (exr.parts.empty() || !has_layers) {
             exr.parts.push_back(empty_part(of, frame, number, options.times, options.maps));
-            if (is_packed && !has_layers) exr.parts.back().name = name_of(of);
+            if (is_packed && !has_layers) exr.parts.back().name = part_name(of);
         }
         ExrPart& part = exr.parts.back();
-        part.layers.push_back(layer_of(of, cascade, options.maps, is_packed ? name_of(of) + "." : ""));
-        add_map(part.attributes, of, cascade, options.maps, has_layers ? name_of(of) + ":" : "");
+        part.layers.push_back(layer_of(of, cascade, options.maps, is_packed ? part_name(of) + "." : ""));
+        add_map(part.attributes, of, cascade, options.maps, has_layers ? part_name(of) + ":" : "");
     }
     return exr;
 }

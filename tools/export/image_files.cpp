@@ -28,7 +28,7 @@ ImageDescription description_of(MapKind map, const TextureImage& image, const Ma
             .channels = image.channels,
             .sample = image.sample,
             .colour_space = is_floating(image.sample) ? "Linear" : "Raw",
-            .compression = is_png ? nullptr : name_of(options.compression),
+            .compression = is_png ? nullptr : name_of(options.compression).data(),
             // The default level of zlib for PNG, 6, takes four times as long for files 6 % smaller
             // (512 x 512, jonswap).
             .png_level = is_png ? 2 : 0,

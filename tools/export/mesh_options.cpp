@@ -1,8 +1,6 @@
 #include "pelagic/tools/export/mesh_options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/tools/meshes/gltf_file.hpp"
@@ -13,25 +11,17 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::array<std::pair<MeshFormat, const char*>, 5> all_formats = {
-    {{MeshFormat::obj, "obj"},
-     {MeshFormat::ply, "ply"},
-     {MeshFormat::gltf, "gltf"},
-     {MeshFormat::gltf_animation, "gltf-animation"},
-     {MeshFormat::mdd, "mdd"}}};
-
 /// Size limits of a file with all frames, which is built in memory; glTF needs twice its size.
 constexpr std::size_t max_animation_bytes = std::size_t{512} << 20, max_point_cache_bytes = std::size_t{1} << 30;
 
 std::vector<MeshFormat> formats_in(const std::string& text) {
     std::vector<MeshFormat> formats;
     for (const std::string& part : split_at_commas(text)) {
-        const auto known = std::find_if(all_formats.begin(), all_formats.end(),
-                                        [&](const auto& format) { return format.second == part; });
-        if (known == all_formats.end() || std::find(formats.begin(), formats.end(), known->first) != formats.end())
+        const auto known = value_named<MeshFormat>(part);
+        if (!known || std::find(formats.begin(), formats.end(), *known) != formats.end())
             throw bad_value("--mesh", text,
                             "obj, ply, gltf, gltf-animation, mdd or some of them with commas, each once");
-        formats.push_back(known->first);
+        formats.push_back(*known);
     }
     std::sort(formats.begin(), formats.end());
     return formats;
@@ -61,8 +51,6 @@ void check_sequences(const MeshOptions& options, const FrameTimes& times) {
 }
 
 }  // namespace
-
-std::string_view name_of(MeshFormat format) { return all_formats[static_cast<std::size_t>(format)].second; }
 
 bool MeshOptions::has(MeshFormat format) const {
     return std::find(formats.begin(), formats.end(), format) != formats.end();

@@ -21,8 +21,6 @@ enum class MeshFormat {
     mdd,             ///< all frames in one file, as a point cache
 };
 
-std::string_view name_of(MeshFormat format);
-
 struct MeshOptions {
     std::vector<MeshFormat> formats;  ///< distinct; empty: no meshes
     SeaPatch patch;
@@ -43,3 +41,13 @@ class MeshFlags {
 };
 
 }  // namespace pelagic::tools
+
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::MeshFormat> {
+    static constexpr std::array<std::string_view, 5> all = {"obj", "ply", "gltf", "gltf-animation", "mdd"};
+};
+
+}  // namespace pelagic

@@ -8,7 +8,7 @@ struct NameAroundShard {
     std::string_view before, after;
 
     std::string of(const std::optional<Shard>& shard) const {
-        return std::string(before).append(shard ? "." + name_of(*shard) : "").append(after);
+        return std::string(before).append(shard ? "." + mark_of(*shard) : "").append(after);
     }
     std::optional<Shard> shard_in(std::string_view name) const {
         if (!name.starts_with(before) || !name.ends_with(after) || name.size() <= before.size() + after.size())

@@ -21,13 +21,13 @@ std::string written(const Shard& shard, const char* between) {
 }  // namespace
 
 std::string text_of(const Shard& shard) { return written(shard, "/"); }
-std::string name_of(const Shard& shard) { return written(shard, "-of-"); }
+std::string mark_of(const Shard& shard) { return written(shard, "-of-"); }
 
 std::optional<Shard> parse_shard(std::string_view text) { return parsed(text, "/"); }
 
 std::optional<Shard> shard_named(std::string_view text) {
     const std::optional<Shard> shard = parsed(text, "-of-");
-    return shard && name_of(*shard) == text ? shard : std::nullopt;
+    return shard && mark_of(*shard) == text ? shard : std::nullopt;
 }
 
 }  // namespace pelagic::tools

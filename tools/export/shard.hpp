@@ -37,8 +37,8 @@ std::string text_of(const Shard& shard);
 std::optional<Shard> parse_shard(std::string_view text);
 
 /// Returns "3-of-8", the format in file names.
-std::string name_of(const Shard& shard);
-/// Parses the format of name_of(). Returns none for anything else, including leading zeros or
+std::string mark_of(const Shard& shard);
+/// Parses the format of mark_of(). Returns none for anything else, including leading zeros or
 /// signs.
 std::optional<Shard> shard_named(std::string_view text);
 

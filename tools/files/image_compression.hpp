@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+
+#include "pelagic/message/enum_names.hpp"
 
 namespace pelagic::tools {
 
@@ -15,24 +18,14 @@ enum class Compression {
     none,
 };
 
-inline constexpr std::array exr_compressions = {Compression::zip, Compression::zips, Compression::piz,
-                                                Compression::dwaa, Compression::none};
-inline constexpr std::array tiff_compressions = {Compression::zip, Compression::lzw, Compression::none};
-inline constexpr std::array ktx2_compressions = {Compression::zstd, Compression::none};
-inline constexpr std::array dds_compressions = {Compression::none};
-
-/// Returns the name that --compression, records and OpenImageIO use.
-constexpr const char* name_of(Compression compression) {
-    switch (compression) {
-        case Compression::zip: return "zip";
-        case Compression::zips: return "zips";
-        case Compression::piz: return "piz";
-        case Compression::dwaa: return "dwaa";
-        case Compression::lzw: return "lzw";
-        case Compression::zstd: return "zstd";
-        case Compression::none: return "none";
-    }
-    return "";
-}
-
 }  // namespace pelagic::tools
+
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::Compression> {
+    static constexpr std::array<std::string_view, 7> all = {"zip", "zips", "piz", "dwaa", "lzw", "zstd", "none"};
+};
+
+}  // namespace pelagic

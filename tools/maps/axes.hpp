@@ -4,7 +4,8 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
+
+#include "pelagic/message/enum_names.hpp"
 
 namespace pelagic::tools {
 
@@ -13,15 +14,7 @@ enum class UpAxis {
     z,  ///< x east, y north, z up: (x, -z, y) in Pelagic's axes
 };
 
-/// Names in --axes and in records.
-inline constexpr std::array up_axis_names = {std::pair(UpAxis::y, std::string_view("y-up")),
-                                             std::pair(UpAxis::z, std::string_view("z-up"))};
-
 enum class LengthUnit { metre, centimetre };
-
-/// Names in --unit and in records.
-inline constexpr std::array length_unit_names = {std::pair(LengthUnit::metre, std::string_view("m")),
-                                                 std::pair(LengthUnit::centimetre, std::string_view("cm"))};
 
 /// Converts a vector from Pelagic's axes to a file's.
 /// \tparam Vector  a type with [0], [1] and [2], such as std::array and GLM's vectors
@@ -38,3 +31,18 @@ constexpr Vector in_axes(const Vector& vector, UpAxis up) {
 constexpr float units_per_metre(LengthUnit unit) { return unit == LengthUnit::centimetre ? 100.f : 1.f; }
 
 }  // namespace pelagic::tools
+
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::UpAxis> {
+    static constexpr std::array<std::string_view, 2> all = {"y-up", "z-up"};
+};
+
+template <>
+struct EnumNames<tools::LengthUnit> {
+    static constexpr std::array<std::string_view, 2> all = {"m", "cm"};
+};
+
+}  // namespace pelagic

@@ -5,18 +5,38 @@
 #include <optional>
 #include <string_view>
 
+#include "pelagic/message/enum_names.hpp"
+
 namespace pelagic::tools {
 
 /// `dynamic_waves` is the map of the dynamic-wave grid, which exists with --events only. All others
 /// are maps of a cascade.
 enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, dynamic_waves };
 
+}  // namespace pelagic::tools
+
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::MapKind> {
+    static constexpr std::array<std::string_view, 8> all = {"displacement", "gradient", "normal", "foam",
+                                                            "velocity",     "jacobian", "slope",  "dynamic-waves"};
+};
+
+}  // namespace pelagic
+
+namespace pelagic::tools {
+
 /// The maps of cascades, in the order of records and files.
 inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
                                         MapKind::velocity,     MapKind::jacobian, MapKind::slope};
 
-/// Returns the name in --maps, records and file names.
-std::string_view name_of(MapKind map);
+/// Returns the map of a cascade with this name, if there is one.
+constexpr std::optional<MapKind> cascade_map_named(std::string_view name) {
+    const auto map = value_named<MapKind>(name);
+    return map == MapKind::dynamic_waves ? std::nullopt : map;
+}
 
 /// Returns true if --mips writes the map's smaller levels, down to one texel. Maps that displace
 /// vertices have none.
@@ -41,7 +61,5 @@ constexpr int channels_of(MapKind map) {
     }
     return 0;
 }
-
-std::optional<MapKind> map_named(std::string_view name);
 
 }  // namespace pelagic::tools

@@ -11,7 +11,6 @@
 #include "pelagic/tools/maps/axes.hpp"
 #include "pelagic/tools/maps/map_kind.hpp"
 #include "pelagic/tools/maps/name_pattern.hpp"
-#include "pelagic/tools/text/named_values.hpp"
 
 namespace pelagic::tools {
 
@@ -23,35 +22,17 @@ enum class ImageFormat {
     dds,   ///< all levels of a map in one file, for Direct3D
 };
 
-inline constexpr std::array all_formats = {ImageFormat::exr_and_png, ImageFormat::tiff, ImageFormat::ktx2,
-                                           ImageFormat::dds};
-
-/// Returns the name in --format and in records.
-constexpr const char* name_of(ImageFormat format) {
-    switch (format) {
-        case ImageFormat::exr_and_png: return "exr";
-        case ImageFormat::tiff: return "tif";
-        case ImageFormat::ktx2: return "ktx2";
-        case ImageFormat::dds: return "dds";
-    }
-    return "";
-}
-
 /// Sample type of normal and foam maps.
 enum class BitDepth { bits_8, bits_16, floats };
-inline constexpr NamedValues<BitDepth, 3> bit_depth_names = {
-    {{BitDepth::bits_8, "8"}, {BitDepth::bits_16, "16"}, {BitDepth::floats, "float"}}};
 
 /// Direction of increasing green of a normal map in the image.
 enum class NormalY {
     up,    ///< OpenGL's convention
     down,  ///< DirectX's convention
 };
-inline constexpr NamedValues<NormalY, 2> normal_y_names = {{{NormalY::up, "up"}, {NormalY::down, "down"}}};
 
 /// Edge of the image at which the cascade's row 0 (z = 0) is.
 enum class FirstRow { top, bottom };
-inline constexpr NamedValues<FirstRow, 2> first_row_names = {{{FirstRow::top, "top"}, {FirstRow::bottom, "bottom"}}};
 
 /// Content of one file.
 enum class Pack {
@@ -59,17 +40,6 @@ enum class Pack {
     layers,  ///< all maps of a frame, as layers of one EXR image
     parts,   ///< all maps of a frame, as parts of one multi-part EXR file
 };
-inline constexpr std::array all_packs = {Pack::files, Pack::layers, Pack::parts};
-
-/// Returns the name in --pack and in records.
-constexpr const char* name_of(Pack pack) {
-    switch (pack) {
-        case Pack::files: return "files";
-        case Pack::layers: return "layers";
-        case Pack::parts: return "parts";
-    }
-    return "";
-}
 
 /// Returns true for GPU texture formats, whose files hold all levels.
 constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
@@ -104,3 +74,33 @@ struct MapOptions {
 };
 
 }  // namespace pelagic::tools
+
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::ImageFormat> {
+    static constexpr std::array<std::string_view, 4> all = {"exr", "tif", "ktx2", "dds"};
+};
+
+template <>
+struct EnumNames<tools::BitDepth> {
+    static constexpr std::array<std::string_view, 3> all = {"8", "16", "float"};
+};
+
+template <>
+struct EnumNames<tools::NormalY> {
+    static constexpr std::array<std::string_view, 2> all = {"up", "down"};
+};
+
+template <>
+struct EnumNames<tools::FirstRow> {
+    static constexpr std::array<std::string_view, 2> all = {"top", "bottom"};
+};
+
+template <>
+struct EnumNames<tools::Pack> {
+    static constexpr std::array<std::string_view, 3> all = {"files", "layers", "parts"};
+};
+
+}  // namespace pelagic

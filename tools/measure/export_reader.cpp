@@ -108,9 +108,9 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
 MapOptions names_in(const Json& record) {
     MapOptions options;
     const Json& how = value_of(record, "export");
-    for (const ImageFormat format : all_formats)
+    for (const ImageFormat format : values_of<ImageFormat>())
         if (value_of(how, "format") == name_of(format)) options.format = format;
-    for (const Pack pack : all_packs)
+    for (const Pack pack : values_of<Pack>())
         if (value_of(how, "pack") == name_of(pack)) options.pack = pack;
     if (const Json& names = value_of(how, "names"); names.is_string())
         options.names = NamePattern::parse(names.get<std::string>());

@@ -39,13 +39,7 @@ void read_direction(const std::string& option, const std::string& text, float& a
 }
 
 void choose_surface(SceneOptions& options, const std::string& name, const std::optional<std::string>& flow_file) {
-    const std::optional<gl::Surface> surface = gl::surface_named(name);
-    if (!surface) {
-        const auto all = gl::surface_names();
-        const std::vector<std::string> names(all.begin(), all.end());
-        throw bad_value("--surface", name, list_of(names) + nearest_hint(name, names));
-    }
-    options.surface = *surface;
+    options.surface = one_of<gl::Surface>("--surface", name);
     if (!flow_file) return;
     if (options.surface != gl::Surface::river) throw InputError("--flow requires --surface river");
     options.flow = read_flow_map("--flow", *flow_file);
@@ -56,7 +50,7 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     if (!preset) {
         std::vector<std::string> names;
         for (const QuadtreePreset& each : quadtree_presets()) names.emplace_back(each.name);
-        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
+        throw unknown_name("--quality", name, names);
     }
     options.quality = name;
     // A high camera sees far and needs a large square, because waves fade out at 5/16 of its side.
@@ -77,8 +71,7 @@ gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::
             static_cast<float>(number_in("--chlorophyll", *chlorophyll, 0.01, 30, "mg/m^3 in [0.01, 30]")));
     const std::string name = type.value_or(std::string(gl::default_jerlov_type));
     const std::vector<std::string> names(gl::jerlov_types().begin(), gl::jerlov_types().end());
-    if (std::ranges::find(names, name) == names.end())
-        throw bad_value("--water", name, list_of(names) + nearest_hint(name, names));
+    if (std::ranges::find(names, name) == names.end()) throw unknown_name("--water", name, names);
     return gl::water_optics(name);
 }
 
@@ -86,7 +79,7 @@ const gl::LightPreset& light_named(const std::string& option, const std::string&
     if (const gl::LightPreset* light = gl::light_preset_named(name)) return *light;
     std::vector<std::string> names;
     for (const gl::LightPreset& each : gl::light_presets()) names.emplace_back(each.name);
-    throw bad_value(option, name, list_of(names) + nearest_hint(name, names));
+    throw unknown_name(option, name, names);
 }
 
 /// Returns the camera of the options. Without --camera it is above the highest crests.
@@ -199,12 +192,8 @@ SceneOptions SceneFlags::resolve() const {
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a fraction in [0, 1]"));
     });
-    given("shading", [&](const auto& option, const auto& text) {
-        const std::optional<gl::Shading> shading = gl::shading_named(text);
-        const std::vector<std::string> names(gl::shading_names.begin(), gl::shading_names.end());
-        if (!shading) throw bad_value(option, text, list_of(names) + nearest_hint(text, names));
-        options.shading = *shading;
-    });
+    given("shading",
+          [&](const auto& option, const auto& text) { options.shading = one_of<gl::Shading>(option, text); });
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
     given("visibility", [&](const auto& option, const auto& text) {
         options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));

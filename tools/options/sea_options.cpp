@@ -107,24 +107,6 @@ std::string config_key(std::string_view flag) {
     return key;
 }
 
-std::vector<std::string> names_of_waves() {
-    std::vector<std::string> names;
-    for (const WaveModel waves : wave_models()) names.emplace_back(name_of(waves));
-    return names;
-}
-
-std::vector<std::string> names_of_spectra() {
-    std::vector<std::string> names;
-    for (const SpectrumModel model : spectrum_models()) names.emplace_back(name_of(model));
-    return names;
-}
-
-std::vector<std::string> names_of_spreadings() {
-    std::vector<std::string> names;
-    for (const SpreadingModel model : spreading_models()) names.emplace_back(name_of(model));
-    return names;
-}
-
 bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
 
 /// Returns one line per preset. The thirteen presets of Beaufort forces share one line.
@@ -133,11 +115,6 @@ std::string help_of_presets() {
     for (const SeaPreset& preset : sea_presets())
         if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
     return help + "\nbeaufort-0 to beaufort-12: open sea of this Beaufort force, Hs 0 to 14 m";
-}
-
-[[noreturn]] void reject_name(const std::string& option, const std::string& value,
-                              const std::vector<std::string>& names) {
-    throw bad_value(option, value, list_of(names) + nearest_hint(value, names));
 }
 
 /// Returns degrees rounded to 1e-6 if they convert to exactly these radians: 30, not
@@ -185,24 +162,12 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 
 /// Applies one option other than the preset. \param name  name of the flag
 void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option) {
-    if (name == "waves") {
-        const auto waves = wave_model_named(text);
-        if (!waves) reject_name(option, text, names_of_waves());
-        resolved.sea.waves = *waves;
-        return;
-    }
-    if (name == "spectrum") {
-        const auto model = spectrum_model_named(text);
-        if (!model) reject_name(option, text, names_of_spectra());
-        resolved.sea.spectrum = *model;
-        return;
-    }
-    if (name == "spreading") {
-        const auto model = spreading_model_named(text);
-        if (!model) reject_name(option, text, names_of_spreadings());
-        resolved.sea.spreading = *model;
-        return;
-    }
+    const auto set = [&]<class Enum>(std::string_view flag, Enum SeaState::*member) {
+        if (name == flag) resolved.sea.*member = one_of<Enum>(option, text);
+    };
+    set("waves", &SeaState::waves);
+    set("spectrum", &SeaState::spectrum);
+    set("spreading", &SeaState::spreading);
     for (const SeaFlag& flag : sea_flags)
         if (flag.flag == name) apply_number(resolved, flag, text, option);
 }
@@ -262,13 +227,13 @@ void SeaOptions::add_to(CLI::App& app) {
         "read sea options from a TOML file, whose keys are the names of these flags with underscores, or from a "
         "sea.json of export; flags override the file");
     add("waves", "NAME",
-        with_default("wave model: " + list_of(names_of_waves()) +
+        with_default("wave model: " + list_of(names_of<WaveModel>()) +
                          "; a wind-wave spectrum, up to 64 analytic waves between calm and storm, or pond waves",
                      name_of(SeaState{}.waves)));
     add("spectrum", "NAME",
-        with_default("wave spectrum: " + list_of(names_of_spectra()), name_of(SeaState{}.spectrum)));
+        with_default("wave spectrum: " + list_of(names_of<SpectrumModel>()), name_of(SeaState{}.spectrum)));
     add("spreading", "NAME",
-        with_default("directional spreading of the waves: " + list_of(names_of_spreadings()),
+        with_default("directional spreading of the waves: " + list_of(names_of<SpreadingModel>()),
                      name_of(SeaState{}.spreading)));
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",

@@ -84,11 +84,11 @@ Json options_as_json(const ExportOptions& options) {
     how["maps"] = maps;
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
-    how["bit_depth"] = name_in(bit_depth_names, options.maps.bit_depth);
-    how["normal_y"] = name_in(normal_y_names, options.maps.normal_y);
-    how["axes"] = name_in(up_axis_names, options.maps.up_axis);
-    how["unit"] = name_in(length_unit_names, options.maps.unit);
-    how["rows"] = name_in(first_row_names, options.maps.rows);
+    how["bit_depth"] = name_of(options.maps.bit_depth);
+    how["normal_y"] = name_of(options.maps.normal_y);
+    how["axes"] = name_of(options.maps.up_axis);
+    how["unit"] = name_of(options.maps.unit);
+    how["rows"] = name_of(options.maps.rows);
     how["format"] = name_of(options.maps.format);
     how["compression"] = name_of(options.maps.compression);
     how["pack"] = name_of(options.maps.pack);
@@ -101,7 +101,7 @@ Json options_as_json(const ExportOptions& options) {
         how["events_side_m"] = options.events->water.side_m;
         how["events_resolution"] = options.events->water.resolution;
         how["events_at"] = {options.events->middle_x_m, options.events->middle_z_m};
-        how["events_step"] = name_in(dynamic_waves_step_names, options.events->water.step);
+        how["events_step"] = name_of(options.events->water.step);
     }
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};

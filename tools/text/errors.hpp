@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "pelagic/message/invalid_value_message.hpp"
 
@@ -19,7 +20,7 @@ struct FileError : std::runtime_error {
 };
 
 /// Makes the error "--wind-speed -3 is out of range (0, 60]".
-inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
+inline InputError bad_value(std::string_view option, std::string_view value, std::string_view accepted) {
     return InputError(invalid_value_message(option, value, accepted));
 }
 

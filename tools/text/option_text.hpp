@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/near_names.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/text/errors.hpp"
-#include "pelagic/tools/text/named_values.hpp"
 
 namespace pelagic::tools {
 
@@ -31,14 +31,17 @@ double number_in(const std::string& option, const std::string& text, double min,
 /// MAX" unless it lies in [min, max].
 int whole_number_in(const std::string& option, const std::string& text, int min, int max);
 
-/// Returns the value with the name `text`. Throws InputError "OPTION is TEXT, expected a, b or c"
-/// if there is none.
-template <class Value, std::size_t count>
-Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {
-    if (const auto value = value_in(names, text)) return *value;
-    std::vector<std::string> accepted;
-    for (const auto& entry : names) accepted.emplace_back(entry.second);
-    throw bad_value(option, text, list_of(accepted));
+/// Returns the error "OPTION is TEXT, expected a, b or c (the nearest is b)".
+template <class Names>
+InputError unknown_name(const std::string& option, const std::string& text, const Names& names) {
+    return bad_value(option, text, list_of(names) + nearest_hint(text, names));
+}
+
+/// Returns the value with the name `text`. Throws unknown_name() if there is none.
+template <NamedEnum Enum>
+Enum one_of(const std::string& option, const std::string& text) {
+    if (const auto value = value_named<Enum>(text)) return *value;
+    throw unknown_name(option, text, names_of<Enum>());
 }
 
 /// Splits "a,b" into {"a", "b"}. Empty pieces are kept.

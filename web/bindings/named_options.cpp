@@ -17,13 +17,6 @@ using emscripten::val;
 
 bool is_of_type(const val& value, std::string_view type) { return value.typeOf().as<std::string>() == type; }
 
-template <class Model>
-std::vector<std::string> names_of(std::span<const Model> models) {
-    std::vector<std::string> names;
-    for (const Model model : models) names.emplace_back(name_of(model));
-    return names;
-}
-
 /// An option whose values are words.
 struct WordOption {
     std::string name;
@@ -32,17 +25,18 @@ struct WordOption {
     std::string_view (*word_in)(const SeaState&);
 };
 
+template <NamedEnum Enum, Enum SeaState::*member>
+WordOption word_option(std::string name) {
+    return {std::move(name),
+            {names_of<Enum>().begin(), names_of<Enum>().end()},
+            [](SeaState& sea, std::string_view word) { sea.*member = *value_named<Enum>(word); },
+            [](const SeaState& sea) { return name_of(sea.*member); }};
+}
+
 const std::vector<WordOption>& word_options() {
-    static const std::vector<WordOption> all = {
-        {"waves", names_of(wave_models()),
-         [](SeaState& sea, std::string_view word) { sea.waves = *wave_model_named(word); },
-         [](const SeaState& sea) { return name_of(sea.waves); }},
-        {"spectrum", names_of(spectrum_models()),
-         [](SeaState& sea, std::string_view word) { sea.spectrum = *spectrum_model_named(word); },
-         [](const SeaState& sea) { return name_of(sea.spectrum); }},
-        {"spreading", names_of(spreading_models()),
-         [](SeaState& sea, std::string_view word) { sea.spreading = *spreading_model_named(word); },
-         [](const SeaState& sea) { return name_of(sea.spreading); }}};
+    static const std::vector<WordOption> all = {word_option<WaveModel, &SeaState::waves>("waves"),
+                                                word_option<SpectrumModel, &SeaState::spectrum>("spectrum"),
+                                                word_option<SpreadingModel, &SeaState::spreading>("spreading")};
     return all;
 }
 

@@ -290,10 +290,10 @@ class OceanBinding {
                                          : number_of(
                                                "toleranceM", tolerance_m,
                                                [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
-            const std::optional<Interpolation> named = interpolation.isUndefined() ? Interpolation::linear
-                                                       : interpolation.isString()
-                                                           ? interpolation_named(interpolation.as<std::string>())
-                                                           : std::nullopt;
+            const std::optional<Interpolation> named =
+                interpolation.isUndefined() ? Interpolation::linear
+                : interpolation.isString()  ? value_named<Interpolation>(interpolation.as<std::string>())
+                                            : std::nullopt;
             if (!named)
                 throw std::invalid_argument(
                     invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));

@@ -106,7 +106,7 @@ val page_tables() {
     tables.set("seaSliders", slider_table(viewer::sliders::sea));
     tables.set("lightSliders", slider_table(viewer::sliders::light));
     tables.set("qualities", qualities);
-    tables.set("shadings", name_table(gl::shading_names));
+    tables.set("shadings", name_table(names_of<gl::Shading>()));
     return tables;
 }
 

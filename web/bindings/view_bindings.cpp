@@ -139,8 +139,8 @@ ViewOptions view_options_of(const val& options) {
         view.quality = word_of("quality", options["quality"], names);
     }
     if (is_given("shading"))
-        view.shading = *gl::shading_named(
-            word_of("shading", options["shading"], {gl::shading_names.begin(), gl::shading_names.end()}));
+        view.shading = *value_named<gl::Shading>(
+            word_of("shading", options["shading"], {names_of<gl::Shading>().begin(), names_of<gl::Shading>().end()}));
     if (is_given("sizeM"))
         view.size_m = number_of(
             "sizeM", options["sizeM"], [](double side) { return side >= 256 && side <= 8192; }, "[256, 8192]");
