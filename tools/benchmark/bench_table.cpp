@@ -106,8 +106,7 @@ void print_jobs(const Timings& timings) {
     print_line(heading);
     bool has_stored = false;
     for (const std::string& sea : seas) has_stored |= print_sea(on_one_thread(timings, sea));
-    print_line(
-        "sea: cascades x N, several are the default sea; instr.: per texel; GB/s: inputs and outputs once");
+    print_line("sea: cascades x N, several are the default sea; instr.: per texel; GB/s: inputs and outputs once");
     if (!timings.no_counter.empty()) print_line("Instructions are not counted: " + timings.no_counter + ".");
     if (has_stored)
         print_line("* Stored count, by valgrind or qemu with a build by " + stored_instructions_compiler() + ".");
