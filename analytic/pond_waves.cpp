@@ -77,7 +77,7 @@ double ripple_frequency_hz(double turns_per_m) {
     return std::sqrt(gravity_mps2 * k + surface_tension_m3ps2 * k * k * k) / two_pi;
 }
 
-double shown_part(double wavelength_m, double footprint_m) {
+double footprint_weight(double wavelength_m, double footprint_m) {
     const double t = std::clamp((2 * footprint_m / wavelength_m - 0.4) / 0.6, 0.0, 1.0);
     return 1 - t * t * (3 - 2 * t);
 }

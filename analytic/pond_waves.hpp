@@ -63,7 +63,7 @@ double ripple_frequency_hz(double turns_per_m);
 
 /// Returns the weight of an octave, from 1 to 0, for samples that are footprint_m apart:
 /// 1 - smoothstep(0.4, 1, footprint_m / (wavelength_m / 2)).
-double shown_part(double wavelength_m, double footprint_m);
+double footprint_weight(double wavelength_m, double footprint_m);
 
 /// Means over all phases of (exp(sin p - 1) - I0(1)/e)^2, which is I0(2)/e^2 - (I0(1)/e)^2, and of
 /// the squared derivative, which is I1(2) / (2 e^2).

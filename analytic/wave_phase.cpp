@@ -10,12 +10,12 @@ namespace {
 __extension__ using Product = unsigned __int128;
 
 /// |value| = mantissa x 2^exponent
-struct FloatParts {
+struct FloatSplit {
     std::uint64_t mantissa;
     int exponent;
 };
 
-FloatParts float_parts(double value) {
+FloatSplit float_split(double value) {
     int exponent = 0;
     const double mantissa = std::frexp(std::fabs(value), &exponent);
     return {static_cast<std::uint64_t>(mantissa * 0x1p53), exponent - 53};
@@ -24,7 +24,7 @@ FloatParts float_parts(double value) {
 }  // namespace
 
 std::uint64_t turned(double frequency_hz, double time_s) {
-    const FloatParts f = float_parts(frequency_hz), t = float_parts(time_s);
+    const FloatSplit f = float_split(frequency_hz), t = float_split(time_s);
     const Product product = Product{f.mantissa} * t.mantissa;
     const int shift = f.exponent + t.exponent + 64;
     std::uint64_t turns = 0;

@@ -124,7 +124,8 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         const SeaState state = sea_of(sea);
         if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
-        const WavePart wind_sea = report.wind_sea.value_or(WavePart{}), swell = report.swell.value_or(WavePart{});
+        const WaveSystem wind_sea = report.wind_sea.value_or(WaveSystem{}),
+                         swell = report.swell.value_or(WaveSystem{});
         pelagic_statistics all{};
         all.expected_wave_height_m = report.expected.significant_wave_height_m;
         all.drawn_wave_height_m = report.drawn_significant_wave_height_m;

@@ -62,12 +62,12 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
         pelagic_shore_surface out{};
         out.columns = shore.columns;
         out.rows = shore.rows;
-        out.parts_change_per_m = shore.parts_change_per_m;
+        out.weights_change_per_m = shore.weights_change_per_m;
         out.texel_m = shore.texel_m;
         out.x_m = shore.x_m;
         out.z_m = shore.z_m;
         out.depth_m = shore.depth_m.data();
-        out.parts_rgba8 = shore.parts_rgba8.data();
+        out.weights_rgba8 = shore.weights_rgba8.data();
         out.height_m = shore.height_m.data();
         out.vertical_velocity_mps = shore.vertical_velocity_mps.data();
         out.reach_m = shore.reach_m.data();

@@ -1055,11 +1055,11 @@ PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options
 typedef struct pelagic_shore_surface {
     uint32_t struct_size;
     int32_t columns, rows;
-    float parts_change_per_m; /* largest change of a weight between positions a metre apart */
+    float weights_change_per_m; /* largest change of a weight between positions a metre apart */
     double texel_m;
     double x_m, z_m;
     const float* depth_m;        /* of still water; below 0 on land */
-    const uint32_t* parts_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
+    const uint32_t* weights_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
     const float* vertical_velocity_mps;
     /* Envelope of the crests of the passing waves: sand below it is wet. */

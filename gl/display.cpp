@@ -67,7 +67,7 @@ struct Display::State {
             up.read("level", 0, regions[i]);
             up.read("coarser", 1, coarser);
             const auto levels_below = static_cast<float>(fine.size() - 1 - i);
-            up.set("coarser_part", levels_below / (levels_below + 1));
+            up.set("coarser_weight", levels_below / (levels_below + 1));
             coarser = used_region(spread[i], image, static_cast<int>(i) + 1);
             draw_into(spread[i], coarser, up);
         }

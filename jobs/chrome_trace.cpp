@@ -61,16 +61,16 @@ void ChromeTrace::in_flight(const TraceSpan& span) noexcept { keep(span, false);
 void ChromeTrace::keep(const TraceSpan& span, bool on_this_thread) noexcept {
     const std::lock_guard lock(mutex_);
     if (spans_.size() == max_spans_) {
-        ++left_out_;
+        ++omitted_;
         return;
     }
     const std::uint32_t thread = on_this_thread ? index_in(threads_, std::this_thread::get_id()) : not_on_a_thread;
     spans_.push_back({index_in(names_, span.name), thread, span.category, span.args, span.start, span.end});
 }
 
-std::size_t ChromeTrace::left_out() const {
+std::size_t ChromeTrace::omitted() const {
     const std::lock_guard lock(mutex_);
-    return left_out_;
+    return omitted_;
 }
 
 std::string ChromeTrace::event(const Kept& kept, char phase, TraceClock::time_point when) const {
@@ -84,7 +84,7 @@ std::string ChromeTrace::event(const Kept& kept, char phase, TraceClock::time_po
 
 void ChromeTrace::write(std::ostream& out) const {
     const std::lock_guard lock(mutex_);
-    out << R"({"displayTimeUnit":"ns","otherData":{"spans_left_out":)" << number_text(left_out_)
+    out << R"({"displayTimeUnit":"ns","otherData":{"spans_omitted":)" << number_text(omitted_)
         << "},\"traceEvents\":[\n"
         << metadata("process_name", 0, "pelagic");
     for (std::uint32_t thread = 0; thread < threads_.size(); ++thread)

@@ -38,7 +38,7 @@ class ChromeTrace final : public TraceSink {
     void in_flight(const TraceSpan& span) noexcept override;
 
     /// Returns the number of spans that were not stored.
-    std::size_t left_out() const;
+    std::size_t omitted() const;
 
     /// Writes the spans stored so far. Each span of work becomes a complete event ("ph": "X") on
     /// the track of its thread, each span in flight a pair of asynchronous events ("b", "e"). Also
@@ -65,7 +65,7 @@ class ChromeTrace final : public TraceSink {
     std::vector<std::string> names_;
     std::vector<std::thread::id> threads_ = {std::this_thread::get_id()};
     std::vector<Kept> spans_;
-    std::size_t left_out_ = 0;
+    std::size_t omitted_ = 0;
 };
 
 }  // namespace pelagic

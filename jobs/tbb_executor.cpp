@@ -35,11 +35,11 @@ class TbbRun final : public GraphRun {
 
     void schedule() override {
         assert(is_done());
-        stages_left_ = nodes_.size();
+        remaining_stages_ = nodes_.size();
         try {
             arena_.execute([&] { start_->try_put(continue_msg()); });
         } catch (...) {
-            stages_left_ = 0;
+            remaining_stages_ = 0;
             throw;
         }
     }
@@ -47,7 +47,7 @@ class TbbRun final : public GraphRun {
         finish();
         failure_.rethrow();
     }
-    bool is_done() const override { return stages_left_ == 0; }
+    bool is_done() const override { return remaining_stages_ == 0; }
 
    private:
     using Node = tbb::flow::continue_node<continue_msg>;
@@ -77,7 +77,7 @@ class TbbRun final : public GraphRun {
         } catch (...) {
             failure_.keep_current();
         }
-        --stages_left_;
+        --remaining_stages_;
     }
 
     /// The caller isolates this function. Otherwise a thread that waits here for the last blocks
@@ -96,7 +96,7 @@ class TbbRun final : public GraphRun {
     std::optional<tbb::flow::graph> flow_;
     std::optional<tbb::flow::broadcast_node<continue_msg>> start_;
     std::deque<Node> nodes_;
-    std::atomic<std::size_t> stages_left_ = 0;
+    std::atomic<std::size_t> remaining_stages_ = 0;
     RunFailure failure_;
 };
 

@@ -39,7 +39,7 @@ struct Block {
     std::size_t number;
 };
 
-/// The progress of one run of a graph. The pool's mutex guards all members but `stages_left_`.
+/// The progress of one run of a graph. The pool's mutex guards all members but `remaining_stages_`.
 class Progress {
    public:
     explicit Progress(const JobGraph& graph) : graph_(graph), stages_(graph.stages().size()) {
@@ -48,7 +48,7 @@ class Progress {
     }
 
     void start() {
-        stages_left_ = stages_.size();
+        remaining_stages_ = stages_.size();
         for (StageId id = 0; id < stages_.size(); ++id) {
             stages_[id].waiting_for = graph_.stages()[id].waits_for.size();
             stages_[id].claimed = stages_[id].done = 0;
@@ -83,7 +83,7 @@ class Progress {
         return true;
     }
 
-    bool is_done() const { return stages_left_ == 0; }
+    bool is_done() const { return remaining_stages_ == 0; }
 
     /// Throws the first exception of the run's blocks, if there is one. \pre is_done()
     void rethrow_failure() { failure_.rethrow(); }
@@ -99,7 +99,7 @@ class Progress {
     void end_stage(StageId id) {
         for (const StageId follower : stages_[id].followers)
             if (--stages_[follower].waiting_for == 0) end_stage_if_empty(follower);
-        --stages_left_;
+        --remaining_stages_;
     }
 
     void end_stage_if_empty(StageId id) {
@@ -108,7 +108,7 @@ class Progress {
 
     const JobGraph& graph_;
     std::vector<State> stages_;
-    std::atomic<std::size_t> stages_left_ = 0;
+    std::atomic<std::size_t> remaining_stages_ = 0;
     RunFailure failure_;
 };
 

@@ -48,7 +48,7 @@ struct ForecastMoment {
     std::size_t before = 0, after = 0;  ///< as in Forecast::sea()
     /// s, the weight of the sea `after`, 0 to 1; 0 if both are one sea. Of a swell with
     /// swell_from_m, the weight of the waves at its peak.
-    double part = 0;
+    double weight = 0;
 };
 
 /// A sea and its transitions, as a value: a frame is a function of the forecast and the time,
@@ -96,6 +96,6 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 /// sea with the larger weight. Values that only one of the seas has, such as a swell's period and
 /// direction or a given roughness, are taken from that sea. The waves themselves are the blend of
 /// both seas' energies, whose statistics are in SeaStatistics. \pre part in [0, 1]
-SeaState sea_between(const SeaState& before, const SeaState& after, double part);
+SeaState sea_between(const SeaState& before, const SeaState& after, double weight);
 
 }  // namespace pelagic

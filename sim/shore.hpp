@@ -56,7 +56,7 @@ struct ShoreSample {
     double height_m = 0, slope_x = 0, slope_z = 0, vertical_velocity_mps = 0, reach_m = 0;
     double velocity_x_mps = 0, velocity_z_mps = 0;  ///< of the long waves, by linear theory
     double foam = 0;                                ///< 0 to 1
-    double parts[4] = {1, 1, 1, 1};                 ///< weights of the cascades
+    double weights[4] = {1, 1, 1, 1};               ///< weights of the cascades
 };
 
 /// Samples the shore of a frame, interpolated as ShoreSurface describes; slopes are the derivatives

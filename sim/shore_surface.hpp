@@ -19,8 +19,8 @@ struct ShoreSurface {
     int columns = 0, rows = 0;  ///< 0: the ocean has no shore
     double texel_m = 0;
     double x_m = 0, z_m = 0;
-    std::span<const float> depth_m;              ///< of still water; below 0 on land
-    std::span<const std::uint32_t> parts_rgba8;  ///< weight of cascade t in byte t, 255 for 1
+    std::span<const float> depth_m;                ///< of still water; below 0 on land
+    std::span<const std::uint32_t> weights_rgba8;  ///< weight of cascade t in byte t, 255 for 1
     std::span<const float> height_m;
     std::span<const float> vertical_velocity_mps;
     /// Velocity potential of these waves at the surface: its gradient is their horizontal velocity,
@@ -30,7 +30,7 @@ struct ShoreSurface {
     std::span<const float> reach_m;
     std::span<const std::uint8_t> foam;        ///< of breaking waves
     float height_min_m = 0, height_max_m = 0;  ///< bounds of the height, between texels too
-    float parts_change_per_m = 0;              ///< largest change of a weight per metre
+    float weights_change_per_m = 0;            ///< largest change of a weight per metre
 
     explicit operator bool() const { return columns > 0; }
 };

@@ -100,7 +100,7 @@ struct MeanPeriods {
 };
 
 /// The wind sea or the swell of a sea that has both.
-struct WavePart {
+struct WaveSystem {
     /// Of the waves that the grid holds, mean over all seeds.
     double significant_wave_height_m = 0;
     double drawn_significant_wave_height_m = 0;
@@ -123,8 +123,8 @@ struct SeaReport {
     double drawn_significant_wave_height_m = 0;  ///< of this seed's waves, mean over time
     double drawn_peak_period_s = 0;              ///< measured_peak_period_s()
     MeanPeriods expected_periods;
-    MeanPeriods drawn_periods;                ///< of this seed's waves, at the loop's frequencies
-    std::optional<WavePart> wind_sea, swell;  ///< only for a spectrum with a swell
+    MeanPeriods drawn_periods;                  ///< of this seed's waves, at the loop's frequencies
+    std::optional<WaveSystem> wind_sea, swell;  ///< only for a spectrum with a swell
     /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
     double expected_convergence_variance = 0, drawn_convergence_variance = 0;
     WaveDirections expected_directions;

@@ -80,7 +80,7 @@ void look_at(const pelagic_shore_surface& shore, Findings& found) {
     found.floats("shore rise", shore.vertical_velocity_mps, texels);
     found.floats("shore reach", shore.reach_m, texels);
     found.number("shore texel", shore.texel_m);
-    found.number("parts_change_per_m", static_cast<double>(shore.parts_change_per_m));
+    found.number("weights_change_per_m", static_cast<double>(shore.weights_change_per_m));
 }
 
 /// Frames at several times, all of their outputs, and queries of them.

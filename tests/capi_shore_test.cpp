@@ -76,12 +76,12 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     EXPECT_EQ(surface.texel_m, frame.shore.texel_m);
     EXPECT_EQ(surface.x_m, -90);
     EXPECT_EQ(surface.z_m, 30);
-    EXPECT_EQ(surface.parts_change_per_m, frame.shore.parts_change_per_m);
+    EXPECT_EQ(surface.weights_change_per_m, frame.shore.weights_change_per_m);
     EXPECT_EQ(surface.height_max_m, frame.shore.height_max_m);
     EXPECT_EQ(surface.height_min_m, frame.shore.height_min_m);
     const auto same = [](const auto* found, auto all) { return std::equal(all.begin(), all.end(), found); };
     EXPECT_TRUE(same(surface.depth_m, frame.shore.depth_m));
-    EXPECT_TRUE(same(surface.parts_rgba8, frame.shore.parts_rgba8));
+    EXPECT_TRUE(same(surface.weights_rgba8, frame.shore.weights_rgba8));
     EXPECT_TRUE(same(surface.height_m, frame.shore.height_m));
     EXPECT_TRUE(same(surface.vertical_velocity_mps, frame.shore.vertical_velocity_mps));
     EXPECT_TRUE(same(surface.potential_m2ps, frame.shore.potential_m2ps));

@@ -88,7 +88,7 @@ TEST_F(GlMirror, WhiteFurnaceGainsNoLightAndLosesLittle) {
             // Maps slopes to directions of facets, and these to directions of light, on both sides
             // of the plane through the eye.
             float angle = 2.0 * alpha * alpha / 144.0 * facet.y * facet.y * facet.y * 4.0 * cosine;
-            sum += angle * mirrored_part(up, eye_at, reflect(-eye_at, facet), alpha * alpha, alpha);
+            sum += angle * mirrored_fraction(up, eye_at, reflect(-eye_at, facet), alpha * alpha, alpha);
         }
     float sky_share = mean_mirror(up, eye_at, alpha * alpha, alpha).sky_share;
     float passed = 1.0 - mean_fresnel(cos(theta), alpha * sqrt(0.5)) * sky_share;
@@ -112,8 +112,8 @@ TEST_F(GlMirror, IsReciprocal) {
     float along = 1.5 * fract(pixel.y * 0.618), around = 6.28 * fract(pixel.x * 0.618 + 0.3 * pixel.y);
     vec3 sun_at = vec3(sin(along) * cos(around), cos(along), sin(along) * sin(around));
     // Only for a mirror that reflects light to the eye at all.
-    float there = mirrored_part(up, eye_at, sun_at, 0.3, sqrt(0.3)) / sun_at.y;
-    float back = mirrored_part(up, sun_at, eye_at, 0.3, sqrt(0.3)) / eye_at.y;
+    float there = mirrored_fraction(up, eye_at, sun_at, 0.3, sqrt(0.3)) / sun_at.y;
+    float back = mirrored_fraction(up, sun_at, eye_at, 0.3, sqrt(0.3)) / eye_at.y;
     result = vec4(there / back, there, back, 1.0);
 )");
     int seen = 0;

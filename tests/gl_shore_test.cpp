@@ -30,7 +30,7 @@ struct HandmadeShore {
         height_m.assign(texels, 0);
         vertical_velocity_mps.assign(texels, 0);
         reach_m.assign(texels, 0);
-        parts_rgba8.assign(texels, 0xFFFFFFFFu);
+        weights_rgba8.assign(texels, 0xFFFFFFFFu);
         foam.assign(texels, 0);
     }
 
@@ -55,7 +55,7 @@ struct HandmadeShore {
                 .x_m = corner.x,
                 .z_m = corner.y,
                 .depth_m = depth_m,
-                .parts_rgba8 = parts_rgba8,
+                .weights_rgba8 = weights_rgba8,
                 .height_m = height_m,
                 .vertical_velocity_mps = vertical_velocity_mps,
                 .potential_m2ps = vertical_velocity_mps,
@@ -69,7 +69,7 @@ struct HandmadeShore {
     int columns, rows;
     double texel_m;
     std::vector<float> depth_m, height_m, vertical_velocity_mps, reach_m;
-    std::vector<std::uint32_t> parts_rgba8;
+    std::vector<std::uint32_t> weights_rgba8;
     std::vector<std::uint8_t> foam;
 };
 
@@ -92,7 +92,7 @@ double height_drawn_at(const Frame& frame, double x, double z) {
     double parts[4];
     for (std::size_t cascade = 0; cascade < 4; ++cascade)
         parts[cascade] = between(shore, x, z, 1.0, [&](std::size_t texel) {
-            return static_cast<double>(shore.parts_rgba8[texel] >> 8 * cascade & 255) / 255;
+            return static_cast<double>(shore.weights_rgba8[texel] >> 8 * cascade & 255) / 255;
         });
     double reference_x = x, reference_z = z;
     for (int step = 0; step < 60; ++step) {
@@ -220,10 +220,10 @@ TEST_F(GlShore, WaterHasTheHeightsOfTheDefinition) {
     shore.each(32, [&](std::size_t texel, double x, double z, double part) {
         shore.height_m[texel] =
             static_cast<float>(part * std::sin(2 * pi * (x - corner.x) / 90 + (z - corner.y) / 30));
-        shore.parts_rgba8[texel] = 0;
+        shore.weights_rgba8[texel] = 0;
         for (std::uint32_t cascade = 0; cascade < 4; ++cascade)
-            shore.parts_rgba8[texel] |= static_cast<std::uint32_t>(std::lround(255 * (1 - part / (1 + cascade))))
-                                        << 8 * cascade;
+            shore.weights_rgba8[texel] |= static_cast<std::uint32_t>(std::lround(255 * (1 - part / (1 + cascade))))
+                                          << 8 * cascade;
     });
     FourLargeCascades large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
@@ -250,7 +250,7 @@ TEST_F(GlShore, DynamicWavesAddToIt) {
     HandmadeShore shore({300, -400}, 36, 30, 8);
     shore.each(60, [&](std::size_t texel, double x, double z, double part) {
         shore.height_m[texel] = static_cast<float>(part * std::sin(x / 15 + z / 30));
-        shore.parts_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
+        shore.weights_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
     });
     const SquareFromAbove square{.middle = {450, -290}, .half_m = 40, .pixels = pixels};
     FourLargeCascades large(scene.ocean.frame_at(3));
@@ -370,7 +370,7 @@ TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
             const std::vector<std::uint8_t> wanted = image(scene, square);
 
             shore.each(50, [&](std::size_t texel, double, double, double part) {
-                shore.parts_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : ~(0xFFu << 8 * missing);
+                shore.weights_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : ~(0xFFu << 8 * missing);
             });
             Frame shown = frame;
             shown.shore = shore.view();
@@ -383,7 +383,7 @@ TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
             EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
 
             upload(scene, shown);
-            EXPECT_EQ(first_bytes - scene.renderer->statistics().upload_bytes, 4 * shore.parts_rgba8.size());
+            EXPECT_EQ(first_bytes - scene.renderer->statistics().upload_bytes, 4 * shore.weights_rgba8.size());
         }
     }
 }
@@ -398,7 +398,7 @@ TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
     HandmadeShore shore(square.middle + glm::dvec2(0, -200), 41, 81, 5);
     shore.each(10, [&](std::size_t texel, double x, double z, double part) {
         shore.height_m[texel] = static_cast<float>(2 * part * std::sin(x / 3 + z / 5));
-        shore.parts_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
+        shore.weights_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
         shore.foam[texel] = static_cast<std::uint8_t>(std::lround(200 * part));
     });
     upload(scene, frame);
@@ -542,7 +542,7 @@ TEST_F(GlShore, WavesReflectAccordingToTheirSlopes) {
                 shore.each(50, [&](std::size_t texel, double x, double z, double part) {
                     const double way = along_x ? x - square.middle.x : z - square.middle.y;
                     shore.height_m[texel] = static_cast<float>(part * std::clamp(slope * way, -5.0, 5.0));
-                    shore.parts_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : 0;
+                    shore.weights_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : 0;
                 });
                 frame.shore = shore.view();
                 upload(scene, frame);
@@ -584,7 +584,7 @@ TEST_F(GlShore, SandIsDarkUpToTheReachOfWaves) {
     const auto reach = [&](double z) { return z < square.middle.y ? 0.5 : 1.4; };
     shore.each(20, [&](std::size_t texel, double, double z, double part) {
         shore.reach_m[texel] = static_cast<float>(part * reach(z));
-        shore.parts_rgba8[texel] = part > 0 ? 0 : 0xFFFFFFFFu;
+        shore.weights_rgba8[texel] = part > 0 ? 0 : 0xFFFFFFFFu;
     });
     frame.shore = shore.view();
     upload(scene, frame);

@@ -73,7 +73,7 @@ TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
     double near = 0;
     for (const double apart_m : {0.0, 0.02, 0.1, 0.4, 1.5, 50.0}) {
         Probe probe(GetParam(), std::string(sum_of(GetParam())) + "    Bumps b = SUM(at, " + std::to_string(apart_m) +
-                                    ");\n    result = vec4(b.gradient, sqrt(b.left), 1.0);\n");
+                                    ");\n    result = vec4(b.gradient, sqrt(b.unresolved), 1.0);\n");
         const std::vector<float> rgba = probe.ask(block_of(GetParam()));
         const double shown = mean_square(rgba, 0) + mean_square(rgba, 1), left = mean_square(rgba, 2);
         std::printf("pixels of %.2f m: %.5f shown, %.5f left\n", apart_m, shown, left);

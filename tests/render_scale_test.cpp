@@ -21,13 +21,13 @@ struct Machine {
     /// extra cost at scales above 0.43, where the viewer's meshes are finer
     double fine_mesh_ms = 0;
     double noise = 0;  ///< relative, in both directions
-    std::array<double, 3> part_of_high = RenderScale::part_of_high;
+    std::array<double, 3> cost_ratio = RenderScale::cost_ratio;
     std::minstd_rand random{1};
 
     double frame_ms(RenderStep step) {
         const float scale = step.scale;
         const double square = static_cast<double>(scale) * static_cast<double>(scale) *
-                              part_of_high[static_cast<std::size_t>(step.shading)];
+                              cost_ratio[static_cast<std::size_t>(step.shading)];
         const double uniform = 2 * static_cast<double>(random()) / 2147483647.0 - 1;
         return (fixed_ms + full_size_ms * square + (scale > 0.43f ? fine_mesh_ms : 0)) * (1 + noise * uniform);
     }
@@ -120,7 +120,7 @@ TEST(RenderScale, KeepsAFixedShading) {
 
 TEST(RenderScale, DoesNotOscillateOnNoise) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
-        Machine machine{3, 120, 0, 0.25, RenderScale::part_of_high, std::minstd_rand(seed)};
+        Machine machine{3, 120, 0, 0.25, RenderScale::cost_ratio, std::minstd_rand(seed)};
         RenderScale scale(goal_ms);
         EXPECT_LE(changes(run(scale, machine, 3000), 1000), 2) << seed;
     }

@@ -105,8 +105,8 @@ TEST(Shore, ContinuesOutsideItsRectangleWithTheValuesAtItsEdge) {
         const ShoreSample edge =
             sample(shore, shore.x_m + 1e-9, shore.z_m + along * (shore.rows - 1) * shore.texel_m);
         EXPECT_NEAR(edge.height_m, 0, 1e-9);
-        EXPECT_NEAR(edge.parts[0], 1, 1e-9);
-        EXPECT_NEAR(edge.parts[2], 1, 1e-9);
+        EXPECT_NEAR(edge.weights[0], 1, 1e-9);
+        EXPECT_NEAR(edge.weights[2], 1, 1e-9);
     }
     const std::vector<double> x = {-170.01, -500, 12, -1e7}, z = {3, 900, top_m - 0.01, -1e6};
     std::vector<float> found(4), expected(4);
@@ -178,12 +178,12 @@ TEST(Shore, MatchesQueries) {
             x_mps = here.velocity_x_mps, z_mps = here.velocity_z_mps;
             for (std::size_t t = 0; t < frame.cascades.size(); ++t) {
                 const Cascade& cascade = frame.cascades[t];
-                x += here.parts[t] * cascade_at(cascade, cascade.dx, q_x, q_z);
-                z += here.parts[t] * cascade_at(cascade, cascade.dz, q_x, q_z);
-                height += here.parts[t] * cascade_at(cascade, cascade.height, q_x, q_z);
-                rise += here.parts[t] * cascade_at(cascade, cascade.velocity_y, q_x, q_z);
-                x_mps += here.parts[t] * cascade_at(cascade, cascade.velocity_x, q_x, q_z);
-                z_mps += here.parts[t] * cascade_at(cascade, cascade.velocity_z, q_x, q_z);
+                x += here.weights[t] * cascade_at(cascade, cascade.dx, q_x, q_z);
+                z += here.weights[t] * cascade_at(cascade, cascade.dz, q_x, q_z);
+                height += here.weights[t] * cascade_at(cascade, cascade.height, q_x, q_z);
+                rise += here.weights[t] * cascade_at(cascade, cascade.velocity_y, q_x, q_z);
+                x_mps += here.weights[t] * cascade_at(cascade, cascade.velocity_x, q_x, q_z);
+                z_mps += here.weights[t] * cascade_at(cascade, cascade.velocity_z, q_x, q_z);
             }
         }
         float found_height, found_vertical_velocity, found_x_mps, found_z_mps, jacobian;
@@ -198,8 +198,8 @@ TEST(Shore, MatchesQueries) {
         EXPECT_NEAR(static_cast<double>(found_vertical_velocity), rise, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_x_mps), x_mps, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_z_mps), z_mps, 2e-3) << x << " " << z;
-        in_fade += here.parts[0] > 0.05 && here.parts[0] < 0.95;
-        at_shore += here.parts[1] < 0.5;
+        in_fade += here.weights[0] > 0.05 && here.parts[0] < 0.95;
+        at_shore += here.weights[1] < 0.5;
     }
     EXPECT_GT(in_fade, 500);
     EXPECT_GT(at_shore, 300);
@@ -226,7 +226,7 @@ TEST(Shore, WeightsFoldedCascadesToo) {
                    .x_m = -700,
                    .z_m = -700,
                    .depth_m = flat,
-                   .parts_rgba8 = parts,
+                   .weights_rgba8 = parts,
                    .height_m = flat,
                    .vertical_velocity_mps = flat,
                    .potential_m2ps = flat,
@@ -315,7 +315,7 @@ TEST(Shore, BoundsTheGradientOfTheWeights) {
                     fastest = std::max(fastest, std::fabs(sample(shore, x, z).parts[cascade] -
                                                           sample(shore, x + far_m, z + way).parts[cascade]) /
                                                     std::sqrt(far_m * far_m + way * way));
-    EXPECT_LE(fastest, static_cast<double>(shore.parts_change_per_m));
+    EXPECT_LE(fastest, static_cast<double>(shore.weights_change_per_m));
     // On the diagonal from a texel of weight 1 to a texel of weight 0.
     EXPECT_GT(fastest, 0.9 * std::sqrt(2.0));
 }
@@ -364,7 +364,7 @@ TEST(Shore, RaysHitTheSurfaceWhereWeightsChangeAbruptly) {
             double height = 0;
             const ShoreSample here = sample(frame.shore, x, z);
             for (std::size_t t = 0; t < frame.cascades.size(); ++t)
-                height += here.parts[t] * cascade_at(frame.cascades[t], frame.cascades[t].height, x, z);
+                height += here.weights[t] * cascade_at(frame.cascades[t], frame.cascades[t].height, x, z);
             return ray.origin_m[1] + distance * tilt / length - height;
         };
         double expected = 0, inside_m = 0, max_inside_m = 0;

@@ -407,7 +407,7 @@ TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestCascade) {
 // One wave: sqrt(phi), phi = t^3 / (t + k d (1 - t^2)), until it breaks.
 TEST(ShoreWaves, AreAttenuatedByDepthAsTheTmaSpectrum) {
     const SeaState sea = one_wave();
-    const DepthPart part(sea, plan_cascades(sea).front());
+    const DepthAttenuation part(sea, plan_cascades(sea).front());
     const double omega = wave_of(sea).omega, variance = 0.5 * wave_of(sea).amplitude_m * wave_of(sea).amplitude_m;
     for (const double d : {2000.0, 100.0, 30.0, 8.0, 2.0, 0.5, 0.05}) {
         const double kd = wave_number_at(omega, d) * d, t = std::tanh(kd);

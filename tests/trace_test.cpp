@@ -234,7 +234,7 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
     EXPECT_EQ(times_in(json.str(), "\"cat\":\"job\",\"pid\":1"), times_in(json.str(), "\"ph\":\"X\""));
     EXPECT_EQ(times_in(json.str(), "\"args\":{\"frame\":"), 2 * frames * jobs_of_a_frame + 4 * frames);
     EXPECT_EQ(times_in(json.str(), "\"ph\":\"b\",\"name\":\"frame\""), 2u * frames);
-    EXPECT_EQ(trace->left_out(), 0u);
+    EXPECT_EQ(trace->omitted(), 0u);
 }
 
 /// Returns a trace of spans that start at whole milliseconds from now and take a quarter of a
@@ -242,7 +242,7 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
 std::string written(std::size_t max_spans, const std::vector<TraceSpan>& spans) {
     ChromeTrace trace(max_spans);
     for (const TraceSpan& span : spans) trace.work(span);
-    EXPECT_EQ(trace.left_out(), spans.size() - std::min(spans.size(), max_spans));
+    EXPECT_EQ(trace.omitted(), spans.size() - std::min(spans.size(), max_spans));
     std::ostringstream json;
     trace.write(json);
     return json.str();
@@ -266,7 +266,7 @@ TEST(ChromeTrace, CountsSpansBeyondItsCapacity) {
     const TraceSpan span{.name = "a", .category = "job"};
     const std::string json = written(2, {span, span, span});
     EXPECT_EQ(times_in(json, "\"ph\":\"X\""), 2u);
-    EXPECT_NE(json.find(R"("spans_left_out":1)"), std::string::npos) << json;
+    EXPECT_NE(json.find(R"("spans_omitted":1)"), std::string::npos) << json;
 }
 
 }  // namespace

@@ -146,13 +146,13 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
             data[block * block_floats + height_im * lanes() + lane] = 0;
     const std::vector<float> lines(data.data(), data.data() + data.size());
 
-    PartBounds bounds;
+    PlaneBounds bounds;
     ColumnsFinalizeJob job{
         .blocks = {}, .fft = &fft_, .choppiness = choppiness, .cosine = 1, .sine = 0, .bounds = &bounds};
     for (std::size_t i = 0; i < blocks.size(); ++i) job.blocks[i] = data.data() + blocks[i] * block_floats;
     kernels().columns_finalize(job);
 
-    PartBounds expected{data[blocks[0] * block_floats + surface_height * lanes()], -1e30f, 0, 0};
+    PlaneBounds expected{data[blocks[0] * block_floats + surface_height * lanes()], -1e30f, 0, 0};
     for (const std::size_t block : blocks) {
         for (std::size_t lane = 0; lane < lanes(); ++lane) {
             for (std::size_t z = 0; z < size(); ++z) {
@@ -198,7 +198,7 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
 TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     AlignedBuffer<float> data(2 * column_block_floats(resolution(), lanes()));
     for (std::size_t i = 0; i < data.size(); i += 3) data[i] = -0.f;
-    PartBounds bounds;
+    PlaneBounds bounds;
     kernels().columns_finalize({.blocks = {data.data(), data.data() + column_block_floats(resolution(), lanes())},
                                 .fft = &fft_,
                                 .choppiness = 1,

@@ -31,7 +31,7 @@ RenderScale::RenderScale(double goal_ms, std::optional<gl::Shading> fixed, float
 double RenderScale::work_over(std::size_t rung, std::size_t other) const {
     const auto work = [&](const RenderStep& step) {
         const auto scale = static_cast<double>(step.scale);
-        return scale * scale * part_of_high[static_cast<std::size_t>(step.shading)];
+        return scale * scale * cost_ratio[static_cast<std::size_t>(step.shading)];
     };
     return work(ladder_[rung]) / work(ladder_[other]);
 }

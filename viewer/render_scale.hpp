@@ -34,7 +34,7 @@ class RenderScale {
    public:
     /// Time for a pixel with headset, medium and high shading relative to high shading, on software
     /// drivers: 0.69, 1.05 and 1.62 s of CPU time (llvmpipe, 640 x 360, a moderate sea from 7 m).
-    static constexpr std::array part_of_high = {0.42, 0.65, 1.0};
+    static constexpr std::array cost_ratio = {0.42, 0.65, 1.0};
     static constexpr std::array by_time = {
         RenderStep{1, gl::Shading::high},        RenderStep{0.84f, gl::Shading::high},
         RenderStep{0.7f, gl::Shading::high},     RenderStep{0.6f, gl::Shading::high},

@@ -346,7 +346,7 @@ class Viewer {
             statistics_.sea_is_baking = false;
             ++changes_;
         }
-        statistics_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
+        statistics_.sea_is_changing = ocean_->forecast().at(time_s_).weight > 0;
         // The caustics jobs read the previous frame, whose views the next schedule() invalidates.
         complete_caustics();
         if (!settings_.frozen) disturb_water(frame, passed_s);

@@ -31,7 +31,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> exp_of_sine(xsimd::batch<float, Arch> s
 /// Returns the weight of an octave: 1 - smoothstep(0.4, 1, half_waves).
 /// \param half_waves  footprint divided by half a wavelength
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> shown_part(xsimd::batch<float, Arch> half_waves) {
+PELAGIC_INLINE xsimd::batch<float, Arch> footprint_weight(xsimd::batch<float, Arch> half_waves) {
     using V = xsimd::batch<float, Arch>;
     const V t = xsimd::min(xsimd::max((half_waves - V(0.4f)) * V(1.f / 0.6f), V(0.f)), V(1.f));
     return V(1.f) - t * t * (V(3.f) - (t + t));
@@ -51,7 +51,7 @@ class PondPoints {
         const V direction_x(octave.direction_x), direction_z(octave.direction_z), k(octave.k);
         const V moved_turns = (direction_x * off_x_ + direction_z * off_z_) * V(octave.turns_per_m);
         const auto [s, c] = rotation_of_turns<Arch>(phases_.of(i) + phase_of_turns<Arch>(moved_turns));
-        const V wave = exp_of_sine<Arch>(s), shown = shown_part<Arch>(footprint_ * V(octave.half_waves_per_m));
+        const V wave = exp_of_sine<Arch>(s), shown = footprint_weight<Arch>(footprint_ * V(octave.half_waves_per_m));
         const V amplitude = V(octave.height) * shown, drag = V(octave.drag) * shown * wave, by = drag * c;
         height_ = height_ + amplitude * (wave - V(0.465759608f));  // E exp(sin p - 1) = I0(1) / e
         off_x_ = off_x_ - direction_x * by;

@@ -76,7 +76,7 @@ class FftwFrame {
     std::unique_ptr<Plans> plans_;
     AlignedBuffer<std::uint16_t> halves_;
     AlignedBuffer<std::uint32_t> bytes_;
-    PartBounds bounds_{};
+    PlaneBounds bounds_{};
     PeerFrame frame_;
 };
 

@@ -36,16 +36,16 @@ vec3 floor_normal(vec2 at, float mip) {
 // Returns the distance to the floor along a ray that leads down, metres. For a plane it is exact.
 // For a height field two iterations follow, which converge where the floor is less steep than the
 // ray.
-float way_to_floor(vec3 start, vec3 ray) {
+float path_to_floor(vec3 start, vec3 ray) {
     float high = start.y + viewer.z;
     float down = max(-ray.y, 0.02);
-    float way = max(high - floor_height(start.xz, 0.0), 0.0) / down;
+    float path = max(high - floor_height(start.xz, 0.0), 0.0) / down;
 #if SHADING != HEADSET
     if (has_floor_heights())
         for (int i = 0; i < 2; ++i)
-            way = max(high - floor_height(start.xz + ray.xz * min(way, 1e3), 0.0), 0.0) / down;
+            path = max(high - floor_height(start.xz + ray.xz * min(path, 1e3), 0.0), 0.0) / down;
 #endif
-    return way;
+    return path;
 }
 
 // Returns the width of a pixel on the floor at a distance.

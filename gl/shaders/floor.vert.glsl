@@ -17,8 +17,8 @@ invariant gl_Position;
 void main() {
     ivec2 cells = ivec2(floor_mesh.xy);
     ivec2 index = ivec2(gl_VertexID / 2, gl_InstanceID + (gl_VertexID & 1));
-    vec2 part = clamp((vec2(index) - 1.0) / vec2(cells), 0.0, 1.0);
-    vec2 at = floor_size.zw + part * floor_size.xy;
+    vec2 fraction = clamp((vec2(index) - 1.0) / vec2(cells), 0.0, 1.0);
+    vec2 at = floor_size.zw + fraction * floor_size.xy;
     const float far_m = 3e4;
     if (index.x == 0) at.x = min(at.x, -far_m);
     if (index.y == 0) at.y = min(at.y, -far_m);

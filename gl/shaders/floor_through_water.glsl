@@ -7,12 +7,12 @@ vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float
     if (floor_albedo.w < 0.5) return upwelling(normal, to_eye);
     vec3 ray = refract(-to_eye, normal, 1.0 / water_index);
     ray = normalize(vec3(ray.x, min(ray.y, -0.3), ray.z));
-    float way = way_to_floor(at, ray);
+    float path = path_to_floor(at, ray);
     vec3 k = attenuation_of_water();
-    vec3 there_and_back = exp(-k * (way * (1.0 - ray.y)));
-    vec3 bottom = floor_light(at + ray * way, pixel_on_floor(distance_m + way) + 0.5 * sqrt(0.5 * alpha2) * way);
+    vec3 there_and_back = exp(-k * (path * (1.0 - ray.y)));
+    vec3 bottom = floor_light(at + ray * path, pixel_on_floor(distance_m + path) + 0.5 * sqrt(0.5 * alpha2) * path);
     // Refraction at the surface widens rays, which divides radiance by the square of the index.
-    return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * way) / (water_index * water_index);
+    return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * path) / (water_index * water_index);
 }
 
 // Fades out the last decimetres of water, so that there is no hard line between sea and sand. Foam

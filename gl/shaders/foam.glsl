@@ -64,7 +64,7 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
 
 // Returns the fraction of the foam that is fresh. In a mean over uniformly distributed ages it is
 // one half.
-float breaking_fraction(float part, float mean) { return mix(smoothstep(0.4, 1.0, part), 0.5, mean); }
+float breaking_fraction(float cover, float mean) { return mix(smoothstep(0.4, 1.0, cover), 0.5, mean); }
 
 // Returns the foam of a pixel. `crests` is the fraction that foam of small water or of dynamic
 // waves covers.
@@ -81,7 +81,7 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
 #ifdef DYNAMIC_WAVES
     there = with_foam_of(there, crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif
-    float amount = there.part, freshness = breaking_fraction(there.part, there.mean), thickest = there.thick;
+    float amount = there.cover, freshness = breaking_fraction(there.cover, there.mean), thickest = there.thick;
 #else
     float amount = crests, freshness = 1.0, thickest = 1.0;
 #endif

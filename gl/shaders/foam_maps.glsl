@@ -2,9 +2,9 @@
 // moves with the water.
 uniform mediump sampler2DArray foam_maps;  // coverage in [0, 1]; one layer per cascade
 
-float part_of_cascade(int cascade) {
+float shore_weight_of_cascade(int cascade) {
 #ifdef SHORE
-    return shore.parts[cascade];
+    return shore.weights[cascade];
 #else
     return 1.0;
 #endif
@@ -16,7 +16,7 @@ FoamOfCascades foam_by_vertices() {
 #ifdef SKIRT
     FoamOfCascades all = no_foam;
     for (int cascade = 0; cascade < FOAM_OF_VERTICES; ++cascade)
-        all = with_cascade(all, cascade, cascade_slope[cascade].w * part_of_cascade(cascade), 4.0);
+        all = with_cascade(all, cascade, cascade_slope[cascade].w * shore_weight_of_cascade(cascade), 4.0);
     return all;
 #else
     // With multisampling, pixels whose centre is outside the triangles extrapolate.
@@ -49,8 +49,8 @@ FoamOfCascades with_foam_of_shore(FoamOfCascades all, vec2 ragged) {
 #else
     float foam = shore_water_at(shore.at + ragged * (1.5 / shore_size.z), shore.mip).w;
 #endif
-    float most = max(all.part, foam);
-    float ours = smoothstep(0.3, 0.7, foam / max(all.part + foam, 1e-4));
+    float most = max(all.cover, foam);
+    float ours = smoothstep(0.3, 0.7, foam / max(all.cover + foam, 1e-4));
     return FoamOfCascades(most, mix(all.mean, smoothstep(1.0, 4.0, shore.mip), ours), mix(all.thick, 1.0, ours));
 }
 #endif
@@ -66,9 +66,9 @@ FoamOfCascades foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pi
     for (int cascade = FOAM_OF_VERTICES; cascade < CASCADES; ++cascade) {
         // Lace gives the structure below half a metre.
         float texels_a_m = cascade_scale[cascade].x, mip = log2(max(max(pixel.wide_m, 0.5) * texels_a_m, 1e-3));
-        float part = cascade_slope[cascade].w, weight = float(cascade) < foam_kind.x ? weight_of_cascade(cascade, mip) : 0.0;
-        if (weight > 0.0) part = mix(part, foam_of_cascade(cascade, at + ragged / texels_a_m, distance_m, mip), weight);
-        all = with_cascade(all, cascade, part * part_of_cascade(cascade), mip);
+        float cover = cascade_slope[cascade].w, weight = float(cascade) < foam_kind.x ? weight_of_cascade(cascade, mip) : 0.0;
+        if (weight > 0.0) cover = mix(cover, foam_of_cascade(cascade, at + ragged / texels_a_m, distance_m, mip), weight);
+        all = with_cascade(all, cascade, cover * shore_weight_of_cascade(cascade), mip);
     }
 #ifdef SHORE
     all = with_foam_of_shore(all, ragged);

@@ -37,6 +37,6 @@ vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
     // The second factor softens the last fraction of a degree, in which rows of pixels are
     // kilometres apart.
     float soft = distance_m / haze.w;
-    vec3 left = exp(-taken * distance_m) * exp(-soft * soft);
-    return mix(mix(source, horizon, at_horizon), radiance, left);
+    vec3 transmittance = exp(-taken * distance_m) * exp(-soft * soft);
+    return mix(mix(source, horizon, at_horizon), radiance, transmittance);
 }

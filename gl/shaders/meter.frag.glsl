@@ -2,7 +2,7 @@
 // of its mean. It takes 16 samples, each of four texels.
 precision highp float;
 #include "film.glsl"
-#include "used_part.glsl"
+#include "used_region.glsl"
 
 uniform highp sampler2D radiance;
 uniform vec4 radiance_used;
@@ -17,7 +17,7 @@ void main() {
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x) {
             vec2 at = corner + (vec2(x, y) + 0.5) * 0.25 * cells.zw;
-            float luminance = max(luminance_of(unweighted(texture(radiance, in_used_part(at, radiance_used)))), 1e-12);
+            float luminance = max(luminance_of(unweighted(texture(radiance, in_used_region(at, radiance_used)))), 1e-12);
             sum += luminance;
             sum_of_log2 += log2(luminance);
         }

@@ -60,7 +60,7 @@ float masked_area(float cosine, float alpha) {
 // and light over the flat sea. It is (1 + V) / (1 + V + L), where V and L are Smith's functions of
 // eye and light (Heitz 2014, equation 99). It includes all waves, because waves that a pixel
 // resolves also hide the sun and the sky from each other.
-float lit_part(float eye_cosine, float light_cosine, float alpha_of_all) {
+float lit_fraction(float eye_cosine, float light_cosine, float alpha_of_all) {
     float eye_height = max(eye_cosine, 1e-3), light_height = max(light_cosine, 1e-4);
     float seen = (eye_height + masked_area(eye_height, alpha_of_all)) * light_height;
     return seen / (seen + masked_area(light_height, alpha_of_all) * eye_height);
@@ -105,7 +105,7 @@ vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float dista
 
 // Returns the radiance that a pixel's facets reflect to the eye, for light from a direction with
 // irradiance 1 perpendicular to its rays.
-float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
+float mirrored_fraction(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
     if (dot(normal, to_light) <= 0.0) return 0.0;
     vec3 middle = to_light + to_eye;
     middle /= max(length(middle), 1e-4);
@@ -114,13 +114,13 @@ float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float
     float distribution = exp((cosine2 - 1.0) / (cosine2 * alpha2)) / (pi * alpha2 * cosine2 * cosine2);
     float nv = max(dot(normal, to_eye), 1e-3);
     return distribution * fresnel(clamp(dot(middle, to_eye), 0.0, 1.0)) *
-           lit_part(to_eye.y, to_light.y, alpha_of_all) / (4.0 * (nv + masked_area(nv, sqrt(alpha2))));
+           lit_fraction(to_eye.y, to_light.y, alpha_of_all) / (4.0 * (nv + masked_area(nv, sqrt(alpha2))));
 }
 
 // Returns the glint of the sun. The disc is treated as a point, because it is narrower than the
 // distribution of slopes.
 float glint(vec3 normal, vec3 to_eye, float alpha2) {
-    return mirrored_part(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
+    return mirrored_fraction(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
 }
 
 // Reflection of the sky in the facets of a pixel.
@@ -148,7 +148,7 @@ MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_al
     // Within a pixel, the mean of the facets' lit fractions is smaller than that of the mean facet.
     // The factor is fitted to the integral.
     float x = max(mu, 0.0) / sqrt(alpha2);
-    float lit = lit_part(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
+    float lit = lit_fraction(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
     return MeanMirror(vec3(towards.x, max(towards.y, 0.0), towards.z), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
                       mix(0.3, 1.0, lit));
 }

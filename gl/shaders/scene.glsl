@@ -160,13 +160,13 @@ layout(std140) uniform Scene {
 const float ripple_noise_tiles = 13.0;
 
 // Converts a world-space vector in metres to a difference of texture coordinates of a cascade.
-vec2 way_in_cascade(int cascade, vec2 way) {
+vec2 rotated_into_cascade(int cascade, vec2 vector) {
     vec2 turn = cascade_place[cascade].zw;
-    return vec2(turn.x * way.x + turn.y * way.y, turn.x * way.y - turn.y * way.x);
+    return vec2(turn.x * vector.x + turn.y * vector.y, turn.x * vector.y - turn.y * vector.x);
 }
 
 // Returns a cascade's texture coordinates of a position relative to the viewer.
-vec2 place_in_cascade(int cascade, vec2 at) { return cascade_place[cascade].xy + way_in_cascade(cascade, at); }
+vec2 place_in_cascade(int cascade, vec2 at) { return cascade_place[cascade].xy + rotated_into_cascade(cascade, at); }
 
 // Returns the weight of a cascade that is sampled at a mip. The weight falls from 1 to 0 over the
 // last level before the mip that resolves no wave. Cascades of weight 0 are not sampled.

@@ -15,13 +15,13 @@ float scene_ahead(vec2 on_screen) {
 
 // Returns the distance in metres until the ray leaves the image through an edge or the near plane.
 // `start` is in clip coordinates, and `change` is their change per metre of the ray.
-float way_in_image(vec4 start, vec4 change) {
+float path_in_image(vec4 start, vec4 change) {
     vec4 edges = vec4(start.w + start.x, start.w - start.x, start.w + start.y, start.w - start.y);
     vec4 nearer = vec4(change.w + change.x, change.w - change.x, change.w + change.y, change.w - change.y);
-    vec4 ways = mix(vec4(1e4), edges / max(-nearer, 1e-6), vec4(lessThan(nearer, vec4(0.0))));
+    vec4 paths = mix(vec4(1e4), edges / max(-nearer, 1e-6), vec4(lessThan(nearer, vec4(0.0))));
     float falls = change.z + change.w;
     float to_near = falls < 0.0 ? 0.9 * (start.z + start.w) / -falls : 1e4;
-    return max(min(min(min(ways.x, ways.y), min(ways.z, ways.w)), min(to_near, 1e4)), 0.0);
+    return max(min(min(min(paths.x, paths.y), min(paths.z, paths.w)), min(to_near, 1e4)), 0.0);
 }
 
 // Returns the scene's radiance along a ray and its weight against the sky. `spread` is the angular
@@ -29,11 +29,11 @@ float way_in_image(vec4 start, vec4 change) {
 vec4 scene_along(vec3 at, vec3 towards, float spread) {
     const int steps = 24, refinements = 4;
     vec4 start = clip_from_viewer[0] * vec4(at, 1.0), change = clip_from_viewer[0] * vec4(towards, 0.0);
-    float way = way_in_image(start, change), end = start.w + way * change.w;
+    float path = path_in_image(start, change), end = start.w + path * change.w;
     float before = 0.0, behind = -1.0;
     for (int i = 1; i <= steps; ++i) {
-        float part = float(i) / float(steps);
-        float metres = way * part * start.w / mix(end, start.w, part);
+        float fraction = float(i) / float(steps);
+        float metres = path * fraction * start.w / mix(end, start.w, fraction);
         vec4 clip = start + metres * change;
         if (clip.w > scene_ahead(clip.xy / clip.w)) {
             behind = metres;

@@ -25,7 +25,7 @@ out vec2 mesh_slopes;  // slopes of the height of the waves that the mesh resolv
 
 #if FOAM_OF_VERTICES > 0
 #include "foam_of_cascades.glsl"
-out vec3 foam_of_vertices;  // part, mean and thick of FoamOfCascades
+out vec3 foam_of_vertices;  // cover, mean and thick of FoamOfCascades
 #endif
 
 out vec4 place;  // relative to the viewer; w is 1 (0 at the horizon of the skirt)
@@ -43,14 +43,14 @@ invariant gl_Position;
 // Returns the cascades' weights at the displaced position, which itself depends on the weights. The
 // weights change over lengths much larger than the displacement, and each iteration reduces the
 // error by the ratio of the two. The first iteration starts at the undisplaced position.
-vec4 parts_where_drawn(vec2 at, vec2 ways[CASCADES]) {
-    vec4 parts = parts_of_cascades(at);
+vec4 shore_weights_where_drawn(vec2 at, vec2 displacements[CASCADES]) {
+    vec4 at_shore = weights_of_cascades(at);
     for (int round = 0; round < 2; ++round) {
         vec2 drawn = at;
-        for (int cascade = 0; cascade < CASCADES; ++cascade) drawn += parts[cascade] * ways[cascade];
-        parts = parts_of_cascades(drawn);
+        for (int cascade = 0; cascade < CASCADES; ++cascade) drawn += at_shore[cascade] * displacements[cascade];
+        at_shore = weights_of_cascades(drawn);
     }
-    return parts;
+    return at_shore;
 }
 #endif
 
@@ -60,7 +60,7 @@ vec4 parts_where_drawn(vec2 at, vec2 ways[CASCADES]) {
 
 // Displacement of a vertex, its foam, and the slopes of dynamic waves.
 struct Moved {
-    vec3 way;
+    vec3 displacement;
     vec3 foam;
     vec2 slopes;
 };
@@ -72,7 +72,7 @@ struct Moved {
 Moved displaced(ivec2 index) {
     vec2 at = grid.xy + vec2(index) * grid.z;
     vec2 from_centre = abs(at - fade.xy);
-    float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
+    float fade_weight = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
     vec3 foam = vec3(0.0, 0.0, 1.0);
@@ -89,39 +89,39 @@ Moved displaced(ivec2 index) {
             texels[cascade] = textureLod(displacement, vec3(place_in_cascade(cascade, at), cascade), min(mips[cascade], mesh.z));
     }
 #ifdef SHORE
-    vec2 ways[CASCADES];
-    for (int cascade = 0; cascade < CASCADES; ++cascade) ways[cascade] = left * weights[cascade] * texels[cascade].xz;
-    vec4 parts = parts_where_drawn(at, ways);
+    vec2 displacements[CASCADES];
+    for (int cascade = 0; cascade < CASCADES; ++cascade) displacements[cascade] = fade_weight * weights[cascade] * texels[cascade].xz;
+    vec4 at_shore = shore_weights_where_drawn(at, displacements);
 #else
-    const vec4 parts = vec4(1.0);
+    const vec4 at_shore = vec4(1.0);
 #endif
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
-        moved += parts[cascade] * weights[cascade] * texels[cascade].xyz;
+        moved += at_shore[cascade] * weights[cascade] * texels[cascade].xyz;
 #if FOAM_OF_VERTICES > 0
         if (cascade < FOAM_OF_VERTICES && float(cascade) < foam_kind.x) {
-            float part = parts[cascade] * mix(cascade_slope[cascade].w, texels[cascade].w, weights[cascade] * left);
-            FoamOfCascades all = with_cascade(FoamOfCascades(foam.x, foam.y, foam.z), cascade, part, mips[cascade]);
-            foam = vec3(all.part, all.mean, all.thick);
+            float cover = at_shore[cascade] * mix(cascade_slope[cascade].w, texels[cascade].w, weights[cascade] * fade_weight);
+            FoamOfCascades all = with_cascade(FoamOfCascades(foam.x, foam.y, foam.z), cascade, cover, mips[cascade]);
+            foam = vec3(all.cover, all.mean, all.thick);
         }
 #endif
     }
 #ifdef SHORE
-    moved.y += shore_height_at(at + left * moved.xz, shore_mip(spacing));
+    moved.y += shore_height_at(at + fade_weight * moved.xz, shore_mip(spacing));
 #endif
 #endif
-    moved *= left;
+    moved *= fade_weight;
     vec2 slopes = vec2(0.0);
 #ifdef DYNAMIC_WAVES
     // Half a level finer, like the mips of the cascades.
-    vec4 answers = left * dynamic_waves(at + moved.xz, spacing * 0.7071068);
-    moved.y += answers.x;
-    slopes = answers.yz;
+    vec4 dynamic = fade_weight * dynamic_waves(at + moved.xz, spacing * 0.7071068);
+    moved.y += dynamic.x;
+    slopes = dynamic.yz;
 #endif
     return Moved(moved, foam, slopes);
 }
 
-Moved mixed(Moved a, Moved b, float part) {
-    return Moved(mix(a.way, b.way, part), mix(a.foam, b.foam, part), mix(a.slopes, b.slopes, part));
+Moved mixed(Moved a, Moved b, float weight) {
+    return Moved(mix(a.displacement, b.displacement, weight), mix(a.foam, b.foam, weight), mix(a.slopes, b.slopes, weight));
 }
 
 #if BELOW
@@ -167,22 +167,22 @@ void main() {
 #if MESH_SLOPES
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
     mesh_slopes = moved.slopes;
-    vec4 parts = vec4(1.0);
+    vec4 at_shore = vec4(1.0);
 #ifdef SHORE
-    vec2 drawn = rest + moved.way.xz;
-    parts = parts_of_cascades(drawn);
+    vec2 drawn = rest + moved.displacement.xz;
+    at_shore = weights_of_cascades(drawn);
     mesh_slopes += shore_water_at(drawn, shore_mip(spacing)).yz;
 #endif
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
         float mip = max(log2(spacing * cascade_scale[cascade].x), 0.0);
         vec2 texel = textureLod(slopes, vec3(place_in_cascade(cascade, rest), cascade), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
-        mesh_slopes += texel * (parts[cascade] * cascade_slope[cascade].x * weight_of_cascade(cascade, mip));
+        mesh_slopes += texel * (at_shore[cascade] * cascade_slope[cascade].x * weight_of_cascade(cascade, mip));
     }
 #endif
 #if FOAM_OF_VERTICES > 0
     foam_of_vertices = moved.foam;
 #endif
-    vec3 at = vec3(rest.x + moved.way.x, moved.way.y - viewer.z, rest.y + moved.way.z);
+    vec3 at = vec3(rest.x + moved.displacement.x, moved.displacement.y - viewer.z, rest.y + moved.displacement.z);
 #if BELOW
     at = as_at_lens(at);
 #endif

@@ -1,13 +1,13 @@
 // Shore (sim/shore_surface.hpp). At a displaced position each cascade has a weight, and waves that
 // the floor transforms are added to the sum. Samples beyond the rectangle return the values on its
 // edges: the weights there, and no waves.
-uniform mediump sampler2D shore_parts;  // weights of the cascades
+uniform mediump sampler2D shore_weights;  // weights of the cascades
 uniform highp sampler2D shore_water;    // height, its slopes along x and z, foam
 uniform highp sampler2D shore_reach;    // height that passing waves reach above still water
 
 vec2 shore_uv(vec2 at) { return shore_place.xy + at * shore_place.zw; }
 
-vec4 parts_of_cascades(vec2 at) { return textureLod(shore_parts, shore_uv(at), 0.0); }
+vec4 weights_of_cascades(vec2 at) { return textureLod(shore_weights, shore_uv(at), 0.0); }
 
 // Returns the mip whose texels have the length long_m.
 float shore_mip(float long_m) { return clamp(log2(max(long_m * shore_size.z, 1e-6)), 0.0, shore_size.w); }

@@ -8,13 +8,13 @@ uniform highp sampler2D flow;
 // root of the sum of their squares. Fast water is rougher than still water.
 Bumps flowing_bumps(vec2 at, float pixel_m) {
     vec2 velocity = (texture(flow, at * flow_place.z + flow_place.xy).xy * 255.0 - 128.0) / 127.0;
-    vec2 way = velocity * flow_cycle.z;  // displacement in a cycle
+    vec2 displacement = velocity * flow_cycle.z;  // displacement in a cycle
     float rough = mix(0.3, 1.0, min(length(velocity), 1.0));
-    Bumps first = sum_of_octaves(at - way * (flow_cycle.x - 0.5) + flow_jump.xy, pixel_m, rough);
-    Bumps second = sum_of_octaves(at - way * (flow_cycle.y - 0.5) + flow_jump.zw, pixel_m, rough);
+    Bumps first = sum_of_octaves(at - displacement * (flow_cycle.x - 0.5) + flow_jump.xy, pixel_m, rough);
+    Bumps second = sum_of_octaves(at - displacement * (flow_cycle.y - 0.5) + flow_jump.zw, pixel_m, rough);
     float weight = 1.0 - abs(2.0 * flow_cycle.x - 1.0);
     vec2 weights = vec2(weight, 1.0 - weight) * inversesqrt(weight * weight + (1.0 - weight) * (1.0 - weight));
-    return Bumps(0.0, weights.x * first.gradient + weights.y * second.gradient, first.left, 0.0);
+    return Bumps(0.0, weights.x * first.gradient + weights.y * second.gradient, first.unresolved, 0.0);
 }
 #endif
 
@@ -37,5 +37,5 @@ Waves waves_at(vec2 at, float distance_m) {
     float a = length(pixel.dx), b = length(pixel.dy);
     Bumps seen = small_bumps(at, max(min(a, b), 0.5 * max(a, b)));
     vec2 slopes = -seen.gradient / max(1.0, length(seen.gradient) / 4.0);
-    return Waves(slopes, clamp(seen.left, 0.0004, 1.0), SURFACE == COAST ? seen.crest * bump_kind.y : 0.0);
+    return Waves(slopes, clamp(seen.unresolved, 0.0004, 1.0), SURFACE == COAST ? seen.crest * bump_kind.y : 0.0);
 }

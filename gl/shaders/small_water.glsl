@@ -13,7 +13,7 @@ const int pond_waves = 24;
 struct Bumps {
     float height;
     vec2 gradient;  // gradient of the height along x and z
-    float left;     // mean square of the slopes that the pixel does not resolve
+    float unresolved; // mean square of the slopes that the pixel does not resolve
     float crest;    // 1 on the sharpest ridges, where a coast has foam
 };
 
@@ -67,7 +67,7 @@ Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
         float height = grid.w * rough, contraction = bump_kind.x;
         float steepness = height * grid.z;
         float shown = shown_in(half_wave_cells / grid.z, apart_m);
-        sum.left += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + contraction * contraction);
+        sum.unresolved += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + contraction * contraction);
         if (shown <= 0.0) continue;
         vec2 warp = bump_kind.zw;
         vec2 moved = at + warp * sum.height;
@@ -97,7 +97,7 @@ Bumps sum_of_pond_waves(vec2 at, float apart_m) {
         float k = length(each.xy);
         float shown = shown_in(3.1415927 / k, apart_m);
         // E (exp(sin p - 1) cos p)^2 = I1(2) / (2 e^2)
-        sum.left += (1.0 - shown * shown) * each.z * each.z * k * k * 0.1076;
+        sum.unresolved += (1.0 - shown * shown) * each.z * each.z * k * k * 0.1076;
         if (shown <= 0.0) continue;
         float phase = dot(each.xy, at) + each.w;
         vec2 faster = each.xy * turned;
@@ -105,9 +105,9 @@ Bumps sum_of_pond_waves(vec2 at, float apart_m) {
         sum.height += each.z * shown * (wave - 0.4658);  // E exp(sin p - 1) = I0(1) / e
         sum.gradient += each.z * shown * wave * c * faster;
         float drag = bump_kind.y * each.z;
-        vec2 way = each.xy / k;
-        at -= way * (drag * wave * c);
-        turned -= outerProduct(way, faster * (drag * wave * (c * c - s)));
+        vec2 direction = each.xy / k;
+        at -= direction * (drag * wave * c);
+        turned -= outerProduct(direction, faster * (drag * wave * (c * c - s)));
     }
     return sum;
 }

@@ -5,12 +5,12 @@
 // larger is the area of the floor in a pixel.
 vec3 seen_in_water(vec3 start, vec3 ray, float slopes) {
     ray = normalize(vec3(ray.x, min(ray.y, -0.02), ray.z));
-    float way = way_to_floor(start, ray);
-    vec3 light = scattered_light(ray, depth_of(start), way, 1.0);
-    if (way < 400.0) {
-        vec3 at = start + ray * way;
-        float pixel_m = pixel_on_floor(length(start - eye[EYE].xyz) + way) + 4.0 * slopes * way;
-        light += floor_light(at, pixel_m) * exp(-attenuation_of_water() * way);
+    float path = path_to_floor(start, ray);
+    vec3 light = scattered_light(ray, depth_of(start), path, 1.0);
+    if (path < 400.0) {
+        vec3 at = start + ray * path;
+        float pixel_m = pixel_on_floor(length(start - eye[EYE].xyz) + path) + 4.0 * slopes * path;
+        light += floor_light(at, pixel_m) * exp(-attenuation_of_water() * path);
     }
     return light;
 }

@@ -4,7 +4,7 @@
 // caustics extends along the sun's rays. The view ray is sampled at a few points, denser near the
 // eye. Each sample takes the mean over the distance to the next. Offsets vary from pixel to pixel
 // to hide the steps.
-float shafts_along(vec3 start, vec3 ray, float way) {
+float shafts_along(vec3 start, vec3 ray, float path) {
 #if SHADING == HEADSET
     return 1.0;
 #else
@@ -12,15 +12,15 @@ float shafts_along(vec3 start, vec3 ray, float way) {
     vec3 to_sun = sun_in_water();
     vec2 slant = to_sun.xz / to_sun.y;
     float across = length(ray.xz + slant * -ray.y);
-    float reach = min(way, 30.0);
+    float reach = min(path, 30.0);
     float offset = 0.5 + 0.5 * (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5);
     float sum = 0.0, weights = 0.0;
     for (int i = 0; i < places; ++i) {
-        float part = (float(i) + offset) / float(places);
-        float apart = 2.0 * reach * part / float(places);
-        vec3 at = start + ray * (reach * part * part);
+        float fraction = (float(i) + offset) / float(places);
+        float apart = 2.0 * reach * fraction / float(places);
+        vec3 at = start + ray * (reach * fraction * fraction);
         float depth = depth_of(at);
-        float weight = part * exp(-0.06 * reach * part * part);
+        float weight = fraction * exp(-0.06 * reach * fraction * fraction);
         float light = caustics_at(at.xz + slant * depth, max(depth, 0.6 * caustic_row[0].w), 0.6 * apart * across);
         sum += weight * (light - 1.0) * exp(-0.045 * depth);
         weights += weight;
@@ -29,8 +29,8 @@ float shafts_along(vec3 start, vec3 ray, float way) {
 #endif
 }
 
-// Returns `radiance` as seen through `way` metres of water along the ray.
-vec3 through_water(vec3 radiance, vec3 start, vec3 ray, float way) {
-    return radiance * exp(-attenuation_of_water() * way) +
-           scattered_light(ray, depth_of(start), way, shafts_along(start, ray, way));
+// Returns `radiance` as seen through `path` metres of water along the ray.
+vec3 through_water(vec3 radiance, vec3 start, vec3 ray, float path) {
+    return radiance * exp(-attenuation_of_water() * path) +
+           scattered_light(ray, depth_of(start), path, shafts_along(start, ray, path));
 }

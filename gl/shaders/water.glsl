@@ -21,13 +21,13 @@ vec3 upwelling(vec3 normal, vec3 to_eye) {
 // begins to break is full of bubbles, which scatter much more than clear water.
 vec3 through_crests(vec3 normal, vec3 to_eye, float height, float breaking) {
     float crest = clamp(height / (0.75 * waves.x), 0.0, 1.0);
-    float way = waves.x * mix(1.6, 0.25, crest);
-    vec3 taken = exp(-attenuation_of_water() * way);
+    float path = waves.x * mix(1.6, 0.25, crest);
+    vec3 taken = exp(-attenuation_of_water() * path);
     float towards = dot(-to_eye, sun.xyz);
     // Particles alone have g = 0.92. Refraction at both faces of the crest widens the lobe.
     float phase = henyey_greenstein(towards, 0.8);
     // Light passes through faces that point towards the eye and away from the sun.
     float faces = clamp(2.0 * dot(normal, to_eye), 0.0, 1.0) * clamp(0.75 - 0.75 * dot(normal, sun.xyz), 0.0, 1.0);
-    float scattered = 1.0 - exp(-(water_scattering.g + 0.3 * breaking) * way);
+    float scattered = 1.0 - exp(-(water_scattering.g + 0.3 * breaking) * path);
     return taken * (crest * crest * faces * scattered) * (sun_irradiance.rgb * phase + sky_irradiance.rgb / (4.0 * pi));
 }

@@ -29,13 +29,13 @@ float henyey_greenstein(float cosine, float g) {
 }
 
 // Returns the light that water scatters towards an eye `depth` metres below the surface, along
-// `way` metres of a ray. The integral of exp(-k s) exp(-k (depth - s ray.y)) over the ray has a
+// `path` metres of a ray. The integral of exp(-k s) exp(-k (depth - s ray.y)) over the ray has a
 // closed form. `shafts` is the mean sunlight along the ray, relative to sunlight without caustics.
-vec3 scattered_light(vec3 ray, float depth, float way, float shafts) {
+vec3 scattered_light(vec3 ray, float depth, float path, float shafts) {
     const float lobe = 0.48, amount = 9.5;
     vec3 k = attenuation_of_water();
-    vec3 x = max(k * (way * (1.0 - min(ray.y, 1.0))), 1e-3);
-    vec3 seen = way * (1.0 - exp(-x)) / x;
+    vec3 x = max(k * (path * (1.0 - min(ray.y, 1.0))), 1e-3);
+    vec3 seen = path * (1.0 - exp(-x)) / x;
     vec3 to_sun = sun_in_water();
     vec3 from_sun = sunlight_below() / to_sun.y * exp(-k * depth / to_sun.y);
     vec3 from_sky = skylight_below() * exp(-k * depth);

@@ -80,10 +80,10 @@ Copies copies_along(float noise) {
 }
 
 Copies copies_at(int cascade, vec2 at, float distance_m) {
-    float part = CASCADES == 1 ? smoothstep(3.0, 12.0, distance_m / cascade_scale[cascade].z) : 0.0;
-    if (part <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
-    vec2 uv = tile_noise[cascade].xy + way_in_cascade(cascade, at) * tile_noise[cascade].z;
-    return copies_along(part * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
+    float fraction = CASCADES == 1 ? smoothstep(3.0, 12.0, distance_m / cascade_scale[cascade].z) : 0.0;
+    if (fraction <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
+    vec2 uv = tile_noise[cascade].xy + rotated_into_cascade(cascade, at) * tile_noise[cascade].z;
+    return copies_along(fraction * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
 }
 
 vec4 look_of(int i, int cascade, vec2 uv, mat2 sides, float mip) {
@@ -114,7 +114,7 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float all = cascade_slope[cascade].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
     mat2 sides = sides_of(pixel, 1.0 / cascade_scale[cascade].x, cascade_scale[cascade].z);
-    Slopes seen = look_at_cascade(cascade, place_in_cascade(cascade, at), mat2(way_in_cascade(cascade, sides[0]), way_in_cascade(cascade, sides[1])), mip,
+    Slopes seen = look_at_cascade(cascade, place_in_cascade(cascade, at), mat2(rotated_into_cascade(cascade, sides[0]), rotated_into_cascade(cascade, sides[1])), mip,
                                copies_at(cascade, at, distance_m));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
@@ -185,7 +185,7 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
         Slopes seen = cascade_slopes(cascade, at, distance_m, pixel);
 #endif
 #ifdef SHORE
-        seen = held_back(seen, shore.parts[cascade]);
+        seen = held_back(seen, shore.weights[cascade]);
 #endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
     }

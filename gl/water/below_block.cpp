@@ -95,8 +95,9 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     if (caustics.side_m > 0) {
         const CascadeGrid grid{caustics.side_m, caustics.cosine, caustics.sine};
         const CascadeGrid::Place at = grid.in_cascade(viewer.x, viewer.y);
-        const auto part = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
-        block.caustic_place = {part(at.along), part(at.across), grid.cosine / grid.side_m, grid.sine / grid.side_m};
+        const auto fraction = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
+        block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,
+                               grid.sine / grid.side_m};
     }
 }
 

@@ -20,7 +20,7 @@ constexpr double water_index = 1.333;
 constexpr int side = Caustics::side;
 /// Number of samples of a cell's light along each axis. They are half a texel apart and still
 /// overlap when the cell is stretched by a factor of four.
-constexpr int parts = 2;
+constexpr int subsamples = 2;
 // Light is counted in integers, so that the sum does not depend on the order in which threads add.
 // A sample of mean light is 256 x 32 x 32, so a texel overflows at 4096 times the mean.
 constexpr float unit = 256;
@@ -180,7 +180,7 @@ struct CausticsBaker::State {
         std::vector<float> rows[6];
         const double z = static_cast<double>(j) * n / side;
         const int upper = static_cast<int>(z);
-        const auto part_z = static_cast<float>(z - upper);
+        const auto fraction_z = static_cast<float>(z - upper);
         const PlaneView* const planes[] = {&cascade.dx, &cascade.height, &cascade.dz};
         for (std::size_t plane = 0; plane < 3; ++plane)
             for (std::size_t k = 0; k < 2; ++k) {
@@ -191,10 +191,11 @@ struct CausticsBaker::State {
         for (int i = 0; i < side; ++i) {
             const double x = static_cast<double>(i) * n / side;
             const auto left = static_cast<std::size_t>(x), right = (left + 1) % static_cast<std::size_t>(n);
-            const auto part_x = static_cast<float>(x - std::floor(x));
+            const auto fraction_x = static_cast<float>(x - std::floor(x));
             const auto at = [&](std::size_t plane) {
                 const std::vector<float>&a = rows[2 * plane], &b = rows[2 * plane + 1];
-                return std::lerp(std::lerp(a[left], a[right], part_x), std::lerp(b[left], b[right], part_x), part_z);
+                return std::lerp(std::lerp(a[left], a[right], fraction_x), std::lerp(b[left], b[right], fraction_x),
+                                 fraction_z);
             };
             const float dx = at(0), dz = at(2);
             surface[index_of(i, j)] = {c * dx + s * dz, at(1), c * dz - s * dx};
@@ -235,10 +236,10 @@ struct CausticsBaker::State {
             const glm::vec3 a = target[index_of(i, j)], b = target[index_of(i + 1, j)];
             const glm::vec3 c = target[index_of(i, j + 1)], d = target[index_of(i + 1, j + 1)];
             const auto light = static_cast<std::uint32_t>(std::lround(unit * a.z));
-            for (int y = 0; y < parts; ++y)
-                for (int x = 0; x < parts; ++x) {
-                    const float u = (static_cast<float>(x) + 0.5f) / parts,
-                                v = (static_cast<float>(y) + 0.5f) / parts;
+            for (int y = 0; y < subsamples; ++y)
+                for (int x = 0; x < subsamples; ++x) {
+                    const float u = (static_cast<float>(x) + 0.5f) / subsamples,
+                                v = (static_cast<float>(y) + 0.5f) / subsamples;
                     const glm::vec2 moved =
                         glm::mix(glm::mix(glm::vec2(a), glm::vec2(b), u), glm::mix(glm::vec2(c), glm::vec2(d), u), v);
                     add_light(glm::vec2(static_cast<float>(i) + u, static_cast<float>(j) + v) + moved, light);
@@ -289,7 +290,7 @@ struct CausticsBaker::State {
         std::uint64_t all = 0;
         for (const std::uint32_t count : counts) all += count;
         const double mean = static_cast<double>(all) / (static_cast<double>(side) * side);
-        making.light = mean / (parts * parts * static_cast<double>(unit) * weight_steps * weight_steps);
+        making.light = mean / (subsamples * subsamples * static_cast<double>(unit) * weight_steps * weight_steps);
         making.halves.clear();
         std::vector<float> level(blurred.size());
         for (std::size_t i = 0; i < level.size(); ++i) level[i] = static_cast<float>(blurred[i] / mean);

@@ -39,7 +39,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("flow"), flow_unit);
     gl.Uniform1i(program.uniform("scene_radiance"), scene_radiance_unit);
     gl.Uniform1i(program.uniform("scene_depth"), scene_depth_unit);
-    gl.Uniform1i(program.uniform("shore_parts"), shore_parts_unit);
+    gl.Uniform1i(program.uniform("shore_weights"), shore_weights_unit);
     gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
     gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);
     gl.Uniform1i(program.uniform("dynamic_waves_texels"), dynamic_waves_unit);

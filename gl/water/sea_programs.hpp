@@ -24,7 +24,7 @@ enum Unit : GLint {
     flow_unit,
     scene_radiance_unit,
     scene_depth_unit,
-    shore_parts_unit,
+    shore_weights_unit,
     shore_water_unit,
     shore_reach_unit,
     dynamic_waves_unit,

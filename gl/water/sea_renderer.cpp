@@ -105,7 +105,7 @@ struct SeaRenderer::State {
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
         bind(scene_radiance_unit, GL_TEXTURE_2D, application.radiance);
         bind(scene_depth_unit, GL_TEXTURE_2D, application.depth);
-        bind(shore_parts_unit, GL_TEXTURE_2D, shore.parts());
+        bind(shore_weights_unit, GL_TEXTURE_2D, shore.weights());
         bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
         bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
         bind(dynamic_waves_unit, GL_TEXTURE_2D, dynamic_waves.texels());

@@ -12,7 +12,7 @@ namespace pelagic::gl {
 namespace {
 
 constexpr std::size_t water_bytes = 4 * sizeof(std::uint16_t), reach_bytes = sizeof(std::uint16_t),
-                      parts_bytes = sizeof(std::uint32_t);
+                      weight_bytes = sizeof(std::uint32_t);
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
@@ -51,14 +51,14 @@ void make_texture(const Functions& gl, Texture& texture, GLenum format, int colu
 
 void ShoreTextures::make_textures(int columns, int rows) {
     const int levels = has_mips() ? std::bit_width(static_cast<unsigned>(std::max(columns, rows))) : 1;
-    make_texture(gl_, parts_, GL_RGBA8, columns, rows, 1);
+    make_texture(gl_, weights_, GL_RGBA8, columns, rows, 1);
     for (Set& set : sets_) {
         make_texture(gl_, set.water, GL_RGBA16F, columns, rows, levels);
         make_texture(gl_, set.reach, GL_R16F, columns, rows, 1);
     }
     const std::size_t texels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    pixels_.emplace(gl_, texels * (parts_bytes + water_bytes + reach_bytes));
-    parts_rgba8_.clear();
+    pixels_.emplace(gl_, texels * (weight_bytes + water_bytes + reach_bytes));
+    weights_rgba8_.clear();
     columns_ = columns;
     rows_ = rows;
 }
@@ -73,19 +73,19 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
     const std::size_t texels = shore.height_m.size();
     std::byte* const start = pixels_->map();
     // Contents are compared, because another ocean may have other weights at the same address.
-    const bool has_other_parts =
-        !std::equal(parts_rgba8_.begin(), parts_rgba8_.end(), shore.parts_rgba8.begin(), shore.parts_rgba8.end());
-    if (has_other_parts) {
-        parts_rgba8_.assign(shore.parts_rgba8.begin(), shore.parts_rgba8.end());
-        std::memcpy(start, shore.parts_rgba8.data(), shore.parts_rgba8.size_bytes());
+    const bool has_new_weights = !std::equal(weights_rgba8_.begin(), weights_rgba8_.end(),
+                                             shore.weights_rgba8.begin(), shore.weights_rgba8.end());
+    if (has_new_weights) {
+        weights_rgba8_.assign(shore.weights_rgba8.begin(), shore.weights_rgba8.end());
+        std::memcpy(start, shore.weights_rgba8.data(), shore.weights_rgba8.size_bytes());
     }
-    const std::size_t water_at = texels * parts_bytes, reach_at = water_at + texels * water_bytes;
+    const std::size_t water_at = texels * weight_bytes, reach_at = water_at + texels * water_bytes;
     fill_water(reinterpret_cast<std::uint16_t*>(start + water_at), shore);
     auto* const reaches = reinterpret_cast<std::uint16_t*>(start + reach_at);
     for (std::size_t i = 0; i < texels; ++i) reaches[i] = static_cast<std::uint16_t>(half_of(shore.reach_m[i]));
     const std::uintptr_t address = pixels_->hand_over();
     set_ = 1 - set_;
-    uploaded_bytes_ = texels * (water_bytes + reach_bytes + (has_other_parts ? parts_bytes : 0));
+    uploaded_bytes_ = texels * (water_bytes + reach_bytes + (has_new_weights ? weight_bytes : 0));
 
     const Stopwatch driver;
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
@@ -93,7 +93,7 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
         gl_.BindTexture(GL_TEXTURE_2D, texture);
         gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, columns_, rows_, format, type, texels_at(address + from));
     };
-    if (has_other_parts) send(parts(), GL_RGBA, GL_UNSIGNED_BYTE, 0);
+    if (has_new_weights) send(weights(), GL_RGBA, GL_UNSIGNED_BYTE, 0);
     send(reach(), GL_RED, GL_HALF_FLOAT, reach_at);
     send(water(), GL_RGBA, GL_HALF_FLOAT, water_at);
     if (has_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D);

@@ -28,7 +28,7 @@ class ShoreTextures {
     void upload(const ShoreSurface& shore);
 
     /// Cascade weights, RGBA8; channel t holds cascade t.
-    GLuint parts() const { return parts_.name(); }
+    GLuint weights() const { return weights_.name(); }
     /// RGBA16F: height, its slopes along x and z by central differences, foam. The driver generates
     /// its mips if has_mips().
     GLuint water() const { return sets_[set_].water.name(); }
@@ -47,8 +47,8 @@ class ShoreTextures {
 
     const Functions& gl_;
     int columns_ = 0, rows_ = 0;
-    std::vector<std::uint32_t> parts_rgba8_;  ///< content of parts_
-    Texture parts_;
+    std::vector<std::uint32_t> weights_rgba8_;  ///< content of weights_
+    Texture weights_;
     std::array<Set, 2> sets_;
     std::optional<PixelRing> pixels_;  ///< weights, water and reach of the next frame
     std::size_t set_ = 0, uploaded_bytes_ = 0;

@@ -7,14 +7,14 @@
 #include <span>
 
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/query/shore_parts.hpp"
+#include "pelagic/sim/query/shore_weights.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 
 namespace pelagic::python {
 
 struct DrawnWater {
-    Displacement displacement;               ///< of the cascades, dynamic waves and the shore
-    std::array<double, max_cascades> parts;  ///< weights of the cascades
+    Displacement displacement;                 ///< of the cascades, dynamic waves and the shore
+    std::array<double, max_cascades> weights;  ///< weights of the cascades
 };
 
 /// Returns the water that has the reference position (x_m, z_m), in metres.
@@ -25,20 +25,20 @@ struct DrawnWater {
 inline DrawnWater drawn_water(const Frame& frame, double x_m, double z_m, std::span<const Displacement> of_cascades) {
     constexpr int max_rounds = 64;
     constexpr double same_m = 1e-9;
-    DrawnWater drawn{.displacement = {}, .parts = {}};
-    drawn.parts.fill(1);
+    DrawnWater drawn{.displacement = {}, .weights = {}};
+    drawn.weights.fill(1);
     const auto sum = [&] {
         Displacement all;
         for (std::size_t t = 0; t < of_cascades.size(); ++t) {
-            all.dx += drawn.parts[t] * of_cascades[t].dx;
-            all.height += drawn.parts[t] * of_cascades[t].height;
-            all.dz += drawn.parts[t] * of_cascades[t].dz;
+            all.dx += drawn.weights[t] * of_cascades[t].dx;
+            all.height += drawn.weights[t] * of_cascades[t].height;
+            all.dz += drawn.weights[t] * of_cascades[t].dz;
         }
         return all;
     };
     const auto weigh = [&](double x, double z) {
         const ShoreAt at(frame.shore, x, z);
-        for (std::size_t t = 0; t < of_cascades.size(); ++t) drawn.parts[t] = at.part(t);
+        for (std::size_t t = 0; t < of_cascades.size(); ++t) drawn.weights[t] = at.weight(t);
     };
     if (frame.shore) weigh(x_m, z_m);
     Displacement& d = drawn.displacement;

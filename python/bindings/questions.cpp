@@ -396,8 +396,8 @@ float foam_at_rest(const Frame& frame, double x_m, double z_m) {
         const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        max = std::max(max, drawn.parts[t] * foam_at(cascade, static_cast<std::int64_t>(column),
-                                                     static_cast<std::int64_t>(row), x - column, z - row));
+        max = std::max(max, drawn.weights[t] * foam_at(cascade, static_cast<std::int64_t>(column),
+                                                       static_cast<std::int64_t>(row), x - column, z - row));
     }
     return static_cast<float>(max);
 }

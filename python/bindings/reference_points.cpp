@@ -102,9 +102,9 @@ class ReferenceSampler {
         std::array<double, 3> sum{};
         for (std::size_t t = 0; t < cascades_.size(); ++t) {
             const Displacement one = cascades_[t].at(velocities, cells_[t]);
-            sum[0] += drawn_.parts[t] * one.dx;
-            sum[1] += drawn_.parts[t] * one.height;
-            sum[2] += drawn_.parts[t] * one.dz;
+            sum[0] += drawn_.weights[t] * one.dx;
+            sum[1] += drawn_.weights[t] * one.height;
+            sum[2] += drawn_.weights[t] * one.dz;
         }
         sum[1] += sample(frame_.dynamic_waves, drawn_x(), drawn_z()).vertical_velocity_mps;
         if (!frame_.shore) return sum;
@@ -121,7 +121,7 @@ class ReferenceSampler {
         double max = foam_of_place(frame_, drawn_x(), drawn_z());
         if (has_cascade_foam_)
             for (std::size_t t = 0; t < cascades_.size(); ++t)
-                max = std::max(max, drawn_.parts[t] * cascades_[t].foam(cells_[t]));
+                max = std::max(max, drawn_.weights[t] * cascades_[t].foam(cells_[t]));
         return max;
     }
 

@@ -89,7 +89,7 @@ void add_shore(py::module_& module, FrameClass& frame) {
     add(shore, "x_m", [](const Handle& of) { return of.shore().x_m; });
     add(shore, "z_m", [](const Handle& of) { return of.shore().z_m; });
     add(shore, "depth_m", [](const Handle& of) { return of.array(of.shore().depth_m, "f4"); });
-    add(shore, "parts_rgba8", [](const Handle& of) { return of.array(of.shore().parts_rgba8, "u1"); });
+    add(shore, "weights_rgba8", [](const Handle& of) { return of.array(of.shore().weights_rgba8, "u1"); });
     add(shore, "height_m", [](const Handle& of) { return of.array(of.shore().height_m, "f4"); });
     add(shore, "vertical_velocity_mps",
         [](const Handle& of) { return of.array(of.shore().vertical_velocity_mps, "f4"); });
@@ -98,7 +98,7 @@ void add_shore(py::module_& module, FrameClass& frame) {
     add(shore, "foam", [](const Handle& of) { return of.array(of.shore().foam, "u1"); });
     add(shore, "height_min_m", [](const Handle& of) { return of.shore().height_min_m; });
     add(shore, "height_max_m", [](const Handle& of) { return of.shore().height_max_m; });
-    add(shore, "parts_change_per_m", [](const Handle& of) { return of.shore().parts_change_per_m; });
+    add(shore, "weights_change_per_m", [](const Handle& of) { return of.shore().weights_change_per_m; });
     add(shore, "hash", [](const Handle& of) {
         const auto reader = of.of->read();
         const py::gil_scoped_release others_run;

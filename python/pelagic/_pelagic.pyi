@@ -207,7 +207,7 @@ class ShoreSurface:
     def depth_m(self) -> NDArray[np.float32]:
         """(rows, columns), a view: depth of still water, negative on land."""
     @property
-    def parts_rgba8(self) -> NDArray[np.uint8]:
+    def weights_rgba8(self) -> NDArray[np.uint8]:
         """(rows, columns, 4), a view: weight of cascade t in [..., t], 255 for 1."""
     @property
     def height_m(self) -> NDArray[np.float32]:
@@ -231,7 +231,7 @@ class ShoreSurface:
     def height_max_m(self) -> float:
         """Upper bound of the heights."""
     @property
-    def parts_change_per_m(self) -> float:
+    def weights_change_per_m(self) -> float:
         """Upper bound of the change of a weight over a metre."""
     @property
     def hash(self) -> int:

@@ -19,7 +19,7 @@ LineStatistics between(const StatisticsByBand& before, const StatisticsByBand& a
     LineStatistics sum;
     for (std::size_t band = std::min(before.first(), after.first()); band < std::max(before.end(), after.end());
          ++band)
-        sum += between(before.at(band), after.at(band), arrival.part(band, since_s));
+        sum += between(before.at(band), after.at(band), arrival.fraction(band, since_s));
     return sum;
 }
 

@@ -20,8 +20,8 @@ class Arrival {
     std::size_t bands() const { return delays_s_.size(); }
     /// Returns the weight of the new sea for a band's waves, in [0, 1].
     /// \param since_s  seconds since the change began
-    double part(std::size_t band, double since_s) const {
-        return eased_part(since_s - delays_s_[std::min(band, bands() - 1)], over_s_);
+    double fraction(std::size_t band, double since_s) const {
+        return eased_fraction(since_s - delays_s_[std::min(band, bands() - 1)], over_s_);
     }
 
    private:

@@ -21,7 +21,7 @@ class Arrival;
 struct SeaMoment {
     double time_s = 0;
     std::size_t before = 0, after = 0;
-    double part = 0;  ///< weight of `after`, below 1; 0 if both are one sea
+    double weight = 0;  ///< weight of `after`, below 1; 0 if both are one sea
     /// Weight of each frequency band. Null if all waves have the weight `part`; otherwise `part` is
     /// the weight of the waves at the swell's peak.
     const Arrival* arrival = nullptr;

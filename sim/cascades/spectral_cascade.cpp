@@ -34,8 +34,8 @@ SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const K
       resolution_(slots.resolution()),
       plan_(resolution_),
       fft_(plan_.tables()),
-      part_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
-      velocity_bounds_(has_velocities_ ? part_bounds_.size() : 0) {}
+      plane_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
+      velocity_bounds_(has_velocities_ ? plane_bounds_.size() : 0) {}
 
 void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = stage_name("spectrum", cascade_),
@@ -60,11 +60,11 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                                           .stack_bytes = transforms});
     const StageId surface_done =
         graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
-                   .count = part_bounds_.size(),
+                   .count = plane_bounds_.size(),
                    .waits_for = {lines_done},
                    .body = for_each_item([this, pass, surface](std::size_t pair) {
                        if (shown_[pass].is_idle) return;
-                       columns_finalize(pass, pair, surface(), part_bounds_[pair]);
+                       columns_finalize(pass, pair, surface(), plane_bounds_[pair]);
                    }),
                    .stack_bytes = transforms});
     return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
@@ -111,7 +111,7 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
     shown.before = &before;
     shown.after = &after;
-    shown.weight = static_cast<float>(moment.part);
+    shown.weight = static_cast<float>(moment.weight);
     shown.choppiness = static_cast<float>(before.choppiness);
     shown.cosine = static_cast<float>(grid_.cosine);
     shown.sine = static_cast<float>(grid_.sine);
@@ -122,14 +122,14 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     if (!moment.is_steady()) {
         if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
         const auto between_both = [&](double of_before, double of_after) {
-            return (1 - moment.part) * of_before + moment.part * of_after;
+            return (1 - moment.weight) * of_before + moment.weight * of_after;
         };
         const double choppiness = between_both(before.choppiness, after.choppiness);
         shown.choppiness = static_cast<float>(choppiness);
-        LineStatistics statistics = between(before.statistics, after.statistics, moment.part);
+        LineStatistics statistics = between(before.statistics, after.statistics, moment.weight);
         if (moment.arrival) {
             for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
-                shown.band_weights.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
+                shown.band_weights.push_back(static_cast<float>(moment.arrival->fraction(band, moment.since_s)));
             statistics = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
         }
         ranges = texture_ranges_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
@@ -143,12 +143,12 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
 }
 
 FrameBounds SpectralCascade::end_frame() {
-    PartBounds all = part_bounds_.front();
-    for (const PartBounds& part : part_bounds_) {
-        all.height_min = std::min(all.height_min, part.height_min);
-        all.height_max = std::max(all.height_max, part.height_max);
-        all.horizontal_x_max = std::max(all.horizontal_x_max, part.horizontal_x_max);
-        all.horizontal_z_max = std::max(all.horizontal_z_max, part.horizontal_z_max);
+    PlaneBounds all = plane_bounds_.front();
+    for (const PlaneBounds& bounds : plane_bounds_) {
+        all.height_min = std::min(all.height_min, bounds.height_min);
+        all.height_max = std::max(all.height_max, bounds.height_max);
+        all.horizontal_x_max = std::max(all.horizontal_x_max, bounds.horizontal_x_max);
+        all.horizontal_z_max = std::max(all.horizontal_z_max, bounds.horizontal_z_max);
     }
     return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
 }
@@ -195,14 +195,14 @@ void SpectralCascade::blend(Pass pass, std::size_t line_block) {
         kernels_.blend_waves({.before = before.block(line_block),
                               .after = after.block(line_block),
                               .pairs = before.pairs,
-                              .part = shown.weight,
+                              .weight = shown.weight,
                               .out = out});
     else
         kernels_.blend_arriving_waves({.before = before.block(line_block),
                                        .after = after.block(line_block),
                                        .harmonics = before.block_harmonics(line_block),
                                        .pairs = before.pairs,
-                                       .parts = shown.band_weights.data(),
+                                       .weights = shown.band_weights.data(),
                                        .last_band = static_cast<std::int32_t>(shown.band_weights.size()) - 1,
                                        .out = out});
 }
@@ -222,7 +222,7 @@ EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block
             .first_frequency = shown.first_frequency};
 }
 
-void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
+void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PlaneBounds& bounds) {
     const Shown& shown = shown_[pass];
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
@@ -239,7 +239,7 @@ void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* sur
 
 std::size_t SpectralCascade::bytes() const {
     std::size_t bytes = sizeof(SpectralCascade) + plan_.bytes() +
-                        (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
+                        (plane_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PlaneBounds);
     for (const auto& waves : seas_)
         if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();

@@ -53,7 +53,7 @@ class SpectralCascade final : public SeaSource {
     void spectrum(std::size_t line);
     void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
-    void columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, PlaneBounds& bounds);
 
     FrameSlots& slots_;
     std::size_t cascade_;
@@ -116,8 +116,8 @@ class SpectralCascade final : public SeaSource {
     };
     std::optional<Bake> bake_, staged_;
 
-    std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
-    std::vector<PartBounds> velocity_bounds_;  ///< written by the kernel and not read
+    std::vector<PlaneBounds> plane_bounds_;     ///< of each pair of column blocks
+    std::vector<PlaneBounds> velocity_bounds_;  ///< written by the kernel and not read
 };
 
 }  // namespace pelagic

@@ -111,11 +111,11 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     const bool with_velocities = has_velocities_ && pass == Pass::frame;
     CascadeBuffers& buffers = slots_.buffers(cascade);
     Rows surface, velocity;
-    PartBounds bounds{};
+    PlaneBounds bounds{};
     const auto spans_of = [texels](Rows& rows, std::size_t field) {
         return std::span<float>(rows.fields[field].data(), texels);
     };
-    const auto add_to = [&](std::size_t number, const Rows& rows, AlignedBuffer<float>& planes, PartBounds& extremes,
+    const auto add_to = [&](std::size_t number, const Rows& rows, AlignedBuffer<float>& planes, PlaneBounds& extremes,
                             const std::array<const char*, input_fields>& names) {
         if (!kernels_.add_rows({.rows = {rows.fields[0].data(), rows.fields[1].data(), rows.fields[2].data()},
                                 .resolution = n,
@@ -150,7 +150,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
             std::fill(field.begin(), field.end(), 0.f);
         input.add(rows);
         add_to(number, surface, buffers.surface, bounds, {"dx", "height", "dz"});
-        PartBounds of_velocity;
+        PlaneBounds of_velocity;
         if (with_velocities)
             add_to(number, velocity, buffers.velocity, of_velocity, {"velocity_x", "velocity_y", "velocity_z"});
     }
@@ -158,8 +158,8 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
 }
 
 FrameBounds WaveInputs::bounds(std::size_t cascade) const {
-    const PartBounds* const job_bounds = bounds_.data() + cascade * jobs();
-    PartBounds all = *job_bounds;
+    const PlaneBounds* const job_bounds = bounds_.data() + cascade * jobs();
+    PlaneBounds all = *job_bounds;
     for (std::size_t job = 1; job < jobs(); ++job) {
         all.height_min = std::min(all.height_min, job_bounds[job].height_min);
         all.height_max = std::max(all.height_max, job_bounds[job].height_max);
@@ -170,7 +170,7 @@ FrameBounds WaveInputs::bounds(std::size_t cascade) const {
 }
 
 std::size_t WaveInputs::bytes() const {
-    return inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(PartBounds);
+    return inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(PlaneBounds);
 }
 
 }  // namespace pelagic

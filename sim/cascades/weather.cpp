@@ -73,7 +73,7 @@ SeaMoment Weather::moment_at(double time_s) const {
     SeaMoment moment{.time_s = time_s,
                      .before = outlook.first_number + found.before,
                      .after = outlook.first_number + found.after,
-                     .part = found.part};
+                     .weight = found.weight};
     if (moment.is_steady()) return moment;
     if (const std::optional<Arrival>& arrival = outlook.arrivals[found.before]) moment.arrival = &*arrival;
     moment.since_s = time_s - outlook.forecast.changes[found.before].from_s;
@@ -81,16 +81,17 @@ SeaMoment Weather::moment_at(double time_s) const {
 }
 
 SeaState Weather::sea_at(const SeaMoment& moment) const {
-    return sea_between(sea(moment.before), sea(moment.after), moment.part);
+    return sea_between(sea(moment.before), sea(moment.after), moment.weight);
 }
 
 SeaStatistics Weather::statistics_at(const SeaMoment& moment) const {
     const Baked &before = baked_[*cache_.find(moment.before)], &after = baked_[*cache_.find(moment.after)];
     if (moment.is_steady()) return before.statistics;
     const Sums sums =
-        moment.arrival ? arriving(before, after, moment) : Sums::between(before.sums, after.sums, moment.part);
+        moment.arrival ? arriving(before, after, moment) : Sums::between(before.sums, after.sums, moment.weight);
     SeaStatistics statistics = statistics_of(sea_at(moment), sums);
-    statistics.roughness = (1 - moment.part) * before.statistics.roughness + moment.part * after.statistics.roughness;
+    statistics.roughness =
+        (1 - moment.weight) * before.statistics.roughness + moment.weight * after.statistics.roughness;
     return statistics;
 }
 
@@ -122,10 +123,10 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
 /// Blends each band with its own weight, and the wind with the weight of the swell's peak (as
 /// sea_at()).
 Weather::Sums Weather::arriving(const Baked& before, const Baked& after, const SeaMoment& moment) {
-    Sums sums = Sums::between(before.wind, after.wind, moment.part);
+    Sums sums = Sums::between(before.wind, after.wind, moment.weight);
     for (std::size_t band = 0; band < std::max(before.by_band.size(), after.by_band.size()); ++band) {
         const auto of = [&](const Baked& sea) { return band < sea.by_band.size() ? sea.by_band[band] : Sums(); };
-        sums += Sums::between(of(before), of(after), moment.arrival->part(band, moment.since_s));
+        sums += Sums::between(of(before), of(after), moment.arrival->fraction(band, moment.since_s));
     }
     return sums;
 }
@@ -134,7 +135,7 @@ SeaStatistics Weather::statistics_of(const SeaState& sea, const Sums& sums) {
     SeaStatistics statistics;
     statistics.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
     statistics.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
-    statistics.unresolved_slopes = slopes_left(sea, statistics.resolved_slopes);
+    statistics.unresolved_slopes = unresolved_slopes(sea, statistics.resolved_slopes);
     statistics.roughness = roughness_of(sea, statistics.unresolved_slopes);
     statistics.foam_drift_x_mps = sums.drift_x_mps;
     statistics.foam_drift_z_mps = sums.drift_z_mps;

@@ -55,7 +55,7 @@ DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, co
     const DefaultFloatEnvironment environment;
     for (auto& plane : planes_) plane = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     tick_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
-    change_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
+    difference_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     foam_ = AlignedBuffer<std::uint8_t>(n() * n(), memory);
     has_foam_.resize(n());
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -142,7 +142,7 @@ StageId DynamicWaveGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
                                                 .first_row = job * rows_an_item,
                                                 .rows = rows_an_item,
                                                 .coupling = static_cast<float>(courant * courant * attenuation),
-                                                .left = static_cast<float>(attenuation * attenuation)});
+                                                .damping = static_cast<float>(attenuation * attenuation)});
                       })});
 }
 
@@ -184,7 +184,7 @@ StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) 
 }
 
 void DynamicWaveGrid::flatten_row(std::int64_t z) {
-    for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &change_before_})
+    for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &difference_before_})
         std::fill_n(plane->data() + dynamic_row_margin + placement_.in_torus(z) * dynamic_row_stride(n()), n(), 0.f);
     std::fill_n(foam_.data() + placement_.in_torus(z) * n(), n(), std::uint8_t{0});
 }
@@ -192,7 +192,7 @@ void DynamicWaveGrid::flatten_row(std::int64_t z) {
 void DynamicWaveGrid::flatten_column(std::int64_t x) {
     for (std::size_t z = 0; z < n(); ++z) {
         const std::size_t at = dynamic_row_margin + z * dynamic_row_stride(n()) + placement_.in_torus(x);
-        planes_[0][at] = planes_[1][at] = tick_before_[at] = change_before_[at] = 0;
+        planes_[0][at] = planes_[1][at] = tick_before_[at] = difference_before_[at] = 0;
         foam_[z * n() + placement_.in_torus(x)] = 0;
     }
 }
@@ -231,7 +231,7 @@ void DynamicWaveGrid::prepare_rows(std::size_t job) {
     for (std::size_t z = first; z < first + rows_an_item; ++z) {
         const std::size_t row = dynamic_row_margin + z * dynamic_row_stride(n());
         const float* const now = planes_[height_].data() + row;
-        float *const before = tick_before_.data() + row, *const change = change_before_.data() + row;
+        float *const before = tick_before_.data() + row, *const change = difference_before_.data() + row;
         for (std::size_t x = 0; x < n(); ++x) {
             change[x] = now[x] - before[x];
             before[x] = now[x];
@@ -283,11 +283,11 @@ void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) co
     const std::size_t first = item * rows_an_item;
     kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
                                 .now = first_texel(height_),
-                                .way_before = change_before_.data() + dynamic_row_margin,
+                                .difference_before = difference_before_.data() + dynamic_row_margin,
                                 .resolution = n(),
                                 .first_row = first,
                                 .rows = rows_an_item,
-                                .part = fraction,
+                                .fraction = fraction,
                                 .ticks_per_s = static_cast<float>(options_.ticks_per_s),
                                 .shown_x = shown_[0].data(),
                                 .shown_z = shown_[1].data(),
@@ -309,7 +309,7 @@ std::vector<std::uint8_t> DynamicWaveGrid::saved() const {
     };
     put(&header, sizeof header);
     for (const AlignedBuffer<float>* plane :
-         {&planes_[height_], &planes_[1 - height_], &tick_before_, &change_before_})
+         {&planes_[height_], &planes_[1 - height_], &tick_before_, &difference_before_})
         for (std::size_t z = 0; z < n(); ++z)
             put(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), row_bytes);
     put(foam_.data(), foam_.size());
@@ -344,7 +344,7 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
 
     placement_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;
-    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &change_before_})
+    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &difference_before_})
         for (std::size_t z = 0; z < n(); ++z, from += row_bytes)
             std::memcpy(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), from, row_bytes);
     std::memcpy(foam_.data(), from, foam_.size());
@@ -359,7 +359,7 @@ std::uint64_t DynamicWaveGrid::hash() const {
 }
 
 std::size_t DynamicWaveGrid::bytes() const {
-    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + change_before_.bytes() + sources_.bytes() +
+    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + difference_before_.bytes() + sources_.bytes() +
                         has_foam_.capacity() + phases_.bytes() + lines_.bytes();
     for (const auto& plane : planes_) bytes += plane.bytes();
     for (std::size_t axis = 0; axis < 2; ++axis) bytes += damping_[axis].bytes() + shown_[axis].bytes();

@@ -139,7 +139,7 @@ class DynamicWaveGrid {
     std::array<AlignedBuffer<float>, 2> planes_;
     /// h at the beginning of the last tick, with its impulses. Frames interpolate from here.
     AlignedBuffer<float> tick_before_;
-    AlignedBuffer<float> change_before_;  ///< change of h in the previous tick
+    AlignedBuffer<float> difference_before_;  ///< change of h in the previous tick
     AlignedBuffer<std::uint8_t> foam_;
     std::vector<std::uint8_t> has_foam_;  ///< by row; 0: none
     /// Factor of each column and row of the torus in a tick: the absorbing border.

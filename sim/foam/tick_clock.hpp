@@ -7,8 +7,8 @@ namespace pelagic {
 
 /// A time, in ticks.
 struct TickPlace {
-    std::int64_t number = 0;  ///< of the last tick, counted from t = 0
-    std::uint32_t part = 0;   ///< fraction of a tick since then, in units of 2^-32
+    std::int64_t number = 0;     ///< of the last tick, counted from t = 0
+    std::uint32_t fraction = 0;  ///< fraction of a tick since then, in units of 2^-32
 };
 
 /// Tick n is at n T / round(10 T), where T is the loop period, so that a loop has a whole number of

@@ -243,7 +243,7 @@ void FrameAssembly::plan_ticks(double time_s) {
 
 /// Gives the frame the current foam history.
 void FrameAssembly::show_foam() {
-    const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.part >> 32);
+    const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.fraction >> 32);
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)
         slots_.remembered_foam(cascade) = {foam_->remembered(cascade), fade};
 }

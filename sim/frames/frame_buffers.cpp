@@ -22,7 +22,7 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
         std::string_view name;
         std::size_t size, needed;
         bool is_there;
-        std::string_view part;
+        std::string_view option;
     };
     const Field fields[] = {
         {"dx", buffers.dx.size(), texels, true, {}},
@@ -41,7 +41,7 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
         if (field.size == 0) continue;
         if (!field.is_there)
             return std::string(field.name) + " is requested, but the ocean was created without " +
-                   std::string(field.part);
+                   std::string(field.option);
         if (field.size != field.needed)
             return std::string(field.name) + " has " + number_text(field.size) + " elements, expected " +
                    number_text(field.needed);

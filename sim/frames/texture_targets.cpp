@@ -14,11 +14,12 @@ bool is_multiple_of(std::size_t bytes, const void* address) {
 std::string no_multiple_of(std::size_t bytes) { return "at an address that is no multiple of " + number_text(bytes); }
 
 std::string check_chain(std::string_view name, const TextureTargets::Chain& chain, int levels, bool is_there,
-                        std::string_view part) {
+                        std::string_view option) {
     bool is_wanted = false;
     for (const std::uint32_t* level : chain) is_wanted |= level != nullptr;
     if (!is_wanted) return {};
-    if (!is_there) return std::string(name) + " is requested, but the ocean was created without " + std::string(part);
+    if (!is_there)
+        return std::string(name) + " is requested, but the ocean was created without " + std::string(option);
     for (int level = 0; level < levels; ++level) {
         const std::uint32_t* texels = chain[static_cast<std::size_t>(level)];
         if (!texels)
@@ -38,13 +39,13 @@ std::string check_cascade(const TextureTargets& targets, int resolution, const F
         std::string_view name;
         const TextureTargets::Chain& levels;
         bool is_there;
-        std::string_view part;
+        std::string_view option;
     };
     for (const Chain& chain : {Chain{"gradient_rgba8", targets.gradient_rgba8, contents.gradients, "gradients"},
                                Chain{"slopes_rgba8", targets.slopes_rgba8, contents.slopes, "slopes"},
                                Chain{"moments_rgba8", targets.moments_rgba8, contents.slopes, "slopes"}})
         if (std::string reason =
-                check_chain(chain.name, chain.levels, mip_levels(resolution), chain.is_there, chain.part);
+                check_chain(chain.name, chain.levels, mip_levels(resolution), chain.is_there, chain.option);
             !reason.empty())
             return reason;
     return {};

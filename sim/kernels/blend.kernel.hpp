@@ -83,7 +83,7 @@ PELAGIC_INLINE void blend_block(const Job& job, WeightOf weight_of) {
 template <class Arch>
 void blend_waves(const BlendWavesJob& job) {
     using V = xsimd::batch<float, Arch>;
-    const V weight(job.part);
+    const V weight(job.weight);
     blend_block<Arch>(job, [&](std::size_t) { return weight; });
 }
 
@@ -97,7 +97,7 @@ void blend_arriving_waves(const BlendArrivingWavesJob& job) {
         const V harmonic = xsimd::to_float(same_bits<I>(U::load_aligned(job.harmonics + pair * V::size)));
         const I band = (same_bits<I>(harmonic) >> BlendArrivingWavesJob::band_shift) - first;
         // Harmonic 0 is no wave; any band is valid for it.
-        return Gather<Arch>(xsimd::min(xsimd::max(band, none), last)).from(job.parts);
+        return Gather<Arch>(xsimd::min(xsimd::max(band, none), last)).from(job.weights);
     });
 }
 

@@ -18,12 +18,12 @@ constexpr std::size_t dynamic_plane_floats(std::size_t resolution) {
     return resolution * dynamic_row_stride(resolution) + 2 * dynamic_row_margin;
 }
 
-/// Damping in the border of the grid: each tick multiplies a texel by left_x left_z, which is less
+/// Damping in the border of the grid: each tick multiplies a texel by damping_x damping_z, which is less
 /// than 1 in the border. Values below `smallest` become 0; otherwise decaying waves would end as
 /// denormal numbers, which are slow on most processors.
 struct BorderDamping {
     static constexpr float smallest = 1e-18f;
-    const float *left_x, *left_z;  ///< factors per tick of each column and row of the grid
+    const float *damping_x, *damping_z;  ///< factors per tick of each column and row of the grid
 };
 
 /// First pass of the spectral step: damps W columns of z = h + i w in the border, transforms them
@@ -70,7 +70,7 @@ struct VerletRowsJob {
     std::size_t resolution;
     std::size_t first_row, rows;
     float coupling;  ///< c e^(-decay tick), c = (speed tick / texel)^2
-    float left;      ///< e^(-2 decay tick)
+    float damping;   ///< e^(-2 decay tick)
 };
 
 /// Foam of rows: the maximum of the foam generated where the water is high and the decayed foam of
@@ -91,11 +91,11 @@ struct DynamicFoamJob {
 /// interpolated linearly from `before` to `now`. The vertical velocity at `part` is the derivative
 /// of the parabola through the height differences of the last two ticks.
 struct TickInterpolationJob {
-    const float *before, *now;  ///< texel (0, 0)
-    const float* way_before;    ///< height difference of the previous tick, m
+    const float *before, *now;       ///< texel (0, 0)
+    const float* difference_before;  ///< height difference of the previous tick, m
     std::size_t resolution;
     std::size_t first_row, rows;
-    float part;  ///< fraction of the tick, [0, 1]
+    float fraction;  ///< fraction of the tick, [0, 1]
     float ticks_per_s;
     const float *shown_x, *shown_z;     ///< fade factors of each column and row of the grid
     float *height, *vertical_velocity;  ///< m and m/s, N^2, in rows of N

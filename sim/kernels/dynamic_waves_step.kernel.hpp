@@ -38,14 +38,14 @@ inline void transform_from(Input input, const FftTables& fft, float* data) {
 template <class Arch>
 struct BorderColumns {
     using V = xsimd::batch<float, Arch>;
-    V left_x;
-    const float* left_z;
+    V damping_x;
+    const float* damping_z;
 
     PELAGIC_INLINE BorderColumns(const BorderDamping& border, std::size_t first_column)
-        : left_x(V::load_aligned(border.left_x + first_column)), left_z(border.left_z) {}
+        : damping_x(V::load_aligned(border.damping_x + first_column)), damping_z(border.damping_z) {}
 
     PELAGIC_INLINE V operator()(V value, std::size_t z) const {
-        const V damped = value * (left_x * V(left_z[z]));
+        const V damped = value * (damping_x * V(damping_z[z]));
         return xsimd::select(xsimd::abs(damped) < V(BorderDamping::smallest), V(0.f), damped);
     }
 };
@@ -140,7 +140,7 @@ template <class Arch>
 void verlet_rows(const VerletRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution, stride = dynamic_row_stride(n);
-    const V coupling(job.coupling), damping(job.left), four(4.f);
+    const V coupling(job.coupling), damping(job.damping), four(4.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const row = job.now + z * stride;
         const float* const above = job.now + (z + n - 1) % n * stride;
@@ -188,11 +188,11 @@ template <class Arch>
 void interpolate_ticks(const TickInterpolationJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution;
-    const V fraction(job.part), from_middle(job.part - 0.5f), ticks_per_s(job.ticks_per_s);
+    const V fraction(job.fraction), from_middle(job.fraction - 0.5f), ticks_per_s(job.ticks_per_s);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const before = job.before + z * dynamic_row_stride(n);
         const float* const now = job.now + z * dynamic_row_stride(n);
-        const float* const way_before = job.way_before + z * dynamic_row_stride(n);
+        const float* const difference_before = job.difference_before + z * dynamic_row_stride(n);
         const V shown_z(job.shown_z[z]);
         V low(0.f), high(0.f);
         for (std::size_t x = 0; x < n; x += V::size) {
@@ -200,7 +200,8 @@ void interpolate_ticks(const TickInterpolationJob& job) {
             const V shown = V::load_aligned(job.shown_x + x) * shown_z;
             const V height = (from + fraction * difference) * shown;
             height.store_aligned(job.height + z * n + x);
-            const V vertical_velocity = difference + from_middle * (difference - V::load_aligned(way_before + x));
+            const V vertical_velocity =
+                difference + from_middle * (difference - V::load_aligned(difference_before + x));
             ((vertical_velocity * ticks_per_s) * shown).store_aligned(job.vertical_velocity + z * n + x);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);

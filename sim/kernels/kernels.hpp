@@ -53,7 +53,7 @@ struct BlendWavesJob {
 
     const float *before, *after;  ///< the block of each PackedSpectrum::waves
     std::size_t pairs;            ///< number of wave pairs in the block
-    float part;                   ///< s, [0, 1]
+    float weight;                 ///< s, [0, 1]
     float* out;                   ///< layout of `before`; aliases no input
 };
 
@@ -67,13 +67,13 @@ struct BlendArrivingWavesJob {
     const float *before, *after;
     const std::uint32_t* harmonics;  ///< the block of PackedSpectrum::harmonics
     std::size_t pairs;
-    const float* parts;      ///< s of each band, [0, 1]
-    std::int32_t last_band;  ///< last band of `parts`; higher bands use its s
+    const float* weights;    ///< s of each band, [0, 1]
+    std::int32_t last_band;  ///< last band of `weights`; higher bands use its s
     float* out;              ///< layout of `before`; aliases no input
 };
 
 /// Extremes of a piece of a frame, in metres. Merging is bit-identical in any order.
-struct PartBounds {
+struct PlaneBounds {
     float height_min, height_max, horizontal_x_max, horizontal_z_max;
 };
 
@@ -88,7 +88,7 @@ struct ColumnsFinalizeJob {
     /// Cosine and sine of the rotation angle of the cascade's axes. The horizontal displacement is
     /// stored along the world's axes.
     float cosine, sine;
-    PartBounds* bounds;
+    PlaneBounds* bounds;
 };
 
 /// Foam that breaking generates, in whole bytes: nearest(clamp(offset - scale J, 0, 255)).
@@ -356,7 +356,7 @@ struct StackCascade {
     CellPlaces world;     ///< world positions, along the cascade's own axes
     /// Weight of the cascade's displacement at each point. Null for all cascades or for none; null
     /// means a weight of 1.
-    const float* part = nullptr;
+    const float* weight = nullptr;
 };
 
 /// InvertSurfaceJob for a sum of cascades: computes the offset o with o + sum of D(p + o) = 0. The

@@ -44,7 +44,7 @@ struct CascadeWeight {
     V weight;
 
     PELAGIC_INLINE CascadeWeight(const StackCascade& cascade, std::size_t at)
-        : weight(HasWeights ? V::load_aligned(cascade.part + at) : V(1.f)) {}
+        : weight(HasWeights ? V::load_aligned(cascade.weight + at) : V(1.f)) {}
     PELAGIC_INLINE V of(V value) const { return HasWeights ? weight * value : value; }
 };
 
@@ -158,7 +158,7 @@ void invert_stack_points(const InvertStackJob& job) {
 
 template <class Arch, class Interpolation>
 void invert_stack(const InvertStackJob& job) {
-    if (job.cascades[0].part)
+    if (job.cascades[0].weight)
         invert_stack_points<Arch, Interpolation, true>(job);
     else
         invert_stack_points<Arch, Interpolation, false>(job);
@@ -239,7 +239,7 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
 template <class Arch, class Interpolation>
 void sample_stack(const SampleStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    if (job.cascades[0].part)
+    if (job.cascades[0].weight)
         for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, true>(job, at);
     else
         for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, false>(job, at);

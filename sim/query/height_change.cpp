@@ -14,7 +14,8 @@ constexpr double near_enough = 1.0 / 32;
 
 }  // namespace
 
-HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m, double parts_change_per_m)
+HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m,
+                           double weights_change_per_m)
     : count_(cascades.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
     double slack = 1, further_m = 0;
     for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.contraction.largest_m);
@@ -24,9 +25,10 @@ HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_wav
                       .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
                       .slack = slack,
                       .further_m = further_m};
-        stretch_ += parts_change_per_m * static_cast<double>(cascade.contraction.largest_m);
-        highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
-                                                                            std::fabs(cascade.bounds.height_max_m)));
+        stretch_ += weights_change_per_m * static_cast<double>(cascade.contraction.largest_m);
+        highest_per_m_ +=
+            weights_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
+                                                                std::fabs(cascade.bounds.height_max_m)));
         slack -= cascade.contraction.max();
         further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.contraction.largest_m));
     }

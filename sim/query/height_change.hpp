@@ -30,9 +30,9 @@ class HeightChange {
     /// \param cascades               of a frame with several, made with OceanOptions::queries
     /// \param dynamic_waves_range_m  range of the heights that dynamic waves and a shore add,
     ///                               metres
-    /// \param parts_change_per_m     c, 1/m
+    /// \param weights_change_per_m     c, 1/m
     explicit HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m = 0,
-                          double parts_change_per_m = 0);
+                          double weights_change_per_m = 0);
 
     /// Returns the upper bound for positions at a horizontal distance, metres.
     double within(double distance_m) const;

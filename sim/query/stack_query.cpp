@@ -8,7 +8,7 @@
 
 #include "pelagic/sim/buffers/contraction_map.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/query/shore_parts.hpp"
+#include "pelagic/sim/query/shore_weights.hpp"
 
 namespace pelagic {
 namespace {
@@ -43,8 +43,8 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
 void StackQuery::place(PointChunk& chunk) const {
     if (shore_)
         for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const std::array<float, max_cascades> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
-            for (std::size_t t = 0; t < cascades_.size(); ++t) chunk.part[t][i] = parts[t];
+            const std::array<float, max_cascades> weights = shore_weights_at(shore_, chunk.x[i], chunk.z[i]);
+            for (std::size_t t = 0; t < cascades_.size(); ++t) chunk.weight[t][i] = weights[t];
         }
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const SearchCascade& cascade = search_cascades_[t];
@@ -63,7 +63,7 @@ StackCascade StackQuery::stack_cascade(std::size_t cascade, PointChunk& chunk) c
             .along = static_cast<float>(search_cascades_[cascade].along),
             .across = static_cast<float>(search_cascades_[cascade].across),
             .world = chunk.world[cascade].places(),
-            .part = shore_ ? chunk.part[cascade] : nullptr};
+            .weight = shore_ ? chunk.weight[cascade] : nullptr};
 }
 
 void StackQuery::find_reference_points(PointChunk& chunk) const {
@@ -102,7 +102,7 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
         where.cell_z[t] = chunk.world[t].cell_z[point];
         where.u[t] = static_cast<double>(chunk.world[t].u[point]);
         where.v[t] = static_cast<double>(chunk.world[t].v[point]);
-        if (shore_) where.part[t] = static_cast<double>(chunk.part[t][point]);
+        if (shore_) where.weight[t] = static_cast<double>(chunk.weight[t][point]);
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_converged = chunk.error[point] <= static_cast<float>(target_m_);
@@ -138,7 +138,7 @@ void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const
             const std::int64_t column = floor_of(u), row = floor_of(v);
             const double here = foam_at(cascades_[t], world.cell_x[i] + column, world.cell_z[i] + row,
                                         u - static_cast<double>(column), v - static_cast<double>(row));
-            const float counts = shore_ ? chunk.part[t][i] : 1;
+            const float counts = shore_ ? chunk.weight[t][i] : 1;
             foam[i] = std::max(foam[i], counts * static_cast<float>(here));
         }
     }

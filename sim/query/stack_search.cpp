@@ -106,14 +106,14 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
         const CascadeCell::Value dx = cell.at(cascade.texels.dx, place.u, place.v),
                                  dz = cell.at(cascade.texels.dz, place.u, place.v);
-        const double part = point.part[t];
-        drawn.x += part * dx.value;
-        drawn.z += part * dz.value;
-        drawn.x_x += part * (cascade.along * dx.along_u - cascade.across * dx.along_v);
-        drawn.x_z += part * (cascade.across * dx.along_u + cascade.along * dx.along_v);
-        drawn.z_x += part * (cascade.along * dz.along_u - cascade.across * dz.along_v);
-        drawn.z_z += part * (cascade.across * dz.along_u + cascade.along * dz.along_v);
-        drawn.displacement[t] = part * length_of(dx.value, dz.value);
+        const double weight = point.weight[t];
+        drawn.x += weight * dx.value;
+        drawn.z += weight * dz.value;
+        drawn.x_x += weight * (cascade.along * dx.along_u - cascade.across * dx.along_v);
+        drawn.x_z += weight * (cascade.across * dx.along_u + cascade.along * dx.along_v);
+        drawn.z_x += weight * (cascade.along * dz.along_u - cascade.across * dz.along_v);
+        drawn.z_z += weight * (cascade.across * dz.along_u + cascade.along * dz.along_v);
+        drawn.displacement[t] = weight * length_of(dx.value, dz.value);
     }
     return drawn;
 }
@@ -124,7 +124,7 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
         const SearchCascade& cascade = cascades_[t];
         const CellPlace place = place_in(cascade, point, t, offset);
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        height += point.part[t] * cell.at(cascade.texels.height, place.u, place.v).value;
+        height += point.weight[t] * cell.at(cascade.texels.height, place.u, place.v).value;
     }
     return height;
 }

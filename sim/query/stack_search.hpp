@@ -42,7 +42,7 @@ struct StackPoint {
     std::array<std::int32_t, max_cascades> cell_x, cell_z;
     std::array<double, max_cascades> u, v;
     /// Weight of each cascade, in [0, 1]. Bounds for weight 1 hold for lower weights.
-    std::array<double, max_cascades> part = {1, 1, 1, 1};
+    std::array<double, max_cascades> weight = {1, 1, 1, 1};
 };
 
 /// Vector from a world position to one of its reference points, metres.

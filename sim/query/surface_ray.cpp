@@ -124,7 +124,7 @@ class FreeSteps {
             change_.emplace(query.frame().cascades,
                             static_cast<double>(dynamic_waves.height_max_m - dynamic_waves.height_min_m) +
                                 static_cast<double>(shore.height_max_m - shore.height_min_m),
-                            static_cast<double>(shore.parts_change_per_m));
+                            static_cast<double>(shore.weights_change_per_m));
     }
 
     /// Returns the number of positions in the first query, before a clearance is known.

@@ -88,8 +88,8 @@ ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
         return at.linear([plane](std::size_t texel) { return static_cast<double>(plane[texel]); });
     };
     ShoreSample sample{.depth_m = metres(shore.depth_m)};
-    for (std::size_t cascade = 0; cascade < std::size(sample.parts); ++cascade)
-        sample.parts[cascade] = at.part(cascade);
+    for (std::size_t cascade = 0; cascade < std::size(sample.weights); ++cascade)
+        sample.weights[cascade] = at.weight(cascade);
     if (!at.is_within()) return sample;
     const ShoreAt::Cubic height = at.cubic(shore.height_m);
     const auto [x_mps, z_mps] = at.velocity();
@@ -111,7 +111,7 @@ std::uint64_t shore_hash_of(const Frame& frame) {
     XXH3_64bits_reset(&state);
     const auto add = [&](auto span) { XXH3_64bits_update(&state, span.data(), span.size_bytes()); };
     add(shore.depth_m);
-    add(shore.parts_rgba8);
+    add(shore.weights_rgba8);
     add(shore.height_m);
     add(shore.vertical_velocity_mps);
     add(shore.potential_m2ps);

@@ -49,9 +49,9 @@ class ShoreAt {
     }
 
     /// Returns the weight of a cascade, in [0, 1]. \pre is_place()
-    double part(std::size_t cascade) const {
+    double weight(std::size_t cascade) const {
         return linear([this, cascade](std::size_t texel) {
-            return static_cast<double>(shore_.parts_rgba8[texel] >> 8 * cascade & 255) * (1.0 / 255);
+            return static_cast<double>(shore_.weights_rgba8[texel] >> 8 * cascade & 255) * (1.0 / 255);
         });
     }
 

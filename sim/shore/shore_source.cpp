@@ -108,7 +108,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
       breaking_envelope_(bed_.texels(), memory),
       sharpness_(bed_.texels(), memory),
       depth_(bed_.texels(), memory),
-      parts_(bed_.texels(), memory),
+      weights_(bed_.texels(), memory),
       bake_(std::make_unique<Bake>()),
       moments_(waves_.size()) {
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
@@ -120,17 +120,17 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->shelter_waves.assign(first, first + static_cast<std::ptrdiff_t>(shelters));
     bake_->shelters.resize(shelters);
     bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
-    bake_->variances.push_back(DepthPart(sea, plans.front()).variance());
-    bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
+    bake_->variances.push_back(DepthAttenuation(sea, plans.front()).variance());
+    bake_->weights.assign(plans.size(), std::vector<float>(bed_.texels()));
     bake_->deviation_m.resize(bed_.texels());
     bake_->attenuation.resize(bed_.texels());
     for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
-        const DepthPart part(sea, plans[cascade]);
-        bake_->variances.push_back(part.variance());
-        std::vector<double>& table = bake_->depth_parts.emplace_back();
+        const DepthAttenuation attenuation(sea, plans[cascade]);
+        bake_->variances.push_back(attenuation.variance());
+        std::vector<double>& table = bake_->depth_attenuations.emplace_back();
         for (int i = 0; i <= depths; ++i) {
             const double root = static_cast<double>(i) / depths;
-            table.push_back(part.at(bake_->deepest_m * root * root));
+            table.push_back(attenuation.at(bake_->deepest_m * root * root));
         }
     }
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
@@ -157,15 +157,15 @@ void ShoreSource::add_bake_stages(JobGraph& graph) {
                                           }),
                                           .stack_bytes = stack_margin});
     const auto rows = static_cast<std::size_t>(bed_.rows);
-    const StageId parts_done = graph.add({.name = "shore parts",
-                                          .count = rows,
-                                          .batch = 16,
-                                          .waits_for = {waves_done},
-                                          .body = for_each_item([this](std::size_t row) { bake_parts(row); }),
-                                          .stack_bytes = stack_margin});
+    const StageId weights_done = graph.add({.name = "shore weights",
+                                            .count = rows,
+                                            .batch = 16,
+                                            .waits_for = {waves_done},
+                                            .body = for_each_item([this](std::size_t row) { bake_weights(row); }),
+                                            .stack_bytes = stack_margin});
     const StageId breaking_done = graph.add({.name = "shore breaking",
                                              .count = 1,
-                                             .waits_for = {parts_done},
+                                             .waits_for = {weights_done},
                                              .body = for_each_item([this](std::size_t) { bake_breaking(); }),
                                              .stack_bytes = stack_margin});
     graph.add({.name = "shore heights",
@@ -263,7 +263,7 @@ double ShoreSource::wave_depth_m(std::size_t texel) const {
     return std::max(bed_.depth_m[texel], swash_m_ / crest_over_depth);
 }
 
-void ShoreSource::bake_parts(std::size_t row) {
+void ShoreSource::bake_weights(std::size_t row) {
     double all = 0;
     for (const ShoreWave& wave : bake_->shelter_waves) all += wave.variance();
     for (int i = 0; i < bed_.columns; ++i) {
@@ -274,16 +274,16 @@ void ShoreSource::bake_parts(std::size_t row) {
             comes += bake_->shelter_waves[wave].variance() * static_cast<double>(bake_->shelters[wave][texel]);
         const double sheltered = all > 0 ? std::min(1.0, std::sqrt(comes / all)) : 1;
         const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
-        bake_->parts[0][texel] = static_cast<float>(coarsest);
+        bake_->weights[0][texel] = static_cast<float>(coarsest);
         double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
         const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
         const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
-        for (std::size_t cascade = 0; cascade < bake_->depth_parts.size(); ++cascade) {
-            const std::vector<double>& table = bake_->depth_parts[cascade];
+        for (std::size_t cascade = 0; cascade < bake_->depth_attenuations.size(); ++cascade) {
+            const std::vector<double>& table = bake_->depth_attenuations[cascade];
             const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
-            const double part = 1 - shore * (1 - sheltered * stands);
-            bake_->parts[cascade + 1][texel] = static_cast<float>(part);
-            variance += part * part * bake_->variances[cascade + 1];
+            const double weight = 1 - shore * (1 - sheltered * stands);
+            bake_->weights[cascade + 1][texel] = static_cast<float>(weight);
+            variance += weight * weight * bake_->variances[cascade + 1];
         }
         bake_->deviation_m[texel] = std::sqrt(variance);
     }
@@ -334,19 +334,20 @@ void ShoreSource::bake_heights(std::size_t row) {
         const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
         // At the edges the attenuation depends on the local depth only, as outside the rectangle.
         double variance = 0;
-        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade) {
-            const double part = static_cast<double>(bake_->parts[cascade][texel]);
-            variance += part * part * bake_->variances[cascade];
+        for (std::size_t cascade = 0; cascade < bake_->weights.size(); ++cascade) {
+            const double weight = static_cast<double>(bake_->weights[cascade][texel]);
+            variance += weight * weight * bake_->variances[cascade];
         }
         const double deviation_m = std::sqrt(variance);
         const double stands = std::min({1 - shore * (1 - bake_->attenuation[texel]),
                                         attenuation_to(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
                                         attenuation_to(crest_over_depth / highest_crest * depth_m, deviation_m)});
-        std::uint32_t parts = 0;
-        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade)
-            parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[cascade][texel])))
-                     << 8 * cascade;
-        parts_.data()[texel] = parts;
+        std::uint32_t weights = 0;
+        for (std::size_t cascade = 0; cascade < bake_->weights.size(); ++cascade)
+            weights |=
+                static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->weights[cascade][texel])))
+                << 8 * cascade;
+        weights_.data()[texel] = weights;
 
         // Waves of one period interfere and form standing patterns, so their variance over the loop
         // is limited too, together with that of the cascades.
@@ -379,15 +380,15 @@ void ShoreSource::end_bake() {
     int max = 0;
     const auto compare = [&](std::size_t a, std::size_t b) {
         for (int byte = 0; byte < 32; byte += 8)
-            max = std::max(max, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
-                                         static_cast<int>(parts_.data()[b] >> byte & 255)));
+            max = std::max(max, std::abs(static_cast<int>(weights_.data()[a] >> byte & 255) -
+                                         static_cast<int>(weights_.data()[b] >> byte & 255)));
     };
     for (int j = 0; j < bed_.rows; ++j)
         for (int i = 0; i < bed_.columns; ++i) {
             if (i + 1 < bed_.columns) compare(bed_.at(i, j), bed_.at(i + 1, j));
             if (j + 1 < bed_.rows) compare(bed_.at(i, j), bed_.at(i, j + 1));
         }
-    parts_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
+    weights_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
 }
 
 void ShoreSource::add_frame_stage(JobGraph& graph) {
@@ -440,7 +441,7 @@ ShoreSurface ShoreSource::end_frame() {
             .x_m = bed_.x_m,
             .z_m = bed_.z_m,
             .depth_m = {depth_.data(), texels},
-            .parts_rgba8 = {parts_.data(), texels},
+            .weights_rgba8 = {weights_.data(), texels},
             .height_m = {slot.height.data(), texels},
             .vertical_velocity_mps = {slot.vertical_velocity.data(), texels},
             .potential_m2ps = {slot.potential.data(), texels},
@@ -448,13 +449,13 @@ ShoreSurface ShoreSource::end_frame() {
             .foam = {slot.foam.data(), texels},
             .height_min_m = lowest - beyond,
             .height_max_m = highest + beyond,
-            .parts_change_per_m = parts_change_per_m_};
+            .weights_change_per_m = weights_change_per_m_};
 }
 
 std::size_t ShoreSource::bytes() const {
     std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
                         has_waves_.size() + highest_envelope_.bytes() + breaking_envelope_.bytes() +
-                        sharpness_.bytes() + depth_.bytes() + parts_.bytes() +
+                        sharpness_.bytes() + depth_.bytes() + weights_.bytes() +
                         waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
         bytes += slot.HeightFieldBuffers::bytes() + slot.potential.bytes() + slot.reach.bytes();

@@ -64,7 +64,7 @@ class ShoreSource {
     void bake_wave(std::size_t number);
     void bake_shelter(std::size_t number);
     void bake_limits(const Refraction& wave, double omega);
-    void bake_parts(std::size_t row);
+    void bake_weights(std::size_t row);
     void bake_breaking();
     void bake_heights(std::size_t row);
     /// Variance of the long waves, m^2.
@@ -92,8 +92,8 @@ class ShoreSource {
     AlignedBuffer<float> amplitudes_;  ///< laid out as ShoreRowsJob::waves
     std::vector<std::uint8_t> has_waves_;
     AlignedBuffer<float> highest_envelope_, breaking_envelope_, sharpness_, depth_;
-    AlignedBuffer<std::uint32_t> parts_;
-    float parts_change_per_m_ = 0;
+    AlignedBuffer<std::uint32_t> weights_;
+    float weights_change_per_m_ = 0;
 
     /// Data of the bake stages.
     struct Bake {
@@ -101,12 +101,12 @@ class ShoreSource {
         std::vector<ShoreWave> shelter_waves;
         /// Fraction of the energy that arrives from each direction, by texel.
         std::vector<std::vector<float>> shelters;
-        /// DepthPart of each cascade except the coarsest, by depth.
-        std::vector<std::vector<double>> depth_parts;
+        /// DepthAttenuation of each cascade except the coarsest, by depth.
+        std::vector<std::vector<double>> depth_attenuations;
         double deepest_m;
         std::vector<double> variances;  ///< of each cascade, m^2
         /// Weight of each cascade by texel, before breaking.
-        std::vector<std::vector<float>> parts;
+        std::vector<std::vector<float>> weights;
         /// Refraction of the wave at the median of the energy; null without waves.
         std::unique_ptr<Refraction> main_refraction;
         std::vector<double> deviation_m;  ///< of all waves by texel, before breaking

@@ -137,7 +137,7 @@ std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coars
     return sea.waves == WaveModel::analytic ? listed_waves(sea, coarsest) : drawn_waves(sea, coarsest);
 }
 
-DepthPart::DepthPart(const SeaState& sea, const CascadePlan& cascade) {
+DepthAttenuation::DepthAttenuation(const SeaState& sea, const CascadePlan& cascade) {
     if (sea.waves == WaveModel::analytic) {
         for (const GridWave& wave : grid_waves(sea, cascade))
             if (const double k = wave.at.steps() * cascade.spacing(); k > 0)
@@ -153,7 +153,7 @@ DepthPart::DepthPart(const SeaState& sea, const CascadePlan& cascade) {
     for (const Band& band : bands_) variance_ += band.variance;
 }
 
-double DepthPart::at(double depth_m) const {
+double DepthAttenuation::at(double depth_m) const {
     if (!(depth_m > 0) || bands_.empty()) return 0;
     double remaining = 0;
     for (const Band& band : bands_)

@@ -34,10 +34,10 @@ std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coars
 /// Attenuation of a cascade's wave heights by depth. At each wave number the energy is at most that
 /// of the TMA spectrum (Bouws et al. 1985). The significant height is at most highest_over_depth
 /// times the depth, because of breaking.
-class DepthPart {
+class DepthAttenuation {
    public:
     /// \pre check(sea) is empty; the waves are a physical spectrum's or an analytic sea's
-    DepthPart(const SeaState& sea, const CascadePlan& cascade);
+    DepthAttenuation(const SeaState& sea, const CascadePlan& cascade);
     /// Returns the factor on the heights at a depth, in [0, 1]; 0 on land.
     double at(double depth_m) const;
     double variance() const { return variance_; }  ///< of heights in the open sea, m^2

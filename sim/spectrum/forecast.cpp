@@ -65,16 +65,16 @@ std::string too_long(const std::string& place, const SeaState& sea, double large
         "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
-double between(double before, double after, double part) {
-    return before == after ? before : (1 - part) * before + part * after;
+double between(double before, double after, double weight) {
+    return before == after ? before : (1 - weight) * before + weight * after;
 }
 
 /// Returns the direction between two directions along the shorter arc, in [-2 pi, 2 pi].
-double turned(double before, double after, double part) {
+double turned(double before, double after, double weight) {
     double turn = after - before;
     while (turn > pi) turn -= two_pi;
     while (turn <= -pi) turn += two_pi;
-    double direction = before + part * turn;
+    double direction = before + weight * turn;
     if (direction > two_pi) direction -= two_pi;
     if (direction < -two_pi) direction += two_pi;
     return direction;
@@ -98,12 +98,12 @@ ForecastMoment Forecast::at(double time_s) const {
         if (since_s <= 0) return {number - 1, number - 1, 0};
         if (time_s >= change.end_s()) return {number, number, 0};
         const SwellArrival swell(change.sea, change.swell_from_m);
-        return {number - 1, number, eased_part(since_s - swell.delay_of_peak_s(), change.over_s)};
+        return {number - 1, number, eased_fraction(since_s - swell.delay_of_peak_s(), change.over_s)};
     }
-    const double part = eased_part(since_s, change.over_s);
-    if (part >= 1) return {number, number, 0};
-    if (part <= 0) return {number - 1, number - 1, 0};
-    return {number - 1, number, part};
+    const double weight = eased_fraction(since_s, change.over_s);
+    if (weight >= 1) return {number, number, 0};
+    if (weight <= 0) return {number - 1, number - 1, 0};
+    return {number - 1, number, weight};
 }
 
 void keep_constant_fields(SeaState& sea, const SeaState& first) {
@@ -168,26 +168,26 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast) {
     return plan_cascades(forecast.first, reach_of(forecast));
 }
 
-SeaState sea_between(const SeaState& before, const SeaState& after, double part) {
-    if (part == 0) return before;
-    if (part == 1) return after;
-    SeaState sea = part < 0.5 ? before : after;
+SeaState sea_between(const SeaState& before, const SeaState& after, double weight) {
+    if (weight == 0) return before;
+    if (weight == 1) return after;
+    SeaState sea = weight < 0.5 ? before : after;
     for (const SeaStateField& field : sea_state_fields())
         if (const auto* number = std::get_if<double SeaState::*>(&field.member))
             // A special value (`also`, such as 0 for "chosen") cannot be interpolated.
             if (before.**number != field.also && after.**number != field.also)
-                sea.** number = between(before.**number, after.**number, part);
-    sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, part);
+                sea.** number = between(before.**number, after.**number, weight);
+    sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, weight);
     if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);
 
     if (before.swell_height_m > 0 && after.swell_height_m > 0) {
         const auto energy = [](const SeaState& of) { return of.swell_height_m * of.swell_height_m; };
-        sea.swell_height_m = std::sqrt(between(energy(before), energy(after), part));
-        sea.swell_direction_rad = turned(before.swell_direction_rad, after.swell_direction_rad, part);
+        sea.swell_height_m = std::sqrt(between(energy(before), energy(after), weight));
+        sea.swell_direction_rad = turned(before.swell_direction_rad, after.swell_direction_rad, weight);
     } else {
         const bool comes = after.swell_height_m > 0;
         const SeaState& swell = comes ? after : before;
-        sea.swell_height_m = swell.swell_height_m * std::sqrt(comes ? part : 1 - part);
+        sea.swell_height_m = swell.swell_height_m * std::sqrt(comes ? weight : 1 - weight);
         sea.swell_period_s = swell.swell_period_s;
         sea.swell_direction_rad = swell.swell_direction_rad;
         sea.swell_spread_rad = swell.swell_spread_rad;

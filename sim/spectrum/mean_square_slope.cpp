@@ -49,7 +49,7 @@ SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed
     return {upwind * scale, crosswind * scale};
 }
 
-SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved) {
+SlopeVariance unresolved_slopes(const SeaState& sea, const SlopeVariance& resolved) {
     if (sea.waves != WaveModel::pond) return unresolved_slopes(resolved, sea.wind_speed_mps);
     return hidden_slopes(sea, grid_octaves(sea, plan_cascades(sea).front()));
 }

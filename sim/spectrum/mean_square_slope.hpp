@@ -37,7 +37,7 @@ SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed
 /// Returns the slope variance that a sea's cascades do not resolve: unresolved_slopes() for the
 /// sea's wind. For a pond it is the variance of its octaves that its texels cannot show, because a
 /// pond has no other waves.
-SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved);
+SlopeVariance unresolved_slopes(const SeaState& sea, const SlopeVariance& resolved);
 
 /// Returns the roughness for the smoothness channel: the sea's own roughness if it is set.
 /// Otherwise it is alpha of a GGX surface with the mean square slope alpha^2 of the unresolved

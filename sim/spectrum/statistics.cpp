@@ -273,10 +273,10 @@ MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
 void add_components(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
     const auto component = [&](double expected, double drawn, double peak_period_s,
                                const std::vector<double>& bands) {
-        return WavePart{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
-                        .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
-                        .peak_period_s = peak_period_s,
-                        .drawn_peak_period_s = drawn > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
+        return WaveSystem{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
+                          .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
+                          .peak_period_s = peak_period_s,
+                          .drawn_peak_period_s = drawn > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
     };
     std::vector<double> wind_bands = sums.bands;
     for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];

@@ -13,7 +13,7 @@ namespace pelagic {
 
 /// Returns the fraction of a wave's energy that has arrived: s = u^2 (3 - 2u) with u = since /
 /// over. It is 0 before and 1 after the transition; its derivative is 0 at both ends.
-constexpr double eased_part(double since_s, double over_s) {
+constexpr double eased_fraction(double since_s, double over_s) {
     const double u = since_s / over_s;
     return u <= 0 ? 0 : u < 1 ? u * u * (3 - 2 * u) : 1;
 }

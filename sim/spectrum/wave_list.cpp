@@ -179,7 +179,7 @@ std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cas
         const double per_m = moved.octave.turns_per_m();
         moved.harmonic = loop_harmonic(two_pi * ripple_frequency_hz(per_m), sea.loop_period_s);
         moved.octave.frequency_hz = moved.harmonic / sea.loop_period_s;
-        moved.shown = shown_part(1 / per_m, texel_m);
+        moved.shown = footprint_weight(1 / per_m, texel_m);
         octaves.push_back(moved);
     }
     return octaves;

@@ -412,7 +412,7 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     if (of_shore == PELAGIC_OK && shore.struct_size == sizeof shore) {
         const auto last = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows) - 1;
         sum += shore.height_m[last] + shore.vertical_velocity_mps[last] + shore.reach_m[last] + shore.foam[last] +
-               shore.depth_m[last] + shore.potential_m2ps[last] + static_cast<double>(shore.parts_rgba8[last]);
+               shore.depth_m[last] + shore.potential_m2ps[last] + static_cast<double>(shore.weights_rgba8[last]);
     }
     if (sum != sum) std::abort();  // The input has no NaN, so the output must have none.
 }

@@ -203,7 +203,7 @@ def test_shores_are_identical_to_the_command(tmp_path):
         assert shore.depth_m[80, 100] == pytest.approx(float(told["depth"][0]), abs=1e-4)
         for array in (shore.depth_m, shore.height_m, shore.vertical_velocity_mps, shore.potential_m2ps, shore.reach_m, shore.foam):
             assert array.shape == (shore.rows, 256) and array.any() and not array.flags.writeable
-        assert shore.parts_rgba8.shape == (shore.rows, 256, 4) and shore.parts_change_per_m > 0
+        assert shore.weights_rgba8.shape == (shore.rows, 256, 4) and shore.weights_change_per_m > 0
         assert shore.height_min_m <= shore.height_m.min() < 0 < shore.height_m.max() <= shore.height_max_m
         del array
         hash_ = shore.hash

@@ -50,8 +50,8 @@ void print_line(std::string line) {
     std::printf("%s\n", line.c_str());
 }
 
-/// left() and right() pad a text with blanks to `width` characters. Longer texts are not truncated.
-std::string left(const std::string& text, std::size_t width) {
+/// left_aligned() and right() pad a text with blanks to `width` characters. Longer texts are not truncated.
+std::string left_aligned(const std::string& text, std::size_t width) {
     return text + std::string(width - std::min(width, text.size()), ' ');
 }
 std::string right(const std::string& text, std::size_t width) {
@@ -75,8 +75,8 @@ bool print_sea(const std::vector<const FrameTiming*>& frames) {
     const std::vector<JobTiming>& jobs = frames.front()->jobs;
     std::vector<std::string> lines;
     for (const JobTiming& job : jobs)
-        lines.push_back(left(lines.empty() ? frames.front()->sea() : "", 7) + left(job.job, 18));
-    lines.push_back(left("", 7) + left("frame", 18));
+        lines.push_back(left_aligned(lines.empty() ? frames.front()->sea() : "", 7) + left_aligned(job.job, 18));
+    lines.push_back(left_aligned("", 7) + left_aligned("frame", 18));
     for (const FrameTiming* frame : frames) {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             const JobTiming& job = frame->jobs[i];
@@ -96,9 +96,9 @@ bool print_sea(const std::vector<const FrameTiming*>& frames) {
 
 void print_jobs(const Timings& timings) {
     const std::vector<std::string> seas = seas_of(timings);
-    std::string title = left("On one thread", 25), heading = left("sea", 7) + left("job", 18);
+    std::string title = left_aligned("On one thread", 25), heading = left_aligned("sea", 7) + left_aligned("job", 18);
     for (const FrameTiming* frame : on_one_thread(timings, seas.front())) {
-        title += "| " + left(std::string(name_of(frame->isa)), 22);
+        title += "| " + left_aligned(std::string(name_of(frame->isa)), 22);
         heading += cells("ms", "instr.", "GB/s");
     }
     print_line("");
@@ -139,7 +139,7 @@ void print_threads(const Timings& timings) {
 
 void print_machine(const std::string& machine, const std::string& isa, const std::map<int, double>& ms,
                    const std::set<int>& sizes) {
-    std::string line = left(machine.substr(0, 39), 40) + left(isa, 8);
+    std::string line = left_aligned(machine.substr(0, 39), 40) + left_aligned(isa, 8);
     for (const int n : sizes) line += right(ms.contains(n) ? three_digits(ms.at(n)) : "-", 9);
     print_line(line);
 }
@@ -153,7 +153,7 @@ void print_machines(const Timings& timings) {
         here[frame.isa].ms[frame.resolution] = frame.ms.median;
     }
     print_line("");
-    std::string heading = left("Comparison of machines: ms per frame, N =", 48);
+    std::string heading = left_aligned("Comparison of machines: ms per frame, N =", 48);
     for (const int n : sizes) heading += right(number_text(n), 9);
     print_line(heading);
     for (const auto& [isa, frames] : here) print_machine("this machine", std::string(name_of(isa)), frames.ms, sizes);

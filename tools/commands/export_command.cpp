@@ -160,9 +160,9 @@ void run_export(const ExportOptions& options) {
             stderr,
             "note: values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold them, "
             "without --half and --format ktx2\n");
-    if (trace && trace->left_out() > 0)
+    if (trace && trace->omitted() > 0)
         std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
-                    ChromeTrace::default_max_spans, trace->left_out());
+                    ChromeTrace::default_max_spans, trace->omitted());
 }
 
 class ExportCommand final : public Command {

@@ -94,7 +94,7 @@ Json statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaR
          three(or_null(found.zero_crossing_period_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)}};
     if (!report.wind_sea || !report.swell) return json;
     const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
-    const auto component = [&](const std::optional<double>& peak_s, const WavePart& of) {
+    const auto component = [&](const std::optional<double>& peak_s, const WaveSystem& of) {
         return three(or_null(peak_s), of.drawn_peak_period_s, of.peak_period_s);
     };
     json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);

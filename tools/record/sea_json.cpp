@@ -165,7 +165,7 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
                    {"largest_share", report.loop_frequencies.largest_share}}}};
     if (report.expected_convergence_variance > 0)
         json["convergence_variance"] = both(report.expected_convergence_variance, report.drawn_convergence_variance);
-    const auto component = [&](const WavePart& of) -> Json {
+    const auto component = [&](const WaveSystem& of) -> Json {
         return {{"significant_wave_height_m", both(of.significant_wave_height_m, of.drawn_significant_wave_height_m)},
                 {"peak_period_s", both(of.peak_period_s, of.drawn_peak_period_s)}};
     };
