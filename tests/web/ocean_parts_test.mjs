@@ -132,8 +132,8 @@ for (const [where, create, options] of [everywhere[0], everywhere[2], everywhere
       assert.equal(shore[name].length, texels, name);
       assert.ok(shore[name].some((value) => value !== 0), name);
     }
-    assert.equal(shore.partsRgba8.length, 4 * texels);
-    assert.ok(shore.partsChangePerM > 0);
+    assert.equal(shore.weightsRgba8.length, 4 * texels);
+    assert.ok(shore.weightsChangePerM > 0);
     // Bilinear between samples of the floor.
     const [i, j] = [100, 80], u = (shore.texelM * i) / given.metresASample, v = (shore.texelM * j) / given.metresASample;
     const at = (column, row) => given.heightsM[given.columns * row + column];

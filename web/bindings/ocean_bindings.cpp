@@ -390,7 +390,7 @@ class OceanBinding {
         object.set("xM", surface.x_m);
         object.set("zM", surface.z_m);
         object.set("depthM", view_of(surface.depth_m));
-        object.set("partsRgba8", bytes_of(surface.parts_rgba8));
+        object.set("weightsRgba8", bytes_of(surface.weights_rgba8));
         object.set("heightM", view_of(surface.height_m));
         object.set("verticalVelocityMps", view_of(surface.vertical_velocity_mps));
         object.set("potentialM2ps", view_of(surface.potential_m2ps));
@@ -398,7 +398,7 @@ class OceanBinding {
         object.set("foam", view_of(surface.foam));
         object.set("heightMinM", surface.height_min_m);
         object.set("heightMaxM", surface.height_max_m);
-        object.set("partsChangePerM", surface.parts_change_per_m);
+        object.set("weightsChangePerM", surface.weights_change_per_m);
         return object;
     }
     std::string shore_hash(int slot) const { return hash_text(shore_hash_of(frames_[slot])); }

@@ -17,14 +17,9 @@ namespace {
 
 using emscripten::val;
 
-// In the order of the enumerators.
-const std::vector<std::string> steps = {"spectral", "verlet"};
-const std::vector<std::string> shapes = {"gauss", "hull"};
-const std::vector<std::string> modes = {"pressure", "relaxation", "impulse"};
-
-template <class Enum>
-const std::string& word_in(Enum option, const std::vector<std::string>& words) {
-    return words[static_cast<std::size_t>(option)];
+template <NamedEnum Enum>
+std::vector<std::string> words_of() {
+    return {names_of<Enum>().begin(), names_of<Enum>().end()};
 }
 
 /// Throws std::invalid_argument(prefix + reason) if the reason is not empty.
@@ -59,11 +54,9 @@ class ObjectReader {
 
     /// \param words  in the order of the enumerators
     template <class Enum>
-    void take_word(Enum& option, const std::string& name, const std::vector<std::string>& words) {
+    void take_word(Enum& option, const std::string& name) {
         const val value = take(name);
-        if (value.isUndefined()) return;
-        const std::string word = word_of(prefix_ + name, value, words);
-        option = static_cast<Enum>(std::find(words.begin(), words.end(), word) - words.begin());
+        if (!value.isUndefined()) option = *value_named<Enum>(word_of(prefix_ + name, value, words_of<Enum>()));
     }
 
     /// Throws std::invalid_argument if the object has an option that was not taken.
@@ -126,7 +119,7 @@ val table_of(std::span<const NumericField<Options>> fields, val table = val::arr
 DynamicWavesOptions dynamic_waves_options_of(const val& object) {
     ObjectReader reader("dynamicWaves", "dynamicWaves.", object);
     DynamicWavesOptions options;
-    reader.take_word(options.step, "step", steps);
+    reader.take_word(options.step, "step");
     reader.take_fields(options, dynamic_waves_fields());
     reader.end();
     require_valid("dynamicWaves.", check(options));
@@ -135,7 +128,7 @@ DynamicWavesOptions dynamic_waves_options_of(const val& object) {
 
 val options_of(const DynamicWavesOptions& options) {
     val object = val::object();
-    object.set("step", word_in(options.step, steps));
+    object.set("step", std::string(name_of(options.step)));
     for (const NumericField<DynamicWavesOptions>& field : dynamic_waves_fields())
         object.set(camel_case(field.name), field.value_in(options));
     return object;
@@ -144,8 +137,8 @@ val options_of(const DynamicWavesOptions& options) {
 Disturbance disturbance_of(const val& object) {
     ObjectReader reader("disturbance", "", object);
     Disturbance disturbance;
-    reader.take_word(disturbance.shape, "shape", shapes);
-    reader.take_word(disturbance.mode, "mode", modes);
+    reader.take_word(disturbance.shape, "shape");
+    reader.take_word(disturbance.mode, "mode");
     reader.take_fields(disturbance, disturbance_fields());
     reader.end();
     require_valid("", check(disturbance));
@@ -192,9 +185,12 @@ void set_input(OceanInput& input, const std::string& name, const val& object) {
 
 val ocean_option_tables() {
     val grid = val::array(), disturbance = val::array();
-    grid.call<void>("push", option_row("step", word_in(DynamicWavesOptions{}.step, steps), steps));
-    disturbance.call<void>("push", option_row("shape", word_in(Disturbance{}.shape, shapes), shapes));
-    disturbance.call<void>("push", option_row("mode", word_in(Disturbance{}.mode, modes), modes));
+    grid.call<void>(
+        "push", option_row("step", std::string(name_of(DynamicWavesOptions{}.step)), words_of<DynamicWavesStep>()));
+    disturbance.call<void>(
+        "push", option_row("shape", std::string(name_of(Disturbance{}.shape)), words_of<Disturbance::Shape>()));
+    disturbance.call<void>(
+        "push", option_row("mode", std::string(name_of(Disturbance{}.mode)), words_of<Disturbance::Mode>()));
     val tables = val::object();
     tables.set("dynamicWaves", table_of(dynamic_waves_fields(), grid));
     tables.set("disturbance", table_of(disturbance_fields(), disturbance));

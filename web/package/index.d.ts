@@ -492,7 +492,7 @@ export interface ShoreSurface {
   /** Depth of still water, below 0 on land. */
   readonly depthM: Float32Array;
   /** Four bytes per texel: the weight of cascade t in byte t, 255 for 1. */
-  readonly partsRgba8: Uint8Array;
+  readonly weightsRgba8: Uint8Array;
   readonly heightM: Float32Array;
   readonly verticalVelocityMps: Float32Array;
   /** Velocity potential of these waves at the surface. */
@@ -505,7 +505,7 @@ export interface ShoreSurface {
   readonly heightMinM: number;
   readonly heightMaxM: number;
   /** Largest change of a weight per metre. */
-  readonly partsChangePerM: number;
+  readonly weightsChangePerM: number;
 }
 
 /** Properties of a cascade that do not refer to the module's memory. */
