@@ -161,10 +161,10 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
         textures_.push_back({"dynamic_waves_texels", dynamic_waves_});
     }
     if (const ShoreSurface& shore = frame.shore) {
-        shore_parts_ = texture_of(server_, shore.columns, shore.rows, format_rgba8, filter);
+        shore_weights_ = texture_of(server_, shore.columns, shore.rows, format_rgba8, filter);
         shore_water_ = texture_of(server_, shore.columns, shore.rows, format_rgbaf, mipmaps | filter);
-        textures_.insert(textures_.end(), {{"shore_parts", shore_parts_}, {"shore_water", shore_water_}});
-        upload_image(shore_parts_, 0, shore.columns, shore.rows, format_rgba8, false, bytes_of(shore.parts_rgba8));
+        textures_.insert(textures_.end(), {{"shore_weights", shore_weights_}, {"shore_water", shore_water_}});
+        upload_image(shore_weights_, 0, shore.columns, shore.rows, format_rgba8, false, bytes_of(shore.weights_rgba8));
     }
     for (const Texture& texture : textures_) set(texture.uniform, Value(texture.rid));
 }

@@ -62,7 +62,7 @@ class SeaDrawing {
     std::vector<Texture> textures_;
     Rid displacement_{}, slopes_{}, moments_{};
     Rid dynamic_waves_{};                ///< height, slopes along x and z, foam
-    Rid shore_parts_{}, shore_water_{};  ///< weights of the cascades; as dynamic_waves_
+    Rid shore_weights_{}, shore_water_{};  ///< weights of the cascades; as dynamic_waves_
     std::vector<float> texels_;
     Held image_;
 };

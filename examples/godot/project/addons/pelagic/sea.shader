@@ -22,7 +22,7 @@ uniform sampler2D dynamic_waves_texels; // height, slopes along x and z, foam
 // xy: texture coordinates of the camera; z: their change per metre; w: texels per metre
 uniform vec4 dynamic_waves_place;
 uniform vec4 dynamic_waves_extent;   // xy: centre; z: half the side that is drawn, 0: no waves
-uniform sampler2D shore_parts;       // weights of the cascades
+uniform sampler2D shore_weights;     // weights of the cascades
 uniform sampler2D shore_water;       // height, slopes along x and z, foam
 uniform vec4 shore_place;            // xy: texture coordinates of the camera; zw: change per metre
 uniform vec4 shore_size;             // xy: texels, 0: no shore; z: texels per metre; w: last mip
@@ -87,8 +87,8 @@ vec2 shore_uv(vec2 at) {
 
 // Returns the weights of the cascades at a displaced position. Beyond the shore's rectangle they
 // are those of its nearest edge.
-vec4 parts_of_cascades(vec2 at) {
-	return textureLod(shore_parts, shore_uv(at), 0.0);
+vec4 weights_of_cascades(vec2 at) {
+	return textureLod(shore_weights, shore_uv(at), 0.0);
 }
 
 // Returns the mip whose texels have the length long_m.
@@ -156,15 +156,15 @@ vec3 displaced(vec2 index, sampler2DArray maps) {
 			zs += texel.z * component;
 		}
 	}
-	vec4 parts = vec4(1.0);
+	vec4 at_shore = vec4(1.0);
 	if (has_shore()) {
 		// The weights are those of the displaced position, which depends on them. They change
 		// over lengths much larger than the displacement, so two iterations suffice.
-		parts = parts_of_cascades(at);
-		parts = parts_of_cascades(at + vec2(dot(parts, xs), dot(parts, zs)));
-		parts = parts_of_cascades(at + vec2(dot(parts, xs), dot(parts, zs)));
+		at_shore = weights_of_cascades(at);
+		at_shore = weights_of_cascades(at + vec2(dot(at_shore, xs), dot(at_shore, zs)));
+		at_shore = weights_of_cascades(at + vec2(dot(at_shore, xs), dot(at_shore, zs)));
 	}
-	vec3 moved = vec3(dot(parts, xs), dot(parts, heights), dot(parts, zs));
+	vec3 moved = vec3(dot(at_shore, xs), dot(at_shore, heights), dot(at_shore, zs));
 	if (has_shore()) moved.y += left * shore_height_at(at + moved.xz, shore_mip(step_m));
 	// Half a level finer, like the mips of the cascades.
 	moved.y += left * dynamic_waves(at + moved.xz, step_m * 0.7071068).x;
@@ -225,21 +225,21 @@ void fragment() {
 	float foam = 0.0;
 	// Shorter side of the pixel's footprint on the sea.
 	float narrow_m = sqrt(min(dot(dFdx(rest), dFdx(rest)), dot(dFdy(rest), dFdy(rest))));
-	vec4 parts = has_shore() ? parts_of_cascades(place.xz) : vec4(1.0);
+	vec4 at_shore = has_shore() ? weights_of_cascades(place.xz) : vec4(1.0);
 	for (int cascade = 0; cascade < cascades; cascade++) {
 		vec4 scale = scale_of_cascade(cascade);
-		float part = dot(parts, component_of_cascade(cascade));
+		float weight = dot(at_shore, component_of_cascade(cascade));
 		if (weight_of_mip(log2(max(narrow_m * scale.x, 1.0))) <= 0.0) {
-			variance += part * part * scale.w; // the pixel resolves none of its waves
+			variance += weight * weight * scale.w; // the pixel resolves none of its waves
 			continue;
 		}
 		vec3 uv = vec3(place_in_cascade(place_of_cascade(cascade), rest), float(cascade));
 		vec4 slope = (texture(slopes, uv) * (255.0 / 127.0) - 128.0 / 127.0) * scale.y;
 		vec4 moment = texture(moments, uv);
-		h += part * slope.xy;
-		d += part * vec3(slope.zw, (moment.x * (255.0 / 127.0) - 128.0 / 127.0) * scale.y);
-		variance += part * part * (moment.y + moment.z) * scale.z;
-		foam = max(foam, part * texture(displacement, uv).w);
+		h += weight * slope.xy;
+		d += weight * vec3(slope.zw, (moment.x * (255.0 / 127.0) - 128.0 / 127.0) * scale.y);
+		variance += weight * weight * (moment.y + moment.z) * scale.z;
+		foam = max(foam, weight * texture(displacement, uv).w);
 	}
 	// Water whose height adds at the displaced position: slopes along x and z, and foam.
 	vec4 added = dynamic_waves(place.xz, narrow_m);
