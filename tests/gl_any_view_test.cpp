@@ -32,7 +32,7 @@ Camera anywhere(std::minstd_rand& random, int i) {
 class GlAnyView : public testing::TestWithParam<gl::Shading> {};
 INSTANTIATE_TEST_SUITE_P(Tiers, GlAnyView,
                          testing::Values(gl::Shading::headset, gl::Shading::medium, gl::Shading::high),
-                         [](const auto& test) { return std::string(gl::name_of(test.param)); });
+                         [](const auto& test) { return std::string(name_of(test.param)); });
 
 // 30 views a tier in the quick run, 500 at night; five views share a sky, ten share a sea.
 TEST_P(GlAnyView, RadianceIsFiniteAndNotNegative) {

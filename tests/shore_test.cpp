@@ -198,7 +198,7 @@ TEST(Shore, MatchesQueries) {
         EXPECT_NEAR(static_cast<double>(found_vertical_velocity), rise, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_x_mps), x_mps, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_z_mps), z_mps, 2e-3) << x << " " << z;
-        in_fade += here.weights[0] > 0.05 && here.parts[0] < 0.95;
+        in_fade += here.weights[0] > 0.05 && here.weights[0] < 0.95;
         at_shore += here.weights[1] < 0.5;
     }
     EXPECT_GT(in_fade, 500);
@@ -312,8 +312,8 @@ TEST(Shore, BoundsTheGradientOfTheWeights) {
         for (double z = 0; z < 6; z += 0.05)
             for (const double way : {0.0, far_m, -far_m})
                 for (std::size_t cascade = 0; cascade < 3; ++cascade)
-                    fastest = std::max(fastest, std::fabs(sample(shore, x, z).parts[cascade] -
-                                                          sample(shore, x + far_m, z + way).parts[cascade]) /
+                    fastest = std::max(fastest, std::fabs(sample(shore, x, z).weights[cascade] -
+                                                          sample(shore, x + far_m, z + way).weights[cascade]) /
                                                     std::sqrt(far_m * far_m + way * way));
     EXPECT_LE(fastest, static_cast<double>(shore.weights_change_per_m));
     // On the diagonal from a texel of weight 1 to a texel of weight 0.

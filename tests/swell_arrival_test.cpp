@@ -49,7 +49,7 @@ double deep_delay_s(double omega, double distance_m) {
     return 2 * distance_m / gravity_mps2 * (std::clamp(omega, first, last) - first);
 }
 
-double part_of(double omega, const SeaChange& change, double time_s) {
+double fraction_of(double omega, const SeaChange& change, double time_s) {
     const double begins_s = change.from_s + deep_delay_s(omega, change.swell_from_m);
     const double u = std::clamp((time_s - begins_s) / change.over_s, 0.0, 1.0);
     return u * u * (3 - 2 * u);
@@ -81,7 +81,7 @@ TEST(SwellArrival, ForecastHasTheEndAndTheWeightOfThePeak) {
         const ForecastMoment moment = forecast.at(10 + since_s);
         EXPECT_EQ(moment.before, 0u);
         EXPECT_EQ(moment.after, 1u);
-        EXPECT_NEAR(moment.part, part_of(two_pi / period_s, change, 10 + since_s), 1e-9);
+        EXPECT_NEAR(moment.weight, fraction_of(two_pi / period_s, change, 10 + since_s), 1e-9);
     }
     EXPECT_EQ(forecast.at(10).after, 0u);
     EXPECT_EQ(forecast.at(change.end_s()).before, 1u);
@@ -193,7 +193,7 @@ TEST(SwellArrival, LongWavesArriveBeforeShortWaves) {
         const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
         for (std::size_t i = 0; i < waves.size(); ++i) {
             const double part = std::norm(term(cascade, waves[i].m, waves[i].n) / whole[i]);
-            EXPECT_NEAR(part, part_of(waves[i].omega, change, time_s), 3e-3) << "T " << two_pi / waves[i].omega;
+            EXPECT_NEAR(part, fraction_of(waves[i].omega, change, time_s), 3e-3) << "T " << two_pi / waves[i].omega;
             if (came[i] < 0 && part > 0.5) came[i] = time_s;
         }
     }
@@ -214,7 +214,7 @@ double expected_height(const Forecast& forecast, double time_s) {
         for (int n = 0; n < half; ++n)
             for (int m = n == 0 ? 1 : 1 - half; m < half; ++m) {
                 const double k = std::hypot(m, n) * plan.spacing();
-                const double part = part_of(angular_frequency(k, change.sea.depth_m), change, time_s);
+                const double part = fraction_of(angular_frequency(k, change.sea.depth_m), change, time_s);
                 const auto energy = [&](const CascadeWaves& of) {
                     const auto both = of.variances(m, n).plus;
                     return 2 * (both.along + both.against);

@@ -49,7 +49,7 @@ TEST(Forecast, ReturnsTheTwoSeasAndTheWeightOfTheSecond) {
         const ForecastMoment moment = forecast.at(time_s);
         EXPECT_EQ(moment.before, before) << time_s;
         EXPECT_EQ(moment.after, after) << time_s;
-        EXPECT_DOUBLE_EQ(moment.part, part) << time_s;
+        EXPECT_DOUBLE_EQ(moment.weight, part) << time_s;
     };
     expect(-1e6, 0, 0, 0);
     expect(10, 0, 0, 0);
@@ -455,7 +455,7 @@ TEST(Weather, SmoothnessChannelHasTheRoughnessOfTheBlend) {
     ASSERT_GT(end_s, 100) << "waves of the swell's peak come first";
     for (double time_s = 40; time_s < end_s + 5; time_s += 20) {
         const ForecastMoment moment = forecast.at(time_s);
-        const double part = moment.before == moment.after ? time_s < end_s ? 0 : 1 : moment.part;
+        const double part = moment.before == moment.after ? time_s < end_s ? 0 : 1 : moment.weight;
         expect_roughness(time_s, 0.64 + part * (0.25 - 0.64));
     }
 }
@@ -530,7 +530,7 @@ TEST(Weather, ALiveOceanAcceptsSeveralChanges) {
     ocean.complete();
     EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17));
     EXPECT_EQ(ocean.frame_at(17).sea.wind_speed_mps,
-              sea_between(calm, storm, ocean.forecast().at(17).part).wind_speed_mps);
+              sea_between(calm, storm, ocean.forecast().at(17).weight).wind_speed_mps);
     EXPECT_EQ(ocean.sea().wind_speed_mps, storm.wind_speed_mps);
 
     EXPECT_THROW(ocean.schedule_sea(calm, 29, 5), std::invalid_argument) << "the change before is not over";
