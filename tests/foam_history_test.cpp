@@ -345,7 +345,7 @@ TEST(TickClock, LoopsHaveWholeTicksThatCanBeFoundByTime) {
             // loop to either side.
             const TickPlace place = clock.at(time + period * 0x1p-30);
             ASSERT_EQ(place.number, number) << period;
-            ASSERT_LE(place.part, 0x1p32 * clock.ticks_a_loop() * 0x1p-29) << period;
+            ASSERT_LE(place.fraction, 0x1p32 * clock.ticks_a_loop() * 0x1p-29) << period;
             ASSERT_EQ(clock.at(clock.time_in_loop_s(number)).number, clock.in_loop(number));
         }
         EXPECT_EQ(clock.at(1e300).number % clock.ticks_a_loop(), clock.at(std::fmod(1e300, period)).number);
