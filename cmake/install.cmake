@@ -52,7 +52,7 @@ foreach(name IN LISTS packages)
   install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
-set(message_headers numeric_field)
+set(message_headers enum_names numeric_field)
 set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plane_waves)
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers allocator isa)

@@ -81,7 +81,7 @@ std::vector<BadInput> bad_inputs() {
         {{"quadtree", "--quality", "best"}, {"--quality", "is best", "low, medium, high, ultra"}},
         {{"quadtree", "--camera", "1,2"}, {"--camera", "is 1,2", "X,Y,Z"}},
         {{"quadtree", "--camera", "1,nan,2"}, {"--camera", "is 1,nan,2", "X,Y,Z"}},
-        {{"quadtree", "--target", "1,2,1e9"}, {"--target", " 1,2,1e9 is out of range", "[-1e7, 1e7]"}},
+        {{"quadtree", "--target", "1,2,1e9"}, {"--target", " 1,2,1e9", "[-1e7, 1e7]"}},
         {{"quadtree", "--camera", "1,2,3", "--target", "1,2,3"},
          {"--target", "1,2,3", "another place than --camera"}},
         {{"quadtree", "--fov", "0"}, {"--fov", " 0 is out of range", "[1, 160]"}},
@@ -103,8 +103,8 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--fps", "0"}, {"--fps", " 0 is out of range", "(0, 1000]"}},
         {{"export", "--out", "OUT", "--fps", "-24"}, {"--fps", " -24 is out of range", "(0, 1000]"}},
         {{"export", "--out", "OUT", "--fps", "nan"}, {"--fps", " nan is out of range", "(0, 1000]"}},
-        {{"export", "--out", "OUT", "--start", "inf"}, {"--start", " inf is out of range", "[-1e9, 1e9]"}},
-        {{"export", "--out", "OUT", "--start", "noon"}, {"--start", " noon is out of range", "[-1e9, 1e9]"}},
+        {{"export", "--out", "OUT", "--start", "inf"}, {"--start", " inf", "[-1e9, 1e9]"}},
+        {{"export", "--out", "OUT", "--start", "noon"}, {"--start", " noon", "[-1e9, 1e9]"}},
         {{"export", "--out", "OUT", "--maps", "colour"}, {"--maps", "is colour", "displacement", "gradient"}},
         {{"export", "--out", "OUT", "--maps", ""}, {"--maps", "displacement", "gradient"}},
         {{"export", "--out", "OUT", "--maps", "gradient,gradient"}, {"--maps", "gradient,gradient"}},
@@ -226,10 +226,7 @@ std::vector<BadInput> bad_inputs() {
             // One parser reads all flags. Under a sanitizer each flag is tried with one of its
             // values, and each kind of value with some flag.
             if (is_sanitized && &value != &values[flag.size() % values.size()]) continue;
-            const bool is_interval = accepted.starts_with('[') || accepted.starts_with('(');
-            all.push_back({{"export", "--out", "OUT", flag, value},
-                           {flag + (is_interval ? " " + value + " is out of range " : " is " + value + ", expected "),
-                            accepted}});
+            all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " ", value, accepted}});
         }
     return all;
 }
