@@ -432,16 +432,16 @@ TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
 
     auto ray = sized<pelagic_ray>();
     auto hit = sized<pelagic_hit>();
-    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length is 0");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length 0 is out of range");
     ray.direction[0] = nan;
-    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length is nan");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length nan");
     ray.direction[0] = 1;
     for (const double reach_m : {nan, -1.0, infinity, 1e300}) {
         ray.reach_m = reach_m;
         expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reach_m is ");
     }
     ray.reach_m = 10, ray.origin_m[2] = nan;
-    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.origin_m is nan");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.origin_m nan");
 }
 
 TEST(CInterface, MissingOceanOptionsAreNamed) {
@@ -456,7 +456,7 @@ TEST(CInterface, MissingOceanOptionsAreNamed) {
                    "it was created without pelagic_ocean_options.queries");
     FrameArrays arrays(16);
     const pelagic_frame_buffers buffers = arrays.view();
-    expect_invalid(pelagic_ocean_frame_at(plain, 0, &buffers, nullptr), "velocity_x is wanted");
+    expect_invalid(pelagic_ocean_frame_at(plain, 0, &buffers, nullptr), "velocity_x is requested");
 }
 
 TEST(CInterface, EachThreadHasItsOwnMessage) {

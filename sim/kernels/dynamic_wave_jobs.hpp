@@ -18,9 +18,9 @@ constexpr std::size_t dynamic_plane_floats(std::size_t resolution) {
     return resolution * dynamic_row_stride(resolution) + 2 * dynamic_row_margin;
 }
 
-/// Damping in the border of the grid: each tick multiplies a texel by damping_x damping_z, which is less
-/// than 1 in the border. Values below `smallest` become 0; otherwise decaying waves would end as
-/// denormal numbers, which are slow on most processors.
+/// Damping in the border of the grid: each tick multiplies a texel by damping_x damping_z, which is
+/// less than 1 in the border. Values below `smallest` become 0; otherwise decaying waves would end
+/// as denormal numbers, which are slow on most processors.
 struct BorderDamping {
     static constexpr float smallest = 1e-18f;
     const float *damping_x, *damping_z;  ///< factors per tick of each column and row of the grid

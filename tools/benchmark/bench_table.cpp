@@ -50,7 +50,8 @@ void print_line(std::string line) {
     std::printf("%s\n", line.c_str());
 }
 
-/// left_aligned() and right() pad a text with blanks to `width` characters. Longer texts are not truncated.
+/// left_aligned() and right() pad a text with blanks to `width` characters. Longer texts are not
+/// truncated.
 std::string left_aligned(const std::string& text, std::size_t width) {
     return text + std::string(width - std::min(width, text.size()), ' ');
 }
