@@ -68,4 +68,13 @@ inline double foam_of_place(const Frame& frame, double x_m, double z_m) {
     return foam;
 }
 
+/// Returns the velocity of dynamic waves and of the shore at a drawn position, m/s along x, y and z.
+inline std::array<double, 3> velocity_of_place(const Frame& frame, double x_m, double z_m) {
+    std::array<double, 3> sum = {0, sample(frame.dynamic_waves, x_m, z_m).vertical_velocity_mps, 0};
+    if (!frame.shore) return sum;
+    const ShoreAt shore(frame.shore, x_m, z_m);
+    const auto [x_mps, z_mps] = shore.velocity();
+    return {x_mps, sum[1] + shore.cubic(frame.shore.vertical_velocity_mps).value, z_mps};
+}
+
 }  // namespace pelagic::python

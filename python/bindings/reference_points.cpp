@@ -23,6 +23,9 @@ namespace {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Planes = PlaneView Cascade::*[3];
 
+constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
+constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
+
 /// A cascade that is sampled at many points.
 class ReferenceCascade {
    public:
@@ -53,17 +56,16 @@ class ReferenceCascade {
         return {upper + left, upper + right, lower + left, lower + right, i, j, x - column, z - row};
     }
 
-    /// Returns planes, bilinear between texels, in double, as surface/cascade_sum.hpp does.
-    Displacement at(const Planes& planes, const Cell& cell) const {
-        const auto between = [&](PlaneView Cascade::*which) {
-            const float* plane = (cascade_.*which).data;
+    /// Adds planes, bilinear between texels, in double, as surface/cascade_sum.hpp does.
+    void add(const Planes& planes, const Cell& cell, double* sum) const {
+        for (int part = 0; part < 3; ++part) {
+            const float* plane = (cascade_.*planes[part]).data;
             const double upper_left = static_cast<double>(plane[cell.upper_left]);
             const double lower_left = static_cast<double>(plane[cell.lower_left]);
             const double upper = upper_left + cell.u * (static_cast<double>(plane[cell.upper_right]) - upper_left);
             const double lower = lower_left + cell.u * (static_cast<double>(plane[cell.lower_right]) - lower_left);
-            return upper + cell.v * (lower - upper);
-        };
-        return {between(planes[0]), between(planes[1]), between(planes[2])};
+            sum[part] += upper + cell.v * (lower - upper);
+        }
     }
 
     double foam(const Cell& cell) const { return foam_at(cascade_, cell.x, cell.z, cell.u, cell.v); }
@@ -74,69 +76,59 @@ class ReferenceCascade {
     std::vector<std::ptrdiff_t> columns_;  ///< offset of each column, in floats
 };
 
-constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
-constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 constexpr double farthest_m = 1e9;  // at this distance doubles still resolve micrometres
 
-/// Samples a frame at one reference position after the other.
-class ReferenceSampler {
-   public:
-    explicit ReferenceSampler(const Frame& frame)
-        : frame_(frame),
-          has_cascade_foam_(!frame.cascades.front().foam_r8.empty()),
-          cascades_(frame.cascades.begin(), frame.cascades.end()) {}
-
-    void move_to(double x_m, double z_m) {
-        x_m_ = x_m, z_m_ = z_m;
-        for (std::size_t t = 0; t < cascades_.size(); ++t) {
-            cells_[t] = cascades_[t].cell_at(x_m, z_m);
-            of_cascades_[t] = cascades_[t].at(displacements, cells_[t]);
-        }
-        drawn_ = drawn_water(frame_, x_m, z_m, {of_cascades_.data(), cascades_.size()});
-    }
-
-    const Displacement& displacement() const { return drawn_.displacement; }
-
-    /// Returns the velocity along x, y and z, m/s, as queries do. \pre the frame has velocities
-    std::array<double, 3> velocity() const {
-        std::array<double, 3> sum{};
-        for (std::size_t t = 0; t < cascades_.size(); ++t) {
-            const Displacement one = cascades_[t].at(velocities, cells_[t]);
-            sum[0] += drawn_.weights[t] * one.dx;
-            sum[1] += drawn_.weights[t] * one.height;
-            sum[2] += drawn_.weights[t] * one.dz;
-        }
-        sum[1] += sample(frame_.dynamic_waves, drawn_x(), drawn_z()).vertical_velocity_mps;
-        if (!frame_.shore) return sum;
-        const ShoreAt shore(frame_.shore, drawn_x(), drawn_z());
-        const auto [x_mps, z_mps] = shore.velocity();
-        sum[0] += x_mps;
-        sum[1] += shore.cubic(frame_.shore.vertical_velocity_mps).value;
-        sum[2] += z_mps;
-        return sum;
-    }
-
-    /// Returns the foam in [0, 1]. \pre has_foam(frame)
-    double foam() const {
-        double max = foam_of_place(frame_, drawn_x(), drawn_z());
-        if (has_cascade_foam_)
-            for (std::size_t t = 0; t < cascades_.size(); ++t)
-                max = std::max(max, drawn_.weights[t] * cascades_[t].foam(cells_[t]));
-        return max;
-    }
-
-   private:
-    double drawn_x() const { return x_m_ + drawn_.displacement.dx; }
-    double drawn_z() const { return z_m_ + drawn_.displacement.dz; }
-
-    const Frame& frame_;
-    bool has_cascade_foam_;
-    std::vector<ReferenceCascade> cascades_;
-    std::array<ReferenceCascade::Cell, max_cascades> cells_{};
-    std::array<Displacement, max_cascades> of_cascades_{};
-    double x_m_ = 0, z_m_ = 0;
-    DrawnWater drawn_{};
+/// Outputs of points in order; null: not wanted. Each call appends.
+struct Outputs {
+    float *displacement, *velocity, *foam;
 };
+
+/// Samples a sea without dynamic waves and without a shore.
+void sample_cascades(const std::vector<ReferenceCascade>& cascades, double x_m, double z_m, Outputs& out) {
+    double sum[3] = {}, speed[3] = {}, max_foam = 0;
+    for (const ReferenceCascade& cascade : cascades) {
+        const ReferenceCascade::Cell cell = cascade.cell_at(x_m, z_m);
+        cascade.add(displacements, cell, sum);
+        if (out.velocity) cascade.add(velocities, cell, speed);
+        if (out.foam) max_foam = std::max(max_foam, cascade.foam(cell));
+    }
+    for (const double part : sum) *out.displacement++ = static_cast<float>(part);
+    if (out.velocity)
+        for (const double part : speed) *out.velocity++ = static_cast<float>(part);
+    if (out.foam) *out.foam++ = static_cast<float>(max_foam);
+}
+
+/// Samples a sea with dynamic waves or a shore. Velocities and foam are those of a query at the
+/// drawn position.
+void sample_all(const Frame& frame, const std::vector<ReferenceCascade>& cascades, double x_m, double z_m,
+                Outputs& out) {
+    std::array<Displacement, max_cascades> of_cascades;
+    std::array<std::array<double, 3>, max_cascades> speeds{};
+    std::array<double, max_cascades> foams{};
+    for (std::size_t t = 0; t < cascades.size(); ++t) {
+        const ReferenceCascade::Cell cell = cascades[t].cell_at(x_m, z_m);
+        double one[3] = {};
+        cascades[t].add(displacements, cell, one);
+        of_cascades[t] = {one[0], one[1], one[2]};
+        if (out.velocity) cascades[t].add(velocities, cell, speeds[t].data());
+        if (out.foam && !frame.cascades[t].foam_r8.empty()) foams[t] = cascades[t].foam(cell);
+    }
+    const DrawnWater drawn = drawn_water(frame, x_m, z_m, {of_cascades.data(), cascades.size()});
+    const Displacement& d = drawn.displacement;
+    for (const double part : {d.dx, d.height, d.dz}) *out.displacement++ = static_cast<float>(part);
+    const double x = x_m + d.dx, z = z_m + d.dz;
+    if (out.velocity) {
+        std::array<double, 3> sum = velocity_of_place(frame, x, z);
+        for (std::size_t t = 0; t < cascades.size(); ++t)
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += drawn.weights[t] * speeds[t][axis];
+        for (const double part : sum) *out.velocity++ = static_cast<float>(part);
+    }
+    if (out.foam) {
+        double max = foam_of_place(frame, x, z);
+        for (std::size_t t = 0; t < cascades.size(); ++t) max = std::max(max, drawn.weights[t] * foams[t]);
+        *out.foam++ = static_cast<float>(max);
+    }
+}
 
 py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
     const auto reader = handle.read();
@@ -147,22 +139,23 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
     const bool has_velocities = frame.cascades.front().velocity_x.data != nullptr, foam_is_there = has_foam(frame);
     py::array_t<float> displacement({count, py::ssize_t{3}}), velocity({has_velocities ? count : 0, py::ssize_t{3}});
     py::array_t<float> foam(foam_is_there ? count : 0);
-    float *moved = displacement.mutable_data(), *moves = velocity.mutable_data(), *white = foam.mutable_data();
+    Outputs out = {.displacement = displacement.mutable_data(),
+                   .velocity = has_velocities ? velocity.mutable_data() : nullptr,
+                   .foam = foam_is_there ? foam.mutable_data() : nullptr};
     const double* at = points.data();
     {
         const py::gil_scoped_release others_run;
-        ReferenceSampler sampler(frame);
+        const std::vector<ReferenceCascade> cascades(frame.cascades.begin(), frame.cascades.end());
+        const bool has_cascades_only = !frame.dynamic_waves && !frame.shore;
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
                 throw std::invalid_argument(invalid_value_message("points[" + number_text(point) + "]",
                                                                   number_text(at[0]) + ", " + number_text(at[1]),
                                                                   "metres in [-1e9, 1e9]"));
-            sampler.move_to(at[0], at[1]);
-            const Displacement& d = sampler.displacement();
-            for (const double part : {d.dx, d.height, d.dz}) *moved++ = static_cast<float>(part);
-            if (has_velocities)
-                for (const double part : sampler.velocity()) *moves++ = static_cast<float>(part);
-            if (foam_is_there) *white++ = static_cast<float>(sampler.foam());
+            if (has_cascades_only)
+                sample_cascades(cascades, at[0], at[1], out);
+            else
+                sample_all(frame, cascades, at[0], at[1], out);
         }
     }
     py::dict answers;
