@@ -25,8 +25,11 @@ def watched(section):
     return draw
 
 
+panel.unregister()
 for each in panel.classes:
     each.draw = watched(each)
+    each.bl_options = set()  # open, so that each is drawn
+panel.register()
 
 
 def window():
@@ -75,7 +78,7 @@ def steps():
         until = time.monotonic() + 0.5
         yield lambda: time.monotonic() > until
     assert "PELAGIC_PT_ocean" in drawn, "there is no tab Pelagic"
-    yield lambda: {"PELAGIC_PT_waves", "PELAGIC_PT_mesh", "PELAGIC_PT_time", "PELAGIC_PT_bake"} <= drawn
+    yield lambda: {each.__name__ for each in panel.classes if "_PT_" in each.__name__} <= drawn
     with inside():
         bpy.ops.screen.screenshot(filepath=str(folder / "panel.png"))
     for preset in ("pond", "analytic-calm", "moderate"):

@@ -3,13 +3,16 @@
 The folder has vertices.pc2 (for the Mesh Cache modifier), foam_0001.png and so on (a pixel a vertex, for the material), and sea.json:
 the sea, as `pelagic query --config` reads it, and of each frame the sea's time and hash. sea.json comes last, when all is there.
 Until then bake.journal has what is baked, and a line for each frame that is done: the next run goes on behind the last of them."""
+import dataclasses
+import hashlib
 import json
 import os
 
 import bpy
 import numpy
 
-from . import grid, library, material, sea_object
+from . import grid, library, material, sea_object, shore
+from .exr import exr
 from .grey_png import grey_png
 from .pc2_file import Pc2Writer, whole_frames
 
@@ -46,10 +49,33 @@ def what_is_baked(object, scene):
     """All that the files depend on."""
     settings = object.pelagic
     size, resolution, place = sea_object.square_of(settings)
-    return {"version": library.pelagic.__version__, "sea": sea_object.record_of(settings),
-            "mesh": {"size_m": size, "resolution": resolution, "place_m": list(place), "foam": settings.foam},
-            "frames": [{"frame": frame, "time_s": sea_object.sea_time(settings, scene, frame)}
-                       for frame in range(settings.bake_start, settings.bake_end + 1)]}
+    baked = {"version": library.pelagic.__version__, "sea": sea_object.record_of(settings),
+             "mesh": {"size_m": size, "resolution": resolution, "place_m": list(place), "foam": settings.foam}}
+    keys = sea_object.keys_of(settings)
+    if keys.waves:
+        baked["dynamic_waves"] = {"side_m": keys.waves.grid.side_m, "resolution": keys.waves.grid.resolution,
+                                  "middle_m": list(keys.waves.center), "events": digest_of(keys.waves.events_text.encode()),
+                                  "rain": dataclasses.asdict(keys.waves.rain), "rain_start_s": keys.waves.start_s}
+    if keys.ocean.floor:
+        floor = shore.floors[keys.ocean.floor]
+        baked["shore"] = {"floor": digest_of(floor.heights.tobytes()), "size_m": floor.size_m, "middle_m": list(floor.middle_m)}
+    baked["frames"] = [{"frame": frame, "time_s": sea_object.sea_time(settings, scene, frame)}
+                       for frame in range(settings.bake_start, settings.bake_end + 1)]
+    return baked
+
+
+def digest_of(content):
+    return hashlib.blake2b(content, digest_size=8).hexdigest()
+
+
+def inputs_of(settings):
+    """Returns the files that the command line needs beside sea.json: by name, their content."""
+    keys, files = sea_object.keys_of(settings), {}
+    if keys.waves and keys.waves.events_text:
+        files["events.csv"] = keys.waves.events_text.encode()
+    if keys.ocean.floor:
+        files["floor.exr"] = exr(shore.floors[keys.ocean.floor].heights)
+    return files
 
 
 def run(object, scene):
@@ -91,6 +117,8 @@ def write_frames(settings, folder, baked):
     journal_path = os.path.join(folder, "bake.journal")
     if os.path.exists(record):
         os.remove(record)  # of another bake
+    for name, content in inputs_of(settings).items():
+        write_whole(os.path.join(folder, name), content)
     plan = json.dumps(baked)
     hashes = hashes_of_journal(journal_path, plan)[:whole_frames(cache, points)]
     write_whole(journal_path, "".join(line + "\n" for line in [plan, *hashes]).encode())

@@ -8,7 +8,7 @@ def reference_points(size, resolution, place):
     """x and z in Pelagic's axes, in double: vertex i + j (resolution + 1) lies i faces along +X and j along +Y."""
     steps = (numpy.arange(resolution + 1) / resolution - 0.5) * size
     points = numpy.empty(((resolution + 1) ** 2, 2))
-    points[:, 0] = numpy.cascade(steps + place[0], resolution + 1)
+    points[:, 0] = numpy.tile(steps + place[0], resolution + 1)
     points[:, 1] = -numpy.repeat(steps + place[1], resolution + 1)
     return points
 

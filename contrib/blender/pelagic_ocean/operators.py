@@ -1,8 +1,8 @@
-"""Add Ocean, presets, bakes."""
+"""Operators: Add Ocean, presets, recordings, bakes."""
 import bpy
 from bpy.props import StringProperty
 
-from . import bake, library, material, sea_object
+from . import bake, library, material, recording, sea_object
 
 
 class PELAGIC_OT_add_ocean(bpy.types.Operator):
@@ -90,6 +90,35 @@ def take_preset(settings, name):
     settings.cascade_side = sea.patch_size_m
 
 
+class PELAGIC_OT_record(OnOcean, bpy.types.Operator):
+    """Step through the scene's frames and write the motion of the objects as events. Record again after a change of their animation"""
+    bl_idname = "pelagic.record"
+    bl_label = "Record Objects"
+
+    def execute(self, context):
+        object, scene = context.object, context.scene
+        frame, subframe = scene.frame_current, scene.frame_subframe
+
+        def depsgraph_of(frame):
+            scene.frame_set(frame)
+            return context.evaluated_depsgraph_get()
+
+        try:
+            with sea_object.quiet():
+                text = recording.record(object, scene, depsgraph_of)
+                name = f"{object.name} events.csv"
+                block = bpy.data.texts.get(name) or bpy.data.texts.new(name)
+                block.from_string(text)
+                object.pelagic.events = block
+        except ValueError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        finally:
+            scene.frame_set(frame, subframe=subframe)
+        self.report({"INFO"}, f"Recorded {len(text.splitlines()) - 1} events in the text {name}")
+        return {"FINISHED"}
+
+
 class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
     """Write the frames to disk, then play them from there. Escape stops; the next bake goes on where this one stopped"""
     bl_idname = "pelagic.bake"
@@ -154,7 +183,7 @@ def add_menu(menu, context):
     menu.layout.operator(PELAGIC_OT_add_ocean.bl_idname, icon="MOD_OCEAN")
 
 
-classes = (PELAGIC_OT_add_ocean, PELAGIC_OT_preset, PELAGIC_OT_bake, PELAGIC_OT_go_live)
+classes = (PELAGIC_OT_add_ocean, PELAGIC_OT_preset, PELAGIC_OT_record, PELAGIC_OT_bake, PELAGIC_OT_go_live)
 
 
 def register():

@@ -110,6 +110,27 @@ class PELAGIC_PT_time(OfOcean, bpy.types.Panel):
             self.prepare().prop(context.object.pelagic, name)
 
 
+class PELAGIC_PT_dynamic_waves(OfOcean, bpy.types.Panel):
+    bl_label = "Dynamic Waves"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout, settings = self.prepare(), context.object.pelagic
+        layout.prop(settings, "sources")
+        layout.prop(settings, "source_mode")
+        layout.operator("pelagic.record")
+        for name in ("events", "rain", "rain_radius", "rain_depth", "waves_side", "waves_resolution"):
+            layout.prop(settings, name)
+
+
+class PELAGIC_PT_shore(OfOcean, bpy.types.Panel):
+    bl_label = "Shore"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        self.prepare().prop(context.object.pelagic, "floor")
+
+
 class PELAGIC_PT_bake(OfOcean, bpy.types.Panel):
     bl_label = "Bake"
 
@@ -128,7 +149,7 @@ def title(preset):
 
 
 classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_spectrum, PELAGIC_PT_mesh,
-           PELAGIC_PT_time, PELAGIC_PT_bake)
+           PELAGIC_PT_time, PELAGIC_PT_dynamic_waves, PELAGIC_PT_shore, PELAGIC_PT_bake)
 
 
 def register():

@@ -1,4 +1,4 @@
-"""What stands between an object's settings and its mesh: the sea that the settings ask for, an ocean that makes it, vertices."""
+"""Computes the mesh of an ocean object from its settings: sea, ocean, vertices."""
 import contextlib
 import dataclasses
 import math
@@ -7,22 +7,24 @@ import typing
 import bpy
 import numpy
 
-from . import grid, library
+from . import dynamic_waves, grid, library, shore
 from .typed_numbers import typed, typed_degrees
 
 
 class OceanKey(typing.NamedTuple):
-    """What an ocean is made of. Objects that ask for the same share one, but for foam: a jump of time makes foam
-    anew, which takes as long as ten to twenty frames, and each object has a time of its own."""
+    """All that an ocean depends on. Objects with equal keys share one ocean, unless they have foam: after a jump of time foam takes
+    as long as ten to twenty frames, and each object may show another time."""
     sea: typing.Any
     foam: bool
     velocity: bool
     owner: str
+    grid: typing.Any  # of dynamic waves, or None
+    floor: typing.Optional[str]  # key of shore.floors
 
 
 oceans = {}
-kept = {}  # by scenes' names, the keys of oceans that they use
-rests = {}  # the last few squares of reference points
+kept = {}  # by a scene's name, the keys that it uses in oceans, dynamic_waves.players and shore.floors
+references = {}  # the last few squares of reference points
 
 
 class Moved(typing.NamedTuple):
@@ -30,7 +32,8 @@ class Moved(typing.NamedTuple):
     vertices: numpy.ndarray
     foam: typing.Optional[numpy.ndarray]
     velocity: typing.Optional[numpy.ndarray]
-    frame: typing.Any  # of the library, as long as the ocean makes no later ones
+    frame: typing.Any  # pelagic.Frame, valid until the ocean's next one
+    used: set  # keys
 
 
 is_quiet = False
@@ -97,15 +100,22 @@ def has_spectrum(sea):
     return sea.waves == "spectrum"
 
 
-def key_of(settings):
-    owner = settings.id_data.name if settings.foam else ""
-    return OceanKey(sea_of(settings), settings.foam, settings.velocity, owner)
+class Keys(typing.NamedTuple):
+    ocean: OceanKey
+    waves: typing.Optional[dynamic_waves.WavesKey]
 
 
-def ocean_of(settings):
-    key = key_of(settings)
+def keys_of(settings):
+    owner, sea = settings.id_data.name if settings.foam else "", sea_of(settings)
+    waves = dynamic_waves.key_of(settings, sea, typed(time_offset_in(settings, settings.first_frame)))
+    floor = shore.key_of(settings, square_of(settings)[2])
+    return Keys(OceanKey(sea, settings.foam, settings.velocity, owner, waves.grid if waves else None, floor), waves)
+
+
+def ocean_of(key):
     if key not in oceans:
-        oceans[key] = library.pelagic.Ocean(key.sea, queries=False, foam=key.foam, velocities=key.velocity)
+        oceans[key] = library.pelagic.Ocean(key.sea, queries=False, foam=key.foam, velocities=key.velocity, dynamic_waves=key.grid,
+                                            shore=shore.floors[key.floor].options() if key.floor else None)
     return oceans[key]
 
 
@@ -137,42 +147,50 @@ class Reference(typing.NamedTuple):
 
 def reference_of(settings):
     square = square_of(settings)
-    if square not in rests:
-        if len(rests) >= 8:
-            rests.pop(next(iter(rests)))
+    if square not in references:
+        if len(references) >= 8:
+            references.pop(next(iter(references)))
         size, resolution, _ = square
-        rests[square] = Reference(grid.reference_points(*square), grid.reference_vertices(size, resolution, (0, 0)),
+        references[square] = Reference(grid.reference_points(*square), grid.reference_vertices(size, resolution, (0, 0)),
                              grid.reference_vertices(*square).astype(numpy.float32))
-    return rests[square]
+    return references[square]
 
 
 def moved(settings, time_s):
-    """The sea's points at a time. Raises ValueError with one line for options that make no sea."""
+    """Returns the mesh at a time of the sea. Raises ValueError with one line for invalid options."""
     if library.problem:
         raise ValueError(library.problem)
-    rest = reference_of(settings)
-    frame = ocean_of(settings).frame_at(time_s)
-    water = frame.sample_undisplaced(rest.points)
-    vertices = (rest.vertices + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
+    reference = reference_of(settings)
+    keys = keys_of(settings)
+    ocean = ocean_of(keys.ocean)
+    if keys.waves:
+        ocean.dynamic_waves.restore_state(dynamic_waves.state_at(keys.waves, time_s))
+    frame = ocean.frame_at(time_s)
+    water = frame.sample_undisplaced(reference.points)
+    vertices = (reference.vertices + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
     velocity = grid.from_pelagic(water["velocity"]) * numpy.float32(settings.speed) if settings.velocity else None
-    return Moved(vertices, water["foam"] if settings.foam else None, velocity, frame)
+    return Moved(vertices, water["foam"] if settings.foam else None, velocity, frame, used_by(keys))
+
+
+def used_by(keys):
+    return {key for key in (keys.ocean, keys.waves, keys.ocean.floor) if key is not None}
 
 
 def update(object, scene, settings):
-    """Brings the mesh to the scene's moment. What can't be made leaves the mesh as it was, and its reason in the object's error.
-    Returns the key of the ocean that was used, or None.
+    """Brings the mesh to the scene's time. If that fails, the mesh stays as it was, and the object's error has the reason. Returns the
+    keys that were used.
 
-    settings: the object's, or those of its copy that a render evaluated"""
+    settings: the object's, or those of its evaluated copy in a render"""
     try:
         now = moved(settings, sea_time(settings, scene))
     except (ValueError, MemoryError, RuntimeError) as error:
         note_error(object, line_of(error))
-        return None
+        return set()
     note_error(object, "")
     if not grid.has_resolution(object.data, settings.resolution):
         grid.fill(object.data, settings.resolution, now.vertices)
     grid.write(object.data, reference_of(settings).position, now.vertices, now.foam, now.velocity)
-    return key_of(settings)
+    return now.used
 
 
 def line_of(error):
@@ -188,28 +206,30 @@ def note_error(object, line):
 
 
 def keys_in(scene):
-    """Of the oceans that its objects ask for."""
-    keys = set()
+    """Returns the keys that the scene's objects use."""
+    used = set()
     for object in scene.objects:
         if is_live(object):
             try:
-                keys.add(key_of(object.pelagic))
+                used |= used_by(keys_of(object.pelagic))
             except ValueError:
                 pass
-    return keys
+    return used
 
 
 def keep(scene, keys):
-    """Of the scene's oceans only these, and those of other scenes, which may take turns with it."""
+    """Frees what neither these keys nor those of other scenes use. Scenes may take turns."""
     kept[scene.name] = keys
     for name in [name for name in kept if name not in bpy.data.scenes]:
         del kept[name]
     used = set().union(*kept.values())
-    for key in [key for key in oceans if key not in used]:
-        del oceans[key]
+    for held in (oceans, dynamic_waves.players, shore.floors):
+        for key in [key for key in held if key not in used]:
+            del held[key]
 
 
 def forget_all():
-    oceans.clear()
+    for held in (oceans, dynamic_waves.players, shore.floors):
+        held.clear()
     kept.clear()
-    rests.clear()
+    references.clear()

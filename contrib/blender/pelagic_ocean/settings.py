@@ -1,4 +1,4 @@
-"""What an ocean object remembers, saved with the .blend. Lengths, angles and speeds have Blender's units."""
+"""Settings of an ocean object, saved with the .blend. Lengths, angles and speeds have Blender's units."""
 import math
 
 import bpy
@@ -7,12 +7,16 @@ from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorPro
 
 from . import timeline
 
-# Ranges are the library's (sim/sea_state.hpp), which checks them again.
+# Defaults and ranges are the library's (sim/sea_state.hpp, dynamic_waves.hpp, rain.hpp), which checks values again.
 full_turn = 2 * math.pi
 
 
 def changed(settings, context):
     timeline.settings_changed(settings.id_data)
+
+
+def is_floor(settings, object):
+    return object.type == "MESH" and object != settings.id_data and not object.pelagic.is_ocean
 
 
 class PelagicOcean(bpy.types.PropertyGroup):
@@ -116,6 +120,35 @@ class PelagicOcean(bpy.types.PropertyGroup):
     velocity: BoolProperty(
         name="Velocity", default=False, update=changed,
         description='How fast points move, metres a second: the attribute "velocity", of which Cycles makes motion blur')
+
+    sources: PointerProperty(
+        name="Objects", type=bpy.types.Collection,
+        description="Objects that push the water where their bounding box cuts the sea's rest level; Record Objects follows their motion")
+    source_mode: EnumProperty(
+        name="Act As", default="pressure", items=(
+            ("pressure", "Pressure", "The weight of a floating hull: the volume of the water stays", 0),
+            ("relaxation", "Relaxation", "The water takes the shape of the hull: bounded, but it adds volume", 1)))
+    events: PointerProperty(
+        name="Events", type=bpy.types.Text, update=changed,
+        description="CSV text of disturbances, as pelagic query --events reads it; Record Objects writes one")
+    rain: FloatProperty(
+        name="Rain", default=0, min=0, max=1e4, soft_max=10, update=changed,
+        description="Mean number of drops on a square metre in a second, from the first frame on; 0: none")
+    rain_radius: FloatProperty(
+        name="Drop Radius", default=0.25, min=0.001, max=625, soft_max=1, subtype="DISTANCE", update=changed,
+        description="Radius of a drop's crater, at most a 16th of Wave Side")
+    rain_depth: FloatProperty(
+        name="Drop Depth", default=0.02, min=-10, max=10, soft_min=0, soft_max=0.2, subtype="DISTANCE", update=changed,
+        description="Depth of a drop's crater")
+    waves_side: FloatProperty(
+        name="Wave Side", default=64, min=1, max=10000, subtype="DISTANCE", update=changed,
+        description="Side of the square of dynamic waves around the object's origin; they fade towards its edges")
+    waves_resolution: EnumProperty(
+        name="Wave Texels", default="256", update=changed, description="Along that side; more hold shorter waves",
+        items=[(str(2 ** k), str(2 ** k), "", 2 ** k) for k in range(6, 11)])
+    floor: PointerProperty(
+        name="Floor", type=bpy.types.Object, update=changed, poll=is_floor,
+        description="Mesh of the sea floor, which may rise above the water; its modifiers do not count")
 
     is_baked: BoolProperty(options={"HIDDEN"})
     bake_folder: StringProperty(name="Folder", subtype="DIR_PATH", default="//pelagic_bake/",

@@ -6,12 +6,14 @@ from . import sea_object
 
 
 def follow(scene, depsgraph=None):
+    if sea_object.is_quiet:
+        return
     used = set()
     for object in scene.objects:
         if sea_object.is_live(object):
             # Of a render the keyed options stand in its own copy alone.
             keyed = object.evaluated_get(depsgraph).pelagic if depsgraph else object.pelagic
-            used.add(sea_object.update(object, scene, keyed))
+            used |= sea_object.update(object, scene, keyed)
     sea_object.keep(scene, used)
 
 
