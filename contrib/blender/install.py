@@ -1,4 +1,4 @@
-# Installs the add-on and keeps it switched on, as Edit > Preferences > Add-ons > Install does in the window:
+# Installs and enables the add-on, as Edit > Preferences > Add-ons > Install does in the window:
 #
 #   blender -b --python-exit-code 1 -P install.py -- ZIP
 import sys

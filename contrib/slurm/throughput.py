@@ -46,7 +46,7 @@ def runs_of(lines, jobs):
     twice: the first counts."""
     runs = {}
     for fields in fields_of(lines):
-        task = re.fullmatch(r"(\d+)_(\d+)", fields["JobID"])  # sacct's steps are 12_3.batch
+        task = re.fullmatch(r"(\d+)_(\d+)", fields["JobID"])  # skips sacct's steps, such as 12_3.batch
         if not task or task[1] not in jobs:
             continue
         try:
@@ -96,7 +96,7 @@ def main():
     runs = runs_of(sys.stdin, arguments.job)
     frames = frames_of_shards(arguments.folder, arguments.shards)
     if not runs:
-        sys.exit(f"no run of an array {' or '.join(arguments.job)} among the completion records")
+        sys.exit(f"no run of the array {' or '.join(arguments.job)} in the completion records")
 
     print(f"{'shard':>5} {'frames':>6} {'seconds':>7} {'frames/s':>8}  runs")
     shards = collections.defaultdict(list)

@@ -1,4 +1,4 @@
-"""Bakes: what is written, that it goes on where it was stopped, that nothing is half there, and that a Blender without the add-on plays it.
+"""Bakes: files, continuation after a stop, complete files only, and playback without the add-on.
 
 usage: blender -b -P bake_test.py -- PELAGIC FOLDER"""
 import json
@@ -29,7 +29,7 @@ def refused(what):
         assert len(lines) == 1 and what in lines[0], lines
         print("refused:", lines[0])
     else:
-        assert False, "baked what can't be baked"
+        assert False, "a bake that must fail succeeded"
 
 
 bpy.ops.pelagic.add_ocean(preset="rough")
@@ -38,11 +38,11 @@ settings = ocean.pelagic
 settings.resolution, settings.size, settings.wind_speed = 48, 60, 13.7
 assert (settings.bake_start, settings.bake_end) == (3, 8), "the scene's range"
 
-refused("//pelagic_bake/")  # the .blend is saved nowhere
+refused("//pelagic_bake/")  # the .blend has not been saved
 blend = str(Path(folder) / "bake.blend")
 bpy.ops.wm.save_as_mainfile(filepath=blend)
 settings.bake_end = 2
-refused("Bake End is 2")
+refused("Bake End 2: must be at least 3")
 settings.bake_end = 8
 settings.keyframe_insert("wind_speed", frame=1)
 refused("pelagic.wind_speed is animated")
@@ -62,24 +62,24 @@ def files():
     return {path.name: path.read_bytes() for path in sorted(into.iterdir())}
 
 
-# Stopped after two frames: nothing under a final name but whole images, and the next run goes on.
+# Stopped after two frames: only complete images have final names, and the next run continues.
 into = Path(folder) / "pelagic_bake" / "Ocean"
 work = bake.run(ocean, scene)
 assert [next(work) for _ in range(2)] == [(1, 6), (2, 6)]
 work.close()
 assert set(files()) == {"bake.journal", "foam_0003.png", "foam_0004.png", "vertices.pc2.part"}, set(files())
-# As a crash leaves it: a frame cut off, and a line.
+# Simulates a crash: an incomplete frame and an incomplete line.
 with open(into / "vertices.pc2.part", "ab") as file:
     file.write(b"half a frame")
 with open(into / "bake.journal", "a") as file:
     file.write("0123")
 first_two = os.stat(into / "foam_0003.png").st_mtime_ns
 assert bpy.ops.pelagic.bake() == {"FINISHED"}
-assert os.stat(into / "foam_0003.png").st_mtime_ns == first_two, "the run did not go on but began anew"
+assert os.stat(into / "foam_0003.png").st_mtime_ns == first_two, "the run did not continue"
 resumed = files()
 assert set(resumed) == {"sea.json", "vertices.pc2"} | {f"foam_{frame:04d}.png" for frame in range(3, 9)}, set(resumed)
 
-# In one go it is the same, byte for byte; a whole bake is left alone; another sea begins anew.
+# A bake without a stop has equal bytes. A complete bake is left alone. Another sea restarts it.
 for path in into.iterdir():
     path.unlink()
 assert bpy.ops.pelagic.bake() == {"FINISHED"} and files() == resumed
@@ -94,19 +94,19 @@ bpy.ops.pelagic.go_live()
 settings.seed = 1
 assert bpy.ops.pelagic.bake() == {"FINISHED"} and files() == resumed
 
-# What it says: the command line reads its sea, and has its hashes.
+# The command line reads sea.json and computes equal hashes.
 record = json.loads(resumed["sea.json"])
 assert [each["frame"] for each in record["frames"]] == list(range(3, 9)) and record["frames"][1]["time_s"] == 3 / 25
 for each in record["frames"][::5]:
     assert hash_of(pelagic, ["--config", into / "sea.json"], each["time_s"]) == each["hash"]
     assert hash_of(pelagic, ["--preset", "rough", "--wind-speed", "13.7"], each["time_s"]) == each["hash"]
 
-# Saved, it plays where there is no add-on: vertices by their bits, foam by its images.
+# The saved file plays without the add-on: bit-identical vertices, foam from its images.
 bpy.ops.wm.save_as_mainfile(filepath=blend)
 numpy.savez(Path(folder) / "live.npz", **{f"{kind}{frame}": both[part] for frame, both in live.items() for part, kind in enumerate(("vertices", "foam"))})
 check = """
 import bpy, numpy, sys
-assert not hasattr(bpy.types.Object, "pelagic"), "the add-on is there"
+assert not hasattr(bpy.types.Object, "pelagic"), "the add-on is enabled"
 live = numpy.load(sys.argv[-1])
 scene, ocean = bpy.context.scene, bpy.data.objects["Ocean"]
 (image,) = [node for node in ocean.material_slots[0].material.node_tree.nodes if node.type == "TEX_IMAGE"]
@@ -115,8 +115,8 @@ for frame in (3, 8, 5, 4):
     mesh = ocean.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     places = numpy.empty(len(mesh.vertices) * 3, numpy.float32)
     mesh.vertices.foreach_get("co", places)
-    assert places.tobytes() == live[f"vertices{frame}"].tobytes(), f"frame {frame} moves elsewhere"
-# Which image a frame shows is Blender's to say: drawn flat from above, without light, a pixel a vertex.
+    assert places.tobytes() == live[f"vertices{frame}"].tobytes(), f"frame {frame} has other vertices"
+# Renders the foam from above, flat and without light, a pixel per face, to see each frame's image.
 side = 49
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 camera.data.type, camera.data.ortho_scale, camera.location = "ORTHO", 60, (0, 0, 100)
@@ -155,7 +155,7 @@ answer = subprocess.run([bpy.app.binary_path, "-b", blend, "--factory-startup", 
 print(answer.stdout[-1500:], answer.stderr[-1500:])
 assert answer.returncode == 0 and "plays" in answer.stdout
 
-# And back: the sea moves it again.
+# Back to live: the sea moves the mesh again.
 bpy.ops.pelagic.go_live()
 scene.frame_set(6)
 assert not ocean.modifiers and vertices_of(ocean).tobytes() == live[6][0].tobytes()

@@ -1,4 +1,4 @@
-"""Holds vertices in Blender to what the command line says of the same sea, at the same time, at the same points."""
+"""Compares vertices in Blender with the command line's answers at equal times and points."""
 import csv
 import json
 import subprocess
@@ -27,7 +27,7 @@ def run(pelagic, *arguments):
 
 
 def ask(pelagic, sea, time_s, points, *options):
-    """sea: options of the command line; points: x and z. Columns by name."""
+    """Returns the columns of `pelagic query` by name. sea: its options; points: x and z."""
     with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
         file.writelines(f"{x!r},{z!r}\n" for x, z in points.tolist())
         file.flush()
@@ -38,7 +38,7 @@ def ask(pelagic, sea, time_s, points, *options):
 
 
 def hash_of(pelagic, sea, time_s):
-    """Of the frame, by an export of the command line."""
+    """Returns the frame's hash by `pelagic export`."""
     with tempfile.TemporaryDirectory() as folder:
         run(pelagic, "export", "--out", folder, *sea, "--start", repr(time_s), "--frames", 1, "--maps", "displacement", "--half")
         with open(folder + "/sea.json") as file:
@@ -46,16 +46,19 @@ def hash_of(pelagic, sea, time_s):
 
 
 def compare(pelagic, sea, time_s, object, place=(0, 0), folds=0.0, vertices=None):
-    """Each vertex lies on the surface that `query` tells of. folds: which part of them may lie below another sheet of a breaking crest, of
-    which query tells the highest."""
+    """Checks that each vertex lies on the surface of `pelagic query`, within bound_m.
+
+    folds: fraction of the vertices that may lie below an overturning crest, where query returns the
+    highest surface"""
     vertices = vertices_of(object) if vertices is None else vertices
     points = numpy.stack([vertices[:, 0].astype(float) + place[0], -(vertices[:, 1].astype(float) + place[1])], axis=1)
-    sea_there = ask(pelagic, sea, time_s, points, "--foam") if "foam" in object.data.attributes else ask(pelagic, sea, time_s, points)
+    options = ["--foam"] if "foam" in object.data.attributes else []
+    sea_there = ask(pelagic, sea, time_s, points, *options)
     off = sea_there["height"] - vertices[:, 2]
     is_below = off > bound_m
     assert is_below.mean() <= folds, f"{is_below.sum()} of {len(off)} vertices lie up to {off.max()} m below the sea"
     worst = numpy.abs(off[~is_below]).max()
     print(f"t = {time_s!r} s: {len(off)} vertices, at most {worst:.2g} m from query's height, {is_below.sum()} under crests")
     assert worst <= bound_m
-    assert vertices[:, 2].std() > 1e-4, "a flat sea tells nothing"
+    assert vertices[:, 2].std() > 1e-4, "a flat sea tests nothing"
     return sea_there, ~is_below

@@ -1,4 +1,4 @@
-"""A render of frames, `blender -b -a`, draws each frame's sea; with velocities Cycles blurs what moves.
+"""Renders by `blender -b -a` show each frame's sea. With velocities Cycles makes motion blur.
 
 usage: blender -b -P render_test.py -- PELAGIC FOLDER"""
 import subprocess
@@ -20,7 +20,7 @@ ocean = bpy.context.object
 ocean.pelagic.size, ocean.pelagic.resolution, ocean.pelagic.speed = size + 20, 250, 10
 assert not ocean.pelagic.velocity
 
-# From above, each pixel glows with the height of the water in red and its foam in green.
+# Seen from above, each pixel emits the height of the water in red and its foam in green.
 tree = ocean.data.materials[0].node_tree
 tree.nodes.clear()
 place, parts = tree.nodes.new("ShaderNodeNewGeometry"), tree.nodes.new("ShaderNodeSeparateXYZ")
@@ -45,7 +45,8 @@ scene.render.image_settings.file_format, scene.render.image_settings.color_depth
 
 
 def render(name):
-    """Saved, and drawn by a process of its own, as on a farm. Of each frame rows from the upper edge, of height, foam and blue."""
+    """Saves the scene and renders it in another process, as on a farm. Returns red, green and blue
+    of each frame, the upper row first."""
     blend = str(Path(folder) / f"{name}.blend")
     scene.frame_set(1)
     bpy.ops.wm.save_as_mainfile(filepath=blend)
@@ -62,17 +63,17 @@ def render(name):
 
 drawn = render("waves")
 centres = ((numpy.arange(side) + 0.5) / side - 0.5) * size
-points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper edge is +Y, Pelagic's -z
+points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper row is +Y, Pelagic's -z
 told = [ask(pelagic, ["--preset", "rough"], (frame - 1) * 10 / 24, points, "--foam") for frame in frames]
 for image, frame in zip(drawn, frames):
     off = [numpy.abs(image[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]
     foam_off = [numpy.abs(image[:, :, 1].ravel() - each["foam"]).mean() for each in told]
     print(f"frame {frame}: height off by", numpy.round(off, 4), "foam by", numpy.round(foam_off, 4))
     assert numpy.argmin(off) == numpy.argmin(foam_off) == frame - frames[0]
-    # Faces of 0.4 m round waves and foam off.
+    # Faces of 0.4 m smooth waves and foam.
     assert min(off) < 0.03 and min(foam_off) < 0.015 and min(off) < 0.2 * sorted(off)[1] and min(foam_off) < 0.5 * sorted(foam_off)[1]
 
-# Keys of options, which a render evaluates in a copy of its own.
+# Keyed settings, which a render evaluates in its own copy of the object.
 ocean.pelagic.keyframe_insert("time_offset", frame=frames[0])
 ocean.pelagic.time_offset = 3
 ocean.pelagic.keyframe_insert("time_offset", frame=frames[-1])
@@ -80,19 +81,20 @@ for curve in ocean.animation_data.action.fcurves:
     for key in curve.keyframe_points:
         key.interpolation = "LINEAR"
 keyed = ask(pelagic, ["--preset", "rough"], 1.5 + (frames[1] - 1) * 10 / 24, points)
-assert numpy.abs(render("keyed")[1, :, :, 0].ravel() - 100 - keyed["height"]).mean() < 0.03, "the key is not seen"
+assert numpy.abs(render("keyed")[1, :, :, 0].ravel() - 100 - keyed["height"]).mean() < 0.03, "the key has no effect"
 ocean.animation_data_clear()
 ocean.pelagic.time_offset = 0
 
-# Motion blur: without velocities the image stays; with them it is smeared along the water's way.
+# Motion blur: without velocities the image stays; with them it is blurred along the motion.
 scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1
 still = render("still")
 ocean.pelagic.velocity = True
 blurred = render("blurred")
-assert numpy.abs(still - drawn).max() < 0.2, "without velocities nothing should be smeared"
-assert numpy.abs(blurred - drawn)[:, :, :, 0].mean() > 0.002, "with velocities nothing is smeared"
+assert numpy.abs(still - drawn).max() < 0.2, "without velocities nothing should be blurred"
+assert numpy.abs(blurred - drawn)[:, :, :, 0].mean() > 0.002, "with velocities nothing is blurred"
 
-# How far they smear: Cycles' own vectors, in pixels to where a point was a frame before, beside the velocities that `query` tells.
+# Cycles' vectors, in pixels to a point's position in the frame before, match the velocities of
+# `pelagic query`.
 scene.render.use_motion_blur = False
 scene.view_layers[0].use_pass_vector = scene.use_nodes = True
 layers, composite = scene.node_tree.nodes["Render Layers"], scene.node_tree.nodes["Composite"]
@@ -102,5 +104,5 @@ pixels_a_frame = 10 / 24 * side / size
 for axis, velocity in ((0, told[0]["vx"]), (1, -told[0]["vz"])):
     share = -numpy.polyfit(velocity * pixels_a_frame, back[:, :, axis].ravel(), 1)[0]
     print(f"vectors are {share:.3f} of the water's velocity")
-    assert 0.94 < share < 1.03, "faces round waves off, but not so much"
+    assert 0.94 < share < 1.03, "faces smooth waves, but not so much"
 print("render_test passed")

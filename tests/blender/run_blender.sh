@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Runs a test in Blender, with the add-on installed from its zip as the page says, in a home and a folder of its own.
+# Installs the add-on from its zip as docs/users/blender.md describes, and runs a test in Blender,
+# with a temporary home and folder.
 #
-# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC    the zip is the newest of SOURCE_FOLDER/build/python
+# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC    uses the newest zip in SOURCE_FOLDER/build/python
 set -euo pipefail
 source=$1 here=$1/tests/blender
 command -v blender >/dev/null || { echo "there is no blender; ./test.sh hosts installs it on Debian"; exit 1; }
@@ -10,5 +11,6 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 export BLENDER_USER_RESOURCES=$folder/home
 mkdir "$folder/home" "$folder/files"
-blender -b --factory-startup --python-exit-code 1 -P "$source/contrib/blender/install.py" -- "$zip" >"$folder/log" || { cat "$folder/log"; exit 1; }
+blender -b --factory-startup --python-exit-code 1 -P "$source/contrib/blender/install.py" -- "$zip" >"$folder/log" ||
+  { cat "$folder/log"; exit 1; }
 blender -b --python-exit-code 1 -P "$here/$2" -- "$3" "$folder/files"

@@ -1,4 +1,5 @@
-"""Vertices, foam and velocities of oceans beside the command line, on frames forth and back, saved and loaded.
+"""Vertices, foam and velocities of oceans match the command line's, on frames in any order, saved
+and loaded.
 
 usage: blender -b -P vertices_test.py -- PELAGIC FOLDER"""
 import math
@@ -30,7 +31,7 @@ def add(preset, **settings):
     return ocean
 
 
-# As an artist would type it, and as the command line has it. Figures without an exact float are meant.
+# Options as typed in the panel and on the command line. Some numbers are not exact in a float.
 oceans = {
     "moderate": (add("moderate"), ["--preset", "moderate"], {}),
     "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77, wind_alignment=0.31,
@@ -62,7 +63,7 @@ seen = {}
 for frame, subframe in ((1, 0), (48, 0), (49, 0.25), (30, 0), (500, 0), (48, 0), (1, 0)):
     time_s = go_to(frame, subframe)
     now = bits()
-    assert seen.setdefault((frame, subframe), now) == now, "the same frame has other bits when it comes again"
+    assert seen.setdefault((frame, subframe), now) == now, "a frame differs when it is shown again"
     if frame not in (49, 48):
         continue
     for name, (ocean, sea, how) in oceans.items():
@@ -74,7 +75,7 @@ for frame, subframe in ((1, 0), (48, 0), (49, 0.25), (30, 0), (500, 0), (48, 0),
             assert off.max() < 1e-3 and foam.max() > 0.05, f"{name}: foam up to {foam.max()}, {off.max()} off"
 assert len({each["storm"] for each in seen.values()}) == len(seen), "the storm stands still"
 
-# What moves: query tells the velocity in Pelagic's axes.
+# Velocities; query returns them in Pelagic's axes.
 ocean, sea, _ = oceans["typed"]
 there, _ = compare(pelagic, sea, go_to(100), ocean)
 velocity = values_of(ocean, "velocity", "vector", 3)
@@ -82,17 +83,17 @@ told = numpy.stack([there["vx"], -there["vz"], there["vy"]], axis=1)
 assert numpy.abs(velocity - told).max() < 1e-3 and numpy.abs(velocity).max() > 0.3
 print(f"velocity within {numpy.abs(velocity - told).max():.2g} m/s")
 
-# Time: half as fast, from 7.7 s at frame 10 on.
+# Time: half speed, 7.7 s at frame 10.
 scene.frame_set(34)
 compare(pelagic, ["--preset", "moderate"], 7.7 + 0.5, slow)
 
-# The frame's own hash, as the command line has it: no bit of a typed option is lost.
+# The frame's hash is the command line's: no typed option is rounded.
 for name in ("moderate", "typed", "one cascade"):
     ocean, sea, _ = oceans[name]
     ours = f"{sea_object.moved(ocean.pelagic, 12.25).frame.hash:016x}"
     assert ours == hash_of(pelagic, sea, 12.25), f"{name}: another hash than the command line's"
 
-# Two loads of the .blend in processes of their own: the same bits as here.
+# The .blend, loaded in two other processes, has bit-identical vertices.
 go_to(48)
 blend = str(Path(folder) / "seas.blend")
 bpy.ops.wm.save_as_mainfile(filepath=blend)

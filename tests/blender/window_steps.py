@@ -1,4 +1,4 @@
-"""The steps of window_test.py: each waits for a condition before the next begins, so a slow machine only takes longer."""
+"""Steps of window_test.py. Each waits for a condition, so a slow machine only takes longer."""
 import os
 import sys
 import time
@@ -18,7 +18,7 @@ drawn = set()
 def watched(section):
     as_written = section.draw
 
-    def draw(self, context):  # Blender 3.4 ends without a word where this has defaults
+    def draw(self, context):  # Blender 3.4 crashes if it has defaults
         as_written(self, context)
         drawn.add(section.__name__)
 
@@ -61,7 +61,7 @@ def press(key):
 
 
 def steps():
-    """Yields conditions."""
+    """Yields the condition before each next step."""
     yield lambda: region("WINDOW").height > 400
     bpy.data.objects.remove(bpy.data.objects["Cube"])
     with inside():
@@ -69,7 +69,8 @@ def steps():
         view().spaces[0].show_region_ui = True
     sea = bpy.context.view_layer.objects.active.pelagic
     yield lambda: region("UI").width > 100
-    # The last of the tabs on the sidebar's edge; which is how far down its theme says, so they are tried from above.
+    # The tab is the last one on the sidebar's edge. Its position depends on the theme, so positions
+    # are tried from above.
     sidebar = region("UI")
     for y in range(sidebar.y + sidebar.height - 100, sidebar.y + 300, -12):
         if "PELAGIC_PT_ocean" in drawn:
@@ -77,7 +78,7 @@ def steps():
         click(sidebar.x + sidebar.width - 8, y)
         until = time.monotonic() + 0.5
         yield lambda: time.monotonic() > until
-    assert "PELAGIC_PT_ocean" in drawn, "there is no tab Pelagic"
+    assert "PELAGIC_PT_ocean" in drawn, "the tab Pelagic is missing"
     yield lambda: {each.__name__ for each in panel.classes if "_PT_" in each.__name__} <= drawn
     with inside():
         bpy.ops.screen.screenshot(filepath=str(folder / "panel.png"))
@@ -94,7 +95,7 @@ def steps():
     yield lambda: "PELAGIC_PT_ocean" in drawn
     sea.cascade_side = sea.cascades = 0
 
-    # A bake that Escape stops, and the next, which goes on to the end.
+    # Escape stops a bake, and the next bake continues to the end.
     sea.resolution, sea.bake_folder, sea.bake_start, sea.bake_end = 64, str(folder / "bake"), 1, 120
     into = folder / "bake" / "Ocean"
     journal, whole = into / "bake.journal", into / "sea.json"
@@ -105,7 +106,7 @@ def steps():
     lines = [-1]
 
     def stands_still():
-        """As many lines as a second ago."""
+        """Returns whether the journal has as many lines as a second ago."""
         if time.monotonic() < stands_still.next:
             return False
         stands_still.next = time.monotonic() + 1
@@ -118,7 +119,7 @@ def steps():
     with inside():
         bpy.ops.pelagic.bake("INVOKE_DEFAULT")
     yield lambda: sea.is_baked and whole.exists()
-    print(f"stopped after {lines[-1] - 1} frames, and went on to the end")
+    print(f"stopped after {lines[-1] - 1} frames, and continued to the end")
 
 
 def run():
@@ -131,7 +132,7 @@ def run():
             try:
                 if condition():
                     condition, since = next(walk), time.monotonic()
-                assert time.monotonic() - since < patience_s, "waited in vain"
+                assert time.monotonic() - since < patience_s, "a condition did not become true"
                 return 0.05
             except StopIteration:
                 print("window_steps passed", flush=True)

@@ -1,5 +1,6 @@
-"""Blender's window on a virtual display: the panel draws, for all kinds of seas and for one that can't be; a bake that Escape stops, and the
-next, which goes on. Leaves an image of the window, of which docs/images/blender_panel.png is a part.
+"""The panel in Blender's window on a virtual display: it draws for all kinds of seas and invalid
+options; Escape stops a bake, and the next one continues. Leaves an image of the window, from which
+docs/images/blender_panel.png is cut.
 
 usage: blender -b -P window_test.py -- PELAGIC FOLDER"""
 import os
@@ -20,6 +21,6 @@ try:
 finally:
     display.kill()
     display.wait()
-said = answer.stdout + answer.stderr
-assert "window_steps passed" in answer.stdout and "Traceback" not in said and "rna_uiItemR" not in said, said
+output = answer.stdout + answer.stderr
+assert "window_steps passed" in answer.stdout and "Traceback" not in output and "rna_uiItemR" not in output, output
 print("window_test passed")

@@ -1,24 +1,24 @@
-"""Pelagic in Blender: seas that follow the timeline, the same bits as everywhere else."""
+"""Pelagic Ocean: ocean meshes that follow Blender's timeline."""
 bl_info = {
     "name": "Pelagic Ocean",
     "author": "The authors of Pelagic",
     "version": (0, 1, 0),
     "blender": (3, 3, 0),
     "location": "3D View > Sidebar > Pelagic; Add > Mesh > Ocean (Pelagic)",
-    "description": "An open sea that follows the timeline: vertices, foam, velocities, bakes",
+    "description": "Ocean meshes that follow the timeline: waves, foam, dynamic waves, shorelines, bakes",
     "category": "Object",
 }
 
 from . import operators, panel, settings, timeline
 
-parts = (settings, operators, panel, timeline)
+modules = (settings, operators, panel, timeline)
 
 
 def register():
-    for part in parts:
-        part.register()
+    for module in modules:
+        module.register()
 
 
 def unregister():
-    for part in reversed(parts):
-        part.unregister()
+    for module in reversed(modules):
+        module.unregister()

@@ -1,7 +1,8 @@
-"""Dynamic waves of an ocean object: a function of the sea's time, whichever times were shown before.
+"""Dynamic waves of an ocean object: a function of the sea's time, not of the times shown before.
 
-A simulation is computed tick by tick from its start, where the water is flat (tools/events/event_player.hpp). States are kept, so that
-a jump back continues from the last one before it."""
+A simulation is computed tick by tick from its start, where the water is flat
+(tools/events/event_player.hpp). States are kept, so that a jump back continues from the last one
+before it."""
 import dataclasses
 import math
 import typing
@@ -28,27 +29,33 @@ players = {}
 
 
 def key_of(settings, sea, start_s):
-    """Returns what the settings make, or None if there are neither events nor rain. Raises ValueError with one line."""
+    """Returns the key of the simulation, or None if there are neither events nor rain. Raises
+    ValueError with one line."""
     text = settings.events.as_string() if settings.events else ""
     if not text and not settings.rain > 0:
         return None
     pelagic = library.pelagic
     side = typed(settings.waves_side)
-    grid = pelagic.DynamicWavesOptions(resolution=int(settings.waves_resolution), side_m=side, border_m=side * border_per_side,
-                                       depth_m=sea.depth_m)
-    rain = pelagic.Rain(typed(settings.rain), typed(settings.rain_radius), typed(settings.rain_depth)) if settings.rain > 0 else pelagic.Rain()
-    place = [typed(part) for part in settings.place]
-    return WavesKey(grid, (place[0], -place[1]), rain, start_s if settings.rain > 0 else 0.0, settings.events.name if text else "", text)
+    grid = pelagic.DynamicWavesOptions(resolution=int(settings.waves_resolution), side_m=side,
+                                       border_m=side * border_per_side, depth_m=sea.depth_m)
+    rain = pelagic.Rain()
+    if settings.rain > 0:
+        rain = pelagic.Rain(typed(settings.rain), typed(settings.rain_radius), typed(settings.rain_depth))
+    place = [typed(coordinate) for coordinate in settings.place]
+    return WavesKey(grid, (place[0], -place[1]), rain, start_s if settings.rain > 0 else 0.0,
+                    settings.events.name if text else "", text)
 
 
 def state_at(key, time_s):
-    """Returns the state to restore before the frame of a time. Raises ValueError with one line."""
+    """Returns the saved state of the last tick at a time. Raises ValueError with one line."""
     if key not in players:
         players[key] = Player(key)
     return players[key].state_at(time_s)
 
 
 class Player:
+    """One simulation and its kept states."""
+
     def __init__(self, key):
         self.rate = key.grid.ticks_per_s
         self.events = events.parse(key.events_name, key.events_text) if key.events_text else ()
@@ -57,7 +64,7 @@ class Player:
         if key.rain.drops_per_m2_s > 0:
             starts.append(self.tick_at(key.start_s))
         self.tick = min(starts)
-        # Waves of the wind are computed elsewhere; here they are as few as possible.
+        # The smallest sea: only its dynamic waves are used.
         sea = dataclasses.replace(library.pelagic.Sea(), resolution=16, patch_size_m=16)
         self.ocean = library.pelagic.Ocean(sea, queries=False, dynamic_waves=key.grid)
         self.waves = self.ocean.dynamic_waves
@@ -83,8 +90,8 @@ class Player:
     def state_at(self, time_s):
         tick = max(self.tick_at(time_s), self.first_tick)
         if self.time_of(tick - self.first_tick) > longest_replay_s:
-            raise ValueError(f"Dynamic waves start at {self.time_of(self.first_tick):g} s and the frame is at {time_s:g} s: "
-                             f"must be at most {longest_replay_s} s later")
+            raise ValueError(f"Dynamic waves start at {self.time_of(self.first_tick):g} s and the frame is "
+                             f"at {time_s:g} s: must be at most {longest_replay_s} s later")
         nearest = max(kept for kept in self.kept if kept <= tick)
         if tick < self.tick or nearest > self.tick:
             saved, self.next_command, numbers = self.kept[nearest]
@@ -123,4 +130,5 @@ class Player:
         if len(self.kept) <= self.most_kept:
             return
         self.spacing *= 2
-        self.kept = {tick: kept for tick, kept in self.kept.items() if tick % self.spacing == 0 or tick == self.first_tick}
+        self.kept = {tick: kept for tick, kept in self.kept.items()
+                     if tick % self.spacing == 0 or tick == self.first_tick}

@@ -16,8 +16,9 @@ import typing
 from . import library
 
 required = ("time", "x", "z", "radius", "height")
-ranges = {"time": 1e9, "x": 1e8, "z": 1e8, "radius": 1000, "height": 100, "velocity": 1000, "heading": 360, "duration": 86400,
-          "length": 1000}  # largest absolute values; library.pelagic.Disturbance checks the rest
+# Largest absolute values. pelagic.Disturbance checks values again.
+ranges = {"time": 1e9, "x": 1e8, "z": 1e8, "radius": 1000, "height": 100, "velocity": 1000, "heading": 360,
+          "duration": 86400, "length": 1000}
 not_negative = ("radius", "duration", "length")
 modes = ("impulse", "pressure", "relaxation")
 
@@ -30,7 +31,8 @@ class Event(typing.NamedTuple):
 
 @functools.lru_cache(maxsize=16)
 def parse(name, text):
-    """Returns the events of a text, at least one. Raises ValueError with one line that names the text, the line and the value."""
+    """Returns the events of a text, at least one. Raises ValueError with one line that has the
+    text's name, the line and the value."""
     lines = [(number, [cell.strip() for cell in line.split(",")])
              for number, line in enumerate(text.removeprefix("\ufeff").splitlines(), 1) if line.strip()]
     if not lines:
@@ -38,7 +40,8 @@ def parse(name, text):
     (first, columns), rows = lines[0], lines[1:]
     for column in columns:
         if column not in (*ranges, "mode") or columns.count(column) > 1:
-            raise ValueError(f"{name}:{first}: column {column}: must be one of {', '.join((*ranges, 'mode'))}, each once")
+            names = ", ".join((*ranges, "mode"))
+            raise ValueError(f"{name}:{first}: column {column}: must be one of {names}, each once")
     for column in required:
         if column not in columns:
             raise ValueError(f"{name}:{first}: column {column} is missing")
@@ -54,7 +57,8 @@ def event_of(name, number, columns, cells):
     row = dict(zip(columns, cells))
     mode = row.pop("mode", "")
     of = {column: number_of(where, column, cell) for column, cell in row.items() if cell or column in required}
-    duration, velocity, heading, length = (of.get(column, 0.0) for column in ("duration", "velocity", "heading", "length"))
+    optional = ("duration", "velocity", "heading", "length")
+    duration, velocity, heading, length = (of.get(column, 0.0) for column in optional)
     mode = mode or ("pressure" if duration > 0 else "impulse")
     if mode not in modes or (duration > 0 and mode == "impulse"):
         raise ValueError(f"{where}mode {mode}: must be pressure or relaxation, or impulse without a duration")
@@ -63,8 +67,9 @@ def event_of(name, number, columns, cells):
     sine, cosine = sine_cosine_of_turns(heading / 360)
     try:
         disturbance = library.pelagic.Disturbance(
-            shape="hull" if length > 0 else "gauss", mode=mode, x_m=of["x"], z_m=of["z"], radius_m=of["radius"],
-            length_m=length if length > 0 else of["radius"], heading_rad=heading * (math.pi / 180), height_m=of["height"],
+            shape="hull" if length > 0 else "gauss", mode=mode, x_m=of["x"], z_m=of["z"],
+            radius_m=of["radius"], length_m=length if length > 0 else of["radius"],
+            heading_rad=heading * (math.pi / 180), height_m=of["height"],
             velocity_x_mps=velocity * cosine, velocity_z_mps=velocity * sine)
     except ValueError as error:
         raise ValueError(where + str(error)) from None
@@ -83,7 +88,8 @@ def number_of(where, column, cell):
 
 
 def commands(events, ticks_per_s):
-    """Returns (tick, adds, index of the event) in order. An event begins in the first tick that is not before it."""
+    """Returns (tick, adds, index of the event) in order. An event begins in the first tick that is
+    not before it; a source ends in a command with adds = False."""
     def tick_at(time_s):
         return math.ceil(time_s * ticks_per_s - 2 ** -16)  # event_commands.cpp
 
@@ -97,7 +103,8 @@ def commands(events, ticks_per_s):
 
 
 def sine_cosine_of_turns(turns):
-    """Returns sin(2 pi turns) and cos(2 pi turns), bit-identical to simd/det_math.cpp. libm's differ between systems."""
+    """Returns sin(2 pi turns) and cos(2 pi turns), bit-identical to simd/det_math.cpp. libm differs
+    between systems."""
     quarters = math.floor(4 * turns + 0.5)
     angle = (turns - quarters * 0.25) * (2 * math.pi)
     z = angle * angle

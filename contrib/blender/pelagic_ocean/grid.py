@@ -1,11 +1,13 @@
-"""The mesh of a sea: a square of faces around the object's origin, and the points of Pelagic's world that rest at its vertices.
+"""The mesh of an ocean object: a square grid of faces around the object's origin.
 
-Pelagic's y is up, x east, z south; Blender's z is up. (x, y, z) there is (x, -z, y) here, a turn about x, so nothing is mirrored."""
+Pelagic's y is up, x east and z south; Blender's z is up. Pelagic's (x, y, z) is Blender's
+(x, -z, y), a rotation about x."""
 import numpy
 
 
 def reference_points(size, resolution, place):
-    """x and z in Pelagic's axes, in double: vertex i + j (resolution + 1) lies i faces along +X and j along +Y."""
+    """Returns undisplaced x and z of the vertices in Pelagic's axes, in double. Vertex
+    i + j (resolution + 1) lies i faces along +X and j along +Y."""
     steps = (numpy.arange(resolution + 1) / resolution - 0.5) * size
     points = numpy.empty(((resolution + 1) ** 2, 2))
     points[:, 0] = numpy.tile(steps + place[0], resolution + 1)
@@ -14,22 +16,22 @@ def reference_points(size, resolution, place):
 
 
 def reference_vertices(size, resolution, place):
-    """Where they lie in Blender while the sea is flat, in double."""
+    """Returns the undisplaced vertices in Blender's axes, in double."""
     points = reference_points(size, resolution, place)
     return numpy.column_stack([points[:, 0], -points[:, 1], numpy.zeros(len(points))])
 
 
 def from_pelagic(vectors):
-    """Vectors of Pelagic's axes in Blender's."""
-    turned = numpy.empty_like(vectors)
-    turned[:, 0] = vectors[:, 0]
-    turned[:, 1] = -vectors[:, 2]
-    turned[:, 2] = vectors[:, 1]
-    return turned
+    """Returns vectors of Pelagic's axes in Blender's axes."""
+    rotated = numpy.empty_like(vectors)
+    rotated[:, 0] = vectors[:, 0]
+    rotated[:, 1] = -vectors[:, 2]
+    rotated[:, 2] = vectors[:, 1]
+    return rotated
 
 
 def fill(mesh, resolution, vertices):
-    """Makes the mesh such a square anew; its materials stay."""
+    """Replaces the mesh by such a grid. Its materials stay."""
     side = resolution + 1
     first = (numpy.arange(resolution)[None, :] + numpy.arange(resolution)[:, None] * side).ravel()
     corners = numpy.stack([first, first + 1, first + side + 1, first + side], axis=1).astype(numpy.int32)
@@ -43,7 +45,7 @@ def fill(mesh, resolution, vertices):
     mesh.polygons.foreach_set("loop_total", numpy.full(len(corners), 4, numpy.int32))
     mesh.polygons.foreach_set("use_smooth", numpy.ones(len(corners), bool))
     mesh.update(calc_edges=True)
-    # Vertices lie on the centres of an image's pixels, so an image with as many pixels as there are vertices fits.
+    # Vertices lie at pixel centres of an image that has a pixel per vertex.
     uv = mesh.uv_layers.new(name="UVMap")
     places = numpy.stack([corners % side, corners // side], axis=2)
     uv.data.foreach_set("uv", ((places + 0.5) / side).astype(numpy.float32).ravel())
@@ -54,7 +56,8 @@ def has_resolution(mesh, resolution):
 
 
 def write(mesh, rest, vertices, foam, velocity):
-    """Moves the vertices, and sets the attributes of points: `rest_position`, and `foam` and `velocity` or removes them."""
+    """Moves the vertices and sets the point attributes `rest_position`, `foam` and `velocity`.
+    Removes `foam` or `velocity` if it is None."""
     mesh.vertices.foreach_set("co", vertices.ravel())
     set_attribute(mesh, "rest_position", "FLOAT_VECTOR", "vector", rest)
     set_attribute(mesh, "foam", "FLOAT", "value", foam)

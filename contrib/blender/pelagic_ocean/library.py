@@ -1,9 +1,9 @@
-"""The Python package `pelagic`, which the zip carries in python/."""
+"""Loads the Python package `pelagic` from the zip's folder python/."""
 import os
 import platform
 import sys
 
-problem = ""  # one line, for the panel, where the package can't be loaded
+problem = ""  # one line for the panel if the package cannot be loaded
 pelagic = None
 
 folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "python")

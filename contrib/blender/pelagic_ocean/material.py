@@ -1,4 +1,4 @@
-"""Water that Cycles and Eevee both draw: dark and glossy, white where foam is."""
+"""Water materials for Cycles and Eevee: dark and glossy, white where there is foam."""
 import bpy
 
 
@@ -6,7 +6,7 @@ live_name = "Pelagic Water"
 
 
 def water():
-    """The material of all live oceans, made once a file; whoever changes it changes it for all of them."""
+    """Returns the material that all live oceans of a file share."""
     return bpy.data.materials.get(live_name) or make(live_name)
 
 
@@ -24,7 +24,7 @@ def make(name):
             node.inputs[socket.replace("_", " ")].default_value = value
         return node
 
-    # Deep water sends back little light, and that is blue-green; its index of refraction is 1.333.
+    # Deep water reflects little light, most of it blue-green. Its index of refraction is 1.333.
     sea = add("ShaderNodeBsdfPrincipled", 0, 300, Base_Color=(0.003, 0.022, 0.04, 1), Roughness=0.08, IOR=1.333,
               Specular=0.25)
     foam = add("ShaderNodeBsdfDiffuse", 0, -300, Color=(0.85, 0.88, 0.9, 1))
@@ -42,7 +42,8 @@ def make(name):
 
 
 def lace(add, links, amount):
-    """Foam has holes that are finer than a mesh. They rest with the water: noise over "rest_position", metres."""
+    """Cuts holes into the foam that are finer than a mesh. They move with the water: the noise is a
+    function of the attribute `rest_position`, metres."""
     rest = add("ShaderNodeAttribute", -1100, -300)
     rest.attribute_name = "rest_position"
     noise = add("ShaderNodeTexNoise", -900, -300, Scale=1.7, Detail=9.0, Roughness=0.68)
@@ -60,7 +61,8 @@ def lace(add, links, amount):
 
 
 def baked_water(name, first_image, first_frame, frames):
-    """The same with foam of a sequence of images, one a frame, in place of the attribute: it needs no add-on."""
+    """Returns a copy of the material that reads foam from an image sequence, one image per frame,
+    instead of the attribute."""
     old = bpy.data.materials.get(name)
     material = water().copy()
     if old:
@@ -75,7 +77,7 @@ def baked_water(name, first_image, first_frame, frames):
     image.image.source = "SEQUENCE" if frames > 1 else "FILE"
     image.image.colorspace_settings.name = "Non-Color"
     image.extension = "EXTEND"
-    # Images are numbered as frames are, and frame_offset is added to 1 at frame_start.
+    # Images have the numbers of their frames; at frame_start Blender shows image 1 + frame_offset.
     image.image_user.frame_start, image.image_user.frame_offset = first_frame, first_frame - 1
     image.image_user.frame_duration = frames
     image.image_user.use_auto_refresh = True

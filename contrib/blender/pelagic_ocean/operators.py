@@ -19,7 +19,8 @@ class PELAGIC_OT_add_ocean(bpy.types.Operator):
 
     def execute(self, context):
         if self.preset not in library.pelagic.presets:
-            self.report({"ERROR"}, f"Preset is {self.preset}, expected one of {', '.join(library.pelagic.presets)}")
+            names = ", ".join(library.pelagic.presets)
+            self.report({"ERROR"}, f"Preset {self.preset}: must be one of {names}")
             return {"CANCELLED"}
         mesh = bpy.data.meshes.new("Ocean")
         mesh.materials.append(material.water())
@@ -49,7 +50,7 @@ class OnOcean:
 
 
 class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
-    """Take all options of a sea by its name; size, time, foam and seed of the object stay"""
+    """Set waves, swell and cascades to those of a named sea; size, time, foam and seed stay"""
     bl_idname = "pelagic.preset"
     bl_label = "Preset"
 
@@ -57,12 +58,13 @@ class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
 
     def execute(self, context):
         if self.preset not in library.pelagic.presets:
-            self.report({"ERROR"}, f"Preset is {self.preset}, expected one of {', '.join(library.pelagic.presets)}")
+            names = ", ".join(library.pelagic.presets)
+            self.report({"ERROR"}, f"Preset {self.preset}: must be one of {names}")
             return {"CANCELLED"}
         settings = context.object.pelagic
         with sea_object.quiet():
             take_preset(settings, self.preset)
-        settings.preset = self.preset  # told now, once
+        settings.preset = self.preset  # updates the mesh once
         return {"FINISHED"}
 
 
@@ -91,7 +93,7 @@ def take_preset(settings, name):
 
 
 class PELAGIC_OT_record(OnOcean, bpy.types.Operator):
-    """Step through the scene's frames and write the motion of the objects as events. Record again after a change of their animation"""
+    """Step through the scene's frames and write the motion of the objects as events"""
     bl_idname = "pelagic.record"
     bl_label = "Record Objects"
 
@@ -120,7 +122,7 @@ class PELAGIC_OT_record(OnOcean, bpy.types.Operator):
 
 
 class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
-    """Write the frames to disk, then play them from there. Escape stops; the next bake goes on where this one stopped"""
+    """Write the frames to disk and play them from there. Escape stops; the next bake continues"""
     bl_idname = "pelagic.bake"
     bl_label = "Bake"
     bl_options = {"REGISTER"}
@@ -135,7 +137,7 @@ class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
         self.report({"INFO"}, f"Baked to {bake.folder_of(context.object)}")
         return {"FINISHED"}
 
-    # In the window a frame at a time, so that it goes on drawing.
+    # In the window, one frame per timer event, so that Blender stays responsive.
     def invoke(self, context, event):
         self.work = bake.run(context.object, context.scene)
         self.timer = context.window_manager.event_timer_add(0.001, window=context.window)
@@ -146,7 +148,7 @@ class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
     def modal(self, context, event):
         if event.type == "ESC":
             self.work.close()
-            self.report({"INFO"}, "Stopped; Bake goes on from here")
+            self.report({"INFO"}, "Stopped; the next bake continues from here")
             return self.leave(context, {"CANCELLED"})
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
@@ -158,7 +160,7 @@ class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
             self.report({"ERROR"}, str(error))
             return self.leave(context, {"CANCELLED"})
         context.window_manager.progress_update(done / frames)
-        context.workspace.status_text_set(f"Pelagic bakes: {done} of {frames} frames, Escape stops")
+        context.workspace.status_text_set(f"Pelagic bake: {done} of {frames} frames, Escape stops")
         return {"RUNNING_MODAL"}
 
     def leave(self, context, result):

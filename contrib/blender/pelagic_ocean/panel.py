@@ -1,4 +1,4 @@
-"""The sidebar's panel."""
+"""Panels of the sidebar."""
 import bpy
 
 from . import library, sea_object
@@ -74,7 +74,8 @@ class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return is_ocean(context.object) and sea_object.has_spectrum(library.pelagic.preset(context.object.pelagic.preset))
+        object = context.object
+        return is_ocean(object) and sea_object.has_spectrum(library.pelagic.preset(object.pelagic.preset))
 
     def draw(self, context):
         for name in ("swell_height", "swell_period", "swell_direction", "swell_spread"):
@@ -148,8 +149,8 @@ def title(preset):
     return preset.replace("-", " ").title()
 
 
-classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_spectrum, PELAGIC_PT_mesh,
-           PELAGIC_PT_time, PELAGIC_PT_dynamic_waves, PELAGIC_PT_shore, PELAGIC_PT_bake)
+classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_spectrum,
+           PELAGIC_PT_mesh, PELAGIC_PT_time, PELAGIC_PT_dynamic_waves, PELAGIC_PT_shore, PELAGIC_PT_bake)
 
 
 def register():

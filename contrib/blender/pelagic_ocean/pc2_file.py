@@ -1,7 +1,8 @@
-"""A point cache for Blender's Mesh Cache modifier (PC2), written frame by frame into NAME.part, which becomes NAME when it is whole.
+"""Writes point caches (PC2) for Blender's modifier Mesh Cache, frame by frame into NAME.part, which
+is renamed to NAME when it is complete.
 
-A header of 32 bytes (the word POINTCACHE2, version 1, points, first frame, frames a sample, samples; little-endian), then the
-points of each sample as three 32-bit floats."""
+The file has a header of 32 bytes, little-endian: "POINTCACHE2", version 1, points, first frame,
+frames per sample, samples. Then each sample has three 32-bit floats per point."""
 import os
 import struct
 
@@ -10,11 +11,11 @@ header = struct.Struct("<12siiffi")
 
 class Pc2Writer:
     def __init__(self, path, points, first_frame, frames, done):
-        """done: frames that an earlier run left in NAME.part and that are kept."""
+        """done: number of frames in NAME.part of an earlier run to keep."""
         self.path, self.part, self.frame_bytes = path, path + ".part", 12 * points
         if done:
             self.file = open(self.part, "r+b")
-            self.file.truncate(header.size + done * self.frame_bytes)  # a frame that was cut off begins again
+            self.file.truncate(header.size + done * self.frame_bytes)  # drops an incomplete frame
             self.file.seek(0, os.SEEK_END)
         else:
             self.file = open(self.part, "wb")
@@ -34,11 +35,11 @@ class Pc2Writer:
         os.replace(self.part, self.path)
 
     def stop(self):
-        """What is written stays for a run that goes on."""
+        """Closes NAME.part, which a later run can continue."""
         self.file.close()
 
 
-def whole_frames(path, points):
-    """How many frames an earlier run left."""
+def complete_frames(path, points):
+    """Returns the number of complete frames in NAME.part."""
     part = path + ".part"
     return max(0, (os.path.getsize(part) - header.size) // (12 * points)) if os.path.exists(part) else 0

@@ -8,11 +8,13 @@ from .typed_numbers import typed
 
 header = "time,x,z,radius,height,velocity,heading,duration,length,mode"
 ticks_per_s = 60
+types = ("MESH", "CURVE", "SURFACE", "META", "FONT")
 
 
 def objects_of(settings):
-    return [each for each in settings.sources.all_objects if each.type in ("MESH", "CURVE", "SURFACE", "META", "FONT")
-            and not each.pelagic.is_ocean] if settings.sources else []
+    if not settings.sources:
+        return []
+    return [each for each in settings.sources.all_objects if each.type in types and not each.pelagic.is_ocean]
 
 
 def record(object, scene, depsgraph_of_frame):
@@ -22,13 +24,13 @@ def record(object, scene, depsgraph_of_frame):
     settings = object.pelagic
     sources = objects_of(settings)
     if not sources:
-        raise ValueError("Objects: must be a collection with at least one mesh, curve, surface, metaball or text object")
+        raise ValueError("Objects: must be a collection with a mesh, curve, surface, metaball or text object")
     frames = range(scene.frame_start, scene.frame_end + 1)
     times = [sea_object.sea_time(settings, scene, frame) for frame in frames]
     shortest_s = min((later - earlier for earlier, later in zip(times, times[1:])), default=0)
     if not shortest_s > 0:
-        raise ValueError("The sea's time stands still or goes back between frames: must advance from frame to frame")
-    # A row lasts at least a tick: two rows of an object in one tick would act twice.
+        raise ValueError("The sea's time stops or goes back: must advance from frame to frame")
+    # A row lasts at least a tick, because two rows of an object in one tick would act twice.
     stride = max(1, math.ceil(1 / ticks_per_s / shortest_s - 1e-6))
     poses, kept_times = [], times[::stride]
     for frame in frames[::stride]:
@@ -41,8 +43,8 @@ def record(object, scene, depsgraph_of_frame):
             if here.draught > 0:
                 rows.append(row_of(time_s, next_s - time_s, here, there, settings.source_mode))
     if len(rows) == 1:
-        raise ValueError(f"No object of {settings.sources.name} cuts the sea's rest level (Z 0 of {object.name}) in frames "
-                         f"{scene.frame_start} to {scene.frame_end}")
+        raise ValueError(f"Objects {settings.sources.name}: at least one must cut the sea's rest level, Z 0 of "
+                         f"{object.name}, in frames {scene.frame_start} to {scene.frame_end}")
     return "\n".join(rows) + "\n"
 
 
@@ -56,7 +58,7 @@ class pose_of:
         centre = (low + high) / 2
         self.draught = -low[2] if low[2] < 0 < high[2] else 0.0
         self.x, self.z = centre[0] + typed(place[0]), -(centre[1] + typed(place[1]))
-        # The length lies along the axis of the box that is longest as seen from above.
+        # The length lies along the box's axis that is longest seen from above.
         box = numpy.array(source.bound_box)
         axes = to_sea[:2, :3] * (box.max(axis=0) - box.min(axis=0)) / 2
         axis = axes[:, numpy.linalg.norm(axes, axis=0).argmax()]
@@ -68,9 +70,11 @@ class pose_of:
 
 
 def row_of(time_s, duration_s, here, there, mode):
-    """The velocity is that along the length; the rest of a motion goes in steps of a row."""
+    """Returns a row. Its velocity is the one along the length; the other component of a motion
+    advances from row to row."""
     velocity = ((there.x - here.x) * here.along[0] + (there.z - here.z) * here.along[1]) / duration_s
     heading = math.degrees(math.atan2(here.along[1], here.along[0]))
     metres = [here.x, here.z, max(here.radius, 0.001), -here.draught, velocity, heading]
     text = [repr(round(float(number), 6) + 0.0) for number in metres]
-    return ",".join([repr(round(time_s, 9)), *text, repr(round(duration_s, 9)), repr(max(round(float(here.length), 6), 0.001)), mode])
+    length = max(round(float(here.length), 6), 0.001)
+    return ",".join([repr(round(time_s, 9)), *text, repr(round(duration_s, 9)), repr(length), mode])

@@ -12,8 +12,9 @@ from .typed_numbers import typed, typed_degrees
 
 
 class OceanKey(typing.NamedTuple):
-    """All that an ocean depends on. Objects with equal keys share one ocean, unless they have foam: after a jump of time foam takes
-    as long as ten to twenty frames, and each object may show another time."""
+    """All that an ocean depends on. Objects with equal keys share one ocean, unless they have foam:
+    after a jump in time foam takes as long as ten to twenty frames, and objects may show different
+    times."""
     sea: typing.Any
     foam: bool
     velocity: bool
@@ -28,7 +29,7 @@ references = {}  # the last few squares of reference points
 
 
 class Moved(typing.NamedTuple):
-    """One moment of a mesh: float32 arrays, a row a vertex, in Blender's axes."""
+    """A mesh at one time: float32 arrays, a row per vertex, in Blender's axes."""
     vertices: numpy.ndarray
     foam: typing.Optional[numpy.ndarray]
     velocity: typing.Optional[numpy.ndarray]
@@ -41,7 +42,7 @@ is_quiet = False
 
 @contextlib.contextmanager
 def quiet():
-    """Many settings change, and the mesh is brought up to date once, by whoever changes them."""
+    """Suspends updates of meshes. The caller updates them once afterwards."""
     global is_quiet
     is_quiet = True
     try:
@@ -52,13 +53,13 @@ def quiet():
 
 def is_live(object):
     settings = object.pelagic
-    # A linked object belongs to its own file, and a mesh in edit mode to its editor.
+    # A linked object belongs to its own file. In edit mode the mesh must not change.
     return (settings.is_ocean and not settings.is_baked and object.type == "MESH" and not object.library
             and not object.data.library and object.mode != "EDIT")
 
 
 def sea_of(settings):
-    """The preset's sea with the panel's options. Raises ValueError with one line."""
+    """Returns the preset's sea with the panel's options. Raises ValueError with one line."""
     sea = library.pelagic.preset(settings.preset)
     changes = {
         "wind_speed_mps": typed(settings.wind_speed),
@@ -89,7 +90,7 @@ def sea_of(settings):
 
 
 def record_of(settings):
-    """The sea as sea.json has it, for `pelagic query --config` and the like: angles in degrees."""
+    """Returns the sea as in sea.json, for `pelagic query --config`: angles in degrees."""
     record = dataclasses.asdict(sea_of(settings))
     for name in [name for name in record if name.endswith("_rad")]:
         record[name[:-len("rad")] + "deg"] = round(math.degrees(record.pop(name)), 4) + 0.0
@@ -109,18 +110,20 @@ def keys_of(settings):
     owner, sea = settings.id_data.name if settings.foam else "", sea_of(settings)
     waves = dynamic_waves.key_of(settings, sea, typed(time_offset_in(settings, settings.first_frame)))
     floor = shore.key_of(settings, square_of(settings)[2])
-    return Keys(OceanKey(sea, settings.foam, settings.velocity, owner, waves.grid if waves else None, floor), waves)
+    waves_grid = waves.grid if waves else None
+    return Keys(OceanKey(sea, settings.foam, settings.velocity, owner, waves_grid, floor), waves)
 
 
 def ocean_of(key):
     if key not in oceans:
-        oceans[key] = library.pelagic.Ocean(key.sea, queries=False, foam=key.foam, velocities=key.velocity, dynamic_waves=key.grid,
-                                            shore=shore.floors[key.floor].options() if key.floor else None)
+        floor = shore.floors[key.floor].options() if key.floor else None
+        oceans[key] = library.pelagic.Ocean(key.sea, queries=False, foam=key.foam, velocities=key.velocity,
+                                            dynamic_waves=key.grid, shore=floor)
     return oceans[key]
 
 
 def sea_time(settings, scene, frame=None):
-    """The sea's time in seconds at the scene's moment, or in a frame; in double, as frame_current_final is not."""
+    """Returns the sea's time in seconds at a frame, by default the current one and subframe."""
     at = scene.frame_current + scene.frame_subframe if frame is None else frame
     offset = settings.time_offset if frame is None else time_offset_in(settings, frame)
     frames_a_second = scene.render.fps / typed(scene.render.fps_base)
@@ -134,15 +137,15 @@ def time_offset_in(settings, frame):
 
 
 def square_of(settings):
-    """Side and faces a side of the mesh, and which place of the sea its middle shows."""
+    """Returns side, faces along a side, and the position in the sea of the mesh's centre."""
     return typed(settings.size), settings.resolution, tuple(typed(part) for part in settings.place)
 
 
 class Reference(typing.NamedTuple):
-    """Where the vertices of a square rest, a row each."""
-    points: numpy.ndarray    # x and z of Pelagic's world, in double
-    vertices: numpy.ndarray  # in Blender, in double: around the origin, whatever the place in the sea
-    position: numpy.ndarray  # the same in the sea: the attribute rest_position, float32
+    """Undisplaced vertices of a square, a row each."""
+    points: numpy.ndarray    # x and z in Pelagic's axes, in double
+    vertices: numpy.ndarray  # in Blender's axes around the object's origin, in double
+    position: numpy.ndarray  # in Blender's axes around the sea's origin, float32: rest_position
 
 
 def reference_of(settings):
@@ -151,13 +154,14 @@ def reference_of(settings):
         if len(references) >= 8:
             references.pop(next(iter(references)))
         size, resolution, _ = square
-        references[square] = Reference(grid.reference_points(*square), grid.reference_vertices(size, resolution, (0, 0)),
-                             grid.reference_vertices(*square).astype(numpy.float32))
+        references[square] = Reference(grid.reference_points(*square),
+                                       grid.reference_vertices(size, resolution, (0, 0)),
+                                       grid.reference_vertices(*square).astype(numpy.float32))
     return references[square]
 
 
 def moved(settings, time_s):
-    """Returns the mesh at a time of the sea. Raises ValueError with one line for invalid options."""
+    """Returns the mesh at a time. Raises ValueError with one line for invalid options."""
     if library.problem:
         raise ValueError(library.problem)
     reference = reference_of(settings)
@@ -177,10 +181,10 @@ def used_by(keys):
 
 
 def update(object, scene, settings):
-    """Brings the mesh to the scene's time. If that fails, the mesh stays as it was, and the object's error has the reason. Returns the
-    keys that were used.
+    """Updates the mesh to the scene's time. If that fails, the mesh stays as it was and the
+    object's error is set. Returns the keys that were used.
 
-    settings: the object's, or those of its evaluated copy in a render"""
+    settings: those of the object, or of its evaluated copy in a render"""
     try:
         now = moved(settings, sea_time(settings, scene))
     except (ValueError, MemoryError, RuntimeError) as error:
@@ -194,7 +198,7 @@ def update(object, scene, settings):
 
 
 def line_of(error):
-    return str(error).splitlines()[0] if str(error) else "There is not enough memory"
+    return str(error).splitlines()[0] if str(error) else "Out of memory"
 
 
 def note_error(object, line):

@@ -12,26 +12,28 @@ samples_a_side = 256
 
 
 class Floor(typing.NamedTuple):
-    """Heights of the floor as `pelagic query --floor` reads an image of them: (rows, columns), the first row at the lowest z."""
-    heights: numpy.ndarray  # metres above rest, float32
-    size_m: float  # of a row
+    """Heights as `pelagic query --floor` reads an image of them: the first row has the lowest z."""
+    heights: numpy.ndarray  # (rows, columns), metres above the rest level, float32
+    size_m: float  # length of a row
     middle_m: tuple  # x, z
 
     def options(self):
         rows, columns = self.heights.shape
         metres = self.size_m / columns
         x, z = self.middle_m
-        return library.pelagic.ShoreOptions(self.heights, corner_x_m=x - 0.5 * metres * (columns - 1), corner_z_m=z - 0.5 * metres * (rows - 1),
-                                            metres_a_sample=metres)
+        return library.pelagic.ShoreOptions(self.heights, corner_x_m=x - 0.5 * metres * (columns - 1),
+                                            corner_z_m=z - 0.5 * metres * (rows - 1), metres_a_sample=metres)
 
 
 floors = {}  # by key
 
 
 def key_of(settings, place):
-    """Returns a digest of the floor object's mesh and place in the sea, or None without a floor. Raises ValueError with one line.
+    """Returns a digest of the floor's mesh and its position in the sea, or None without a floor.
+    Raises ValueError with one line.
 
-    The mesh is that of the object's data, without modifiers: those of a viewport and of a render may differ."""
+    The mesh is the object's data without modifiers, because a viewport and a render may have
+    different ones. place: position in the sea of the ocean object's origin"""
     floor = settings.floor
     if not floor:
         return None
@@ -52,13 +54,14 @@ def key_of(settings, place):
 
 
 def sampled(vertices, polygons):
-    """Samples the highest face at each position. Positions without a face have the height of the lowest vertex.
+    """Samples the highest face at each position. A position without a face has the height of the
+    lowest vertex.
 
     vertices: in Blender's axes around the sea's origin"""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     width, length = high[:2] - low[:2]
     if not (width > 0 and length > 0):
-        raise ValueError(f"Floor of {width:g} x {length:g} m: must be wider than 0 m along X and Y")
+        raise ValueError(f"Floor of {width:g} x {length:g} m: must have an area seen from above")
     columns = samples_a_side if width >= length else max(2, round(samples_a_side * width / length))
     metres = width / columns
     rows = max(2, round(length / metres))

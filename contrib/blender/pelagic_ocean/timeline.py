@@ -1,4 +1,5 @@
-"""Keeps meshes at the timeline's moment: after a frame changed, in renders too, after settings changed, after undo and loading."""
+"""Updates meshes after a change of the frame, in renders too, after a change of settings, and after
+undo, redo and loading."""
 import bpy
 from bpy.app.handlers import persistent
 
@@ -11,7 +12,7 @@ def follow(scene, depsgraph=None):
     used = set()
     for object in scene.objects:
         if sea_object.is_live(object):
-            # Of a render the keyed options stand in its own copy alone.
+            # In a render only its evaluated copy has the values of keyed settings.
             keyed = object.evaluated_get(depsgraph).pelagic if depsgraph else object.pelagic
             used |= sea_object.update(object, scene, keyed)
     sea_object.keep(scene, used)
@@ -21,11 +22,11 @@ def settings_changed(object):
     if sea_object.is_quiet or not sea_object.is_live(object):
         return
     if object.data.users - object.data.use_fake_user > 1:
-        object.data = object.data.copy()  # a linked duplicate that becomes another sea
-    scene = next((each for each in (bpy.context.scene, *bpy.data.scenes) if each and object.name in each.objects), None)
-    if scene:
-        sea_object.update(object, scene, object.pelagic)
-        sea_object.keep(scene, sea_object.keys_in(scene))
+        object.data = object.data.copy()  # a linked duplicate that gets its own sea
+    scenes = [each for each in (bpy.context.scene, *bpy.data.scenes) if each and object.name in each.objects]
+    if scenes:
+        sea_object.update(object, scenes[0], object.pelagic)
+        sea_object.keep(scenes[0], sea_object.keys_in(scenes[0]))
 
 
 @persistent
@@ -34,15 +35,15 @@ def frame_changed(scene, depsgraph=None):
 
 
 @persistent
-def file_or_step_changed(*_):
+def file_changed(*_):
     for scene in bpy.data.scenes:
         follow(scene)
 
 
 handlers = ((bpy.app.handlers.frame_change_post, frame_changed),
-            (bpy.app.handlers.load_post, file_or_step_changed),
-            (bpy.app.handlers.undo_post, file_or_step_changed),
-            (bpy.app.handlers.redo_post, file_or_step_changed))
+            (bpy.app.handlers.load_post, file_changed),
+            (bpy.app.handlers.undo_post, file_changed),
+            (bpy.app.handlers.redo_post, file_changed))
 
 
 def register():

@@ -1,15 +1,15 @@
-"""Numbers of the panel as people typed them."""
+"""Recovers decimal numbers as they were typed into the panel."""
 import math
 
 import numpy
 
 
 def typed(number):
-    """Blender keeps 32-bit floats. What a person typed is the shortest decimal number that is the same float, so 9.3 is the 9.3 of the
-    command line and not 9.30000019."""
+    """Returns the shortest decimal number that has the same 32-bit float, because Blender stores
+    floats: 9.3, as on the command line, and not 9.30000019."""
     return float(str(numpy.float32(number)))
 
 
 def typed_degrees(radians):
-    """The same of an angle, which people type in degrees: those of a float are off by at most 3e-5 of them."""
+    """Returns an angle in degrees as it was typed. The error of a float is at most 3e-5 degrees."""
     return round(math.degrees(radians), 4) + 0.0
