@@ -46,7 +46,7 @@ def runs_of(lines, jobs):
     twice: the first counts."""
     runs = {}
     for fields in fields_of(lines):
-        task = re.fullmatch(r"(\d+)_(\d+)", fields["JobID"])  # skips sacct's steps, such as 12_3.batch
+        task = re.fullmatch(r"(\d+)_(\d+)", fields["JobID"])  # sacct's steps are 12_3.batch
         if not task or task[1] not in jobs:
             continue
         try:

@@ -68,7 +68,7 @@ inline double foam_of_place(const Frame& frame, double x_m, double z_m) {
     return foam;
 }
 
-/// Returns the velocity of dynamic waves and of the shore at a drawn position, m/s along x, y and z.
+/// Returns the velocity of dynamic waves and of the shore at a drawn position, m/s along x, y, z.
 inline std::array<double, 3> velocity_of_place(const Frame& frame, double x_m, double z_m) {
     std::array<double, 3> sum = {0, sample(frame.dynamic_waves, x_m, z_m).vertical_velocity_mps, 0};
     if (!frame.shore) return sum;

@@ -46,7 +46,8 @@ assert (source / "out/pelagic_bake/Ocean/foam_0010.png").exists()
 run("bash", "-e", "-c", shell[1])
 assert (source / "out/drawn_0003.png").exists()
 told = run("bash", "-e", "-c", shell[2])
-header, row = [line for line in told.splitlines() if not line.startswith("note: ")]  # notes are on standard error
+# Notes are on standard error.
+header, row = [line for line in told.splitlines() if not line.startswith("note: ")]
 assert header.startswith("x,z,height") and row.startswith("12,-7,"), told
 assert " ratio" in run("bash", "-e", "-c", shell[3].rstrip() + " -- --frames 4")
 print("the page's lines do what it says")

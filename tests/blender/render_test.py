@@ -63,7 +63,8 @@ def render(name):
 
 drawn = render("waves")
 centres = ((numpy.arange(side) + 0.5) / side - 0.5) * size
-points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper row is +Y, Pelagic's -z
+# The upper row is +Y, Pelagic's -z.
+points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)
 told = [ask(pelagic, ["--preset", "rough"], (frame - 1) * 10 / 24, points, "--foam") for frame in frames]
 for image, frame in zip(drawn, frames):
     off = [numpy.abs(image[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]

@@ -2,7 +2,9 @@
 # Installs the add-on from its zip as docs/users/blender.md describes, and runs a test in Blender,
 # with a temporary home and folder.
 #
-# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC    uses the newest zip in SOURCE_FOLDER/build/python
+# It uses the newest zip in SOURCE_FOLDER/build/python.
+#
+# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC
 set -euo pipefail
 source=$1 here=$1/tests/blender
 command -v blender >/dev/null || { echo "there is no blender; ./test.sh hosts installs it on Debian"; exit 1; }

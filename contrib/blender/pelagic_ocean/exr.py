@@ -10,7 +10,8 @@ def exr(values):
         return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<I", len(content)) + content
 
     box = struct.pack("<4i", 0, 0, columns - 1, rows - 1)
-    channel = b"Y\0" + struct.pack("<iB3xii", 2, 0, 1, 1) + b"\0"  # 2: 32-bit floats; sampled at each pixel
+    # 2: 32-bit floats; 1, 1: sampled at each pixel.
+    channel = b"Y\0" + struct.pack("<iB3xii", 2, 0, 1, 1) + b"\0"
     header = b"".join([
         struct.pack("<II", 20000630, 2),  # magic number, version
         attribute("channels", "chlist", channel),

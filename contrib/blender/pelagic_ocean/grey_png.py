@@ -12,7 +12,7 @@ def grey_png(greys):
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
-    rows = numpy.zeros((height, width + 1), numpy.uint8)  # each begins with its filter type, 0: none
+    rows = numpy.zeros((height, width + 1), numpy.uint8)  # each begins with filter type 0, none
     rows[:, 1:] = greys
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
             chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b""))

@@ -24,7 +24,7 @@ class OceanKey(typing.NamedTuple):
 
 
 oceans = {}
-kept = {}  # by a scene's name, the keys that it uses in oceans, dynamic_waves.players and shore.floors
+kept = {}  # by a scene's name, its keys in oceans, dynamic_waves.players and shore.floors
 references = {}  # the last few squares of reference points
 
 
