@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Generates the README's images. From an export: height (dark troughs, light crests) beside the
-# gradient map, both tiled twice along x so that a seam would be visible. Then the plan of a
-# selection, and the trace of floating boxes. Needs Debian's openimageio-tools and librsvg2-bin.
+# Generates images of docs/gallery.md and examples/buoyancy. From an export: height (dark troughs,
+# light crests) beside the gradient map, both tiled twice along x so that a seam would be visible.
+# Then the plan of a selection, and the trace of floating boxes. Needs Debian's openimageio-tools
+# and librsvg2-bin.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Generates the README's images of the sea with `pelagic render`: on any machine, in some minutes
-# without a GPU.
+# Generates the images of docs/gallery.md and other pages with `pelagic render`: on any machine, in
+# some minutes without a GPU.
 # usage: docs/images/render.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail
 cd "$(dirname "$0")/../.."
