@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Charts of bench/results for README and docs/benchmarks.md.
+"""Charts of bench/results for README and docs/performance.md.
 
     bench/chart.py            writes docs/images/bench_frames.svg and bench_threads.svg
     bench/chart.py --check    fails if the files differ from charts of the current results

@@ -28,7 +28,7 @@ CLOCKS_GHZ = (2.0, 2.8)
 ITERATIONS = 100
 # The table's ranges: from the model's time at the higher clock to its time at the lower clock times
 # an estimated factor for omitted effects. The speed-up by more threads is then 0.7 of the ideal,
-# the minimum for two threads in docs/benchmarks.md: 1.42 at N = 128.
+# the minimum for two threads in docs/performance.md: 1.42 at N = 128.
 LEFT_OUT = 1.5
 SPEED_UP_KEPT = 0.7
 

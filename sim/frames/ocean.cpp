@@ -18,7 +18,7 @@ namespace pelagic {
 namespace {
 
 // A frame of 64 x 64 takes 20 microseconds, and distributing it to threads takes as long again. See
-// docs/benchmarks.md.
+// docs/performance.md.
 constexpr std::size_t max_texels_without_jobs = 64 * 64;
 
 template <class Options>
