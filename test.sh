@@ -9,8 +9,8 @@
 #   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them
 #                       ("workflowPresets"), each with its tier
 #
-# If a part fails, the others still run. Installs missing packages, like demo.sh. docs/testing.md
-# has the cost of each part and describes how to run one test.
+# If a part fails, the others still run. Installs missing packages, like demo.sh.
+# docs/development/testing.md has the cost of each part and describes how to run one test.
 set -uo pipefail
 cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh

@@ -7,7 +7,7 @@
 
 namespace pelagic {
 
-/// Stack size for any job. The largest job uses 0.8 MiB (docs/architecture.md, Memory).
+/// Stack size for any job. The largest job uses 0.8 MiB (docs/development/architecture.md, Memory).
 inline constexpr std::size_t job_stack_bytes = std::size_t{2} << 20;
 
 class JobThread {

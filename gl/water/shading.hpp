@@ -9,8 +9,8 @@
 namespace pelagic::gl {
 
 /// Tier of shading. `headset` takes at most 8 texture samples per pixel, for nine million pixels
-/// drawn 72 times a second. docs/architecture.md lists the maximum of the other tiers and what each
-/// omits.
+/// drawn 72 times a second. docs/development/architecture.md lists the maximum of the other tiers
+/// and what each omits.
 enum class Shading { headset, medium, high };
 
 }  // namespace pelagic::gl
