@@ -370,7 +370,7 @@ pelagic_cascade level_of(pelagic_cascade cascade, int level) {
 
 // Over a whole cascade the mean slope is zero, and the last level is one texel of the whole: the
 // variance between the texels of a finer level becomes variance within it. The sum is taken from
-// level 1, because level 0 is sharpened for the filter (docs/equations.md).
+// level 1, because level 0 is sharpened for the filter (docs/theory.md).
 TEST_F(CInterfaceCascades, TheLastLevelHasZeroSlopeAndTheTotalVariance) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
     for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean.get(), 3))) {

@@ -1,4 +1,4 @@
-// Values that docs/equations.md states about the paper's equations 45 to 50, and the normal of a
+// Values that docs/errata.md states about the paper's equations 45 to 50, and the normal of a
 // wave with a known solution.
 #include <gtest/gtest.h>
 

@@ -257,7 +257,7 @@ TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
 double against_wave(double t) { return std::pow(std::sin(t / 2) / (t / 2), 2); }
 double against_itself(double t) { return (2 + std::cos(t)) / 3; }
 
-/// The integral of docs/equations.md.
+/// The integral of docs/theory.md.
 double filtered_error(double far_weight) {
     const double near_weight = 0.5 - 2 * far_weight, min = 2 * pi * 6 / 128, max = 2 * pi / 3;
     double error = 0;

@@ -3,7 +3,7 @@
 // The stages of its table 1, one item at a time on the calling thread: all N^2 waves evolve in a
 // centred spectrum; three full complex transforms, rows then columns, radix 2, with twiddles
 // computed in every butterfly (section 3.6.3); sign correction; gradients by central differences; a
-// chain of mipmaps. Only errata that give a wrong sea are corrected (docs/equations.md): the
+// chain of mipmaps. Only errata that give a wrong sea are corrected (docs/errata.md): the
 // transform's sign, the full normal, the sign in equation 49, mipmaps from floats, and rounded
 // frequencies. Amplitudes, frequencies and time are Pelagic's, so both compute the same sea.
 //

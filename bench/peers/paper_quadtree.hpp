@@ -1,5 +1,5 @@
 // The quadtree traversal as printed in the VR paper (section 5.2): every node down to the leaves, a
-// level map of the finest cells, then the neighbours' flags. For timing only: see docs/equations.md
+// level map of the finest cells, then the neighbours' flags. For timing only: see docs/errata.md
 // for its errata.
 #pragma once
 

@@ -171,7 +171,7 @@ inline constexpr std::size_t slope_planes = 8;
 /// The condition that a constant slope keeps its value leaves one free weight. That weight
 /// minimises the mean error of the bilinearly filtered slopes over the square between texels. The
 /// mean includes all waves with 6/128 to 1/3 cycles per texel, in all directions, with equal
-/// steepness per octave (docs/equations.md has the integral). The derivative at a texel therefore
+/// steepness per octave (docs/theory.md has the integral). The derivative at a texel therefore
 /// amplifies short waves as much as the bilinear filter attenuates them.
 struct SlopesJob {
     static constexpr std::size_t block_rows = 16, block_columns = 256;

@@ -3,7 +3,7 @@
 // A draw depends on (seed, cascade, m, n) only, where m and n are the wave's signed indices. It
 // does not depend on the grid, the order of the calls or the thread. A finer grid therefore keeps
 // the coarse grid's waves and adds shorter ones. The draw of -k is available wherever k is computed
-// (VR Ocean, 3.2.5 and the errata in docs/equations.md).
+// (VR Ocean, 3.2.5 and docs/errata.md).
 #pragma once
 
 #include <cstdint>

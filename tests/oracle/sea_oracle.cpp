@@ -104,7 +104,7 @@ double wind_directional(const SeaState& sea, double k, double angle) {
 double wind_radial(const SeaState& sea, double k) {
     const double all = slope_of_frequency(k, sea.depth_m) * depth_factor(k, sea.depth_m) * small_wave_factor(sea, k);
     const double omega = frequency_of(sea, k);
-    // in deep water the shape of equation 3, see docs/equations.md
+    // in deep water the shape of equation 3, see docs/theory.md
     if (sea.spectrum == SpectrumModel::phillips)
         return 0.0081 * gravity * gravity * std::pow(omega, -5) *
                std::exp(-std::pow(gravity / (sea.wind_speed_mps * omega), 4)) * all;

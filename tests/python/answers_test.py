@@ -126,7 +126,7 @@ def test_chains_halve_from_level_to_level(small):
             assert cascade.foam_level(level).shape == (side, side)
         for name in ("gradient", "slopes", "moments", "foam"):
             np.testing.assert_array_equal(getattr(cascade, name), getattr(cascade, f"{name}_level")(0))
-        # Slopes are five-point differences of heights, as in docs/equations.md.
+        # Slopes are five-point differences of heights, as in docs/theory.md.
         h_x = (cascade.slopes[..., 0].astype(float) - 128) / 127 * cascade.slope_range
         far = -0.2194
         near = 0.5 - 2 * far
