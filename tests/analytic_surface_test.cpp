@@ -403,7 +403,7 @@ TEST(AnalyticDeathTest, MisuseIsAsserted) {
     EXPECT_DEATH_IF_SUPPORTED(water.sample(0, positions.view(), {.height_m = two}), "size\\(\\)");
 }
 
-// The example of docs/library.md.
+// The example of docs/sea-state.md.
 TEST(AnalyticExample, SamplesFollowATransition) {
     std::vector<float> seen;
     for (const double time_s : {0.0, 30.0, 60.0}) {

@@ -1,4 +1,4 @@
-/* The sum of cascades that docs/library.md specifies, as a C application would write it. */
+/* The sum of cascades that docs/api.md specifies, as a C application would write it. */
 #ifndef PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 #define PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 

@@ -113,8 +113,8 @@ if command -v pkg-config >/dev/null; then
     $(pkg-config --cflags --libs pelagic_c)
   LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_application.txt"
   # The page's line; afterwards the program finds the library by itself.
-  line=$(sed -n 's/^    \(cc main.c -o main .*\)/\1/p' "$examples/../docs/library.md")
-  [ -n "$line" ] || { echo "docs/library.md has no line for pkg-config"; exit 1; }
+  line=$(sed -n 's/^    \(cc main.c -o main .*\)/\1/p' "$examples/../docs/api.md")
+  [ -n "$line" ] || { echo "docs/api.md has no line for pkg-config"; exit 1; }
   cp "$examples/c_application/main.c" "$work/main.c"
   (cd "$work" && cc() { command "$cc" "$@"; } && eval "$line" && env -u LD_LIBRARY_PATH ./main) | diff - "$work/c_application.txt"
   "$cxx" -std=c++20 "$examples/cpp_application/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)

@@ -1,4 +1,4 @@
-// Shaders of water and sky. The sums over cascades follow docs/library.md, "Slopes that add".
+// Shaders of water and sky. The sums over cascades follow docs/api.md, "Sum of cascades".
 
 const skyColour = `
   uniform vec3 sun;
