@@ -7,11 +7,7 @@
 
 namespace pelagic {
 
-<<<<<<< HEAD
-/// Stack size for any job. The largest job uses 0.8 MiB (docs/development/architecture.md, Memory).
-=======
 /// Stack size for any job. The largest job uses 0.8 MiB (docs/api.md, Stacks).
->>>>>>> 0b8b42d0 (docs: split library and weather pages by topic)
 inline constexpr std::size_t job_stack_bytes = std::size_t{2} << 20;
 
 class JobThread {

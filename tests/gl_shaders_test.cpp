@@ -133,15 +133,9 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     return cost;
 }
 
-<<<<<<< HEAD
-// A pixel of the open sea; docs/development/architecture.md has the same table. On a headset it
-// takes one texture sample for each of three cascades, the ripples, the foam, the reflected sky and
-// the haze. No loop remains that a driver might not unroll.
-=======
 // A pixel of the open sea; docs/rendering.md has the same table. On a headset it takes one
 // texture sample for each of three cascades, the ripples, the foam, the reflected sky and the haze.
 // No loop remains that a driver might not unroll.
->>>>>>> 0b8b42d0 (docs: split library and weather pages by topic)
 TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
     using gl::Shading;
     struct Row {

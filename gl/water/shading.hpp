@@ -9,13 +9,8 @@
 namespace pelagic::gl {
 
 /// Tier of shading. `headset` takes at most 8 texture samples per pixel, for nine million pixels
-<<<<<<< HEAD
-/// drawn 72 times a second. docs/development/architecture.md lists the maximum of the other tiers
-/// and what each omits.
-=======
 /// drawn 72 times a second. docs/rendering.md lists the maximum of the other tiers and what each
 /// omits.
->>>>>>> 0b8b42d0 (docs: split library and weather pages by topic)
 enum class Shading { headset, medium, high };
 
 }  // namespace pelagic::gl
