@@ -141,7 +141,7 @@ std::vector<BadInput> bad_inputs() {
          {"cascades is 4, expected 1 where waves is pond\n"}},
         {{"info", "--spectrum", "sine"}, {"expected phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
-        {{"help", "exprot"}, {"exprot", "export, info, merge, quadtree"}},
+        {{"help", "exprot"}, {"exprot", "info, export, merge, verify"}},
         {{"info", "--frobnicate"}, {"unknown option --frobnicate; pelagic info --help lists all"}},
         // Config files.
         {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"},
@@ -332,7 +332,8 @@ TEST(BadInput, HelpAndVersionAreNoErrors) {
     const std::string help = run_pelagic({"export", "--help"}).out;
     EXPECT_EQ(run_pelagic({"help", "export"}).out, help);
     EXPECT_EQ(run_pelagic({"help"}).out, run_pelagic({"--help"}).out);
-    for (const char* part : {"--wind-speed", "m/s", "(0, 60]", "(default: 12)", "power of two", "storm"})
+    for (const char* part :
+         {"--wind-speed", "m/s", "(0, 60]", "(default: 12)", "power of two", "storm", "--help-pixels"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 

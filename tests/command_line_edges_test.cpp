@@ -42,7 +42,7 @@ TEST(CommandLineEdges, ErrorsAreOneLineAndExitCode2) {
          "--wind-speed \\xc2\\x9b2J is out of range (0, 60]"},
         {{"info", "--wind-speed", std::string(5000, '9')}, "is out of range (0, 60]"},
         {{"info", "--config", "/" + std::string(5000, 'x')}, "expected a TOML file"},
-        {{std::string(5000, 'x')}, "query, render, verify or view"},
+        {{std::string(5000, 'x')}, "query, render, view, quadtree or bench"},
     };
     for (const Edge& edge : edges) {
         const TemporaryFolder folder;

@@ -366,7 +366,7 @@ TEST(ExportedFiles, SeaJsonDefinesThePixels) {
 }
 
 TEST(ExportedFiles, HelpDefinesThePixels) {
-    const std::string help = run_pelagic({"export", "--help"}).out;
+    const std::string help = run_pelagic({"export", "--help-pixels"}).out;
     for (const char* part : {"normal x = 2R - 1", "J = 2B - 1", "clamped to [-1, 1]", "u = (i + 0.5)/N", "upper edge",
                              "+x east, +y up, +z south", "non-colour"})
         EXPECT_NE(help.find(part), std::string::npos) << part;

@@ -21,9 +21,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 // Options that do not affect the content of files.
-const std::set<std::string> unrecorded = {"out",     "help",    "version", "resume",  "overwrite",
-                                          "no-sync", "no-lock", "preview", "threads", "isa",
-                                          "trace",   "shard",   "config",  "weather"};
+const std::set<std::string> unrecorded = {"out",     "help",    "help-pixels", "resume",  "overwrite",
+                                          "no-sync", "no-lock", "preview",     "threads", "isa",
+                                          "trace",   "shard",   "config",      "weather"};
 
 /// A placeholder for the path of the events file beside the record.
 const std::string events_placeholder = "the events";

@@ -304,7 +304,7 @@ TEST(Film, ReturnsTheEncodersErrorMessage) {
     ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
     tools::Film film(2, 2, 24);
     film.add(std::vector<std::uint8_t>(2 * 2 * 4));
-    const tools::Film::Encoded encoded = film.encode();
+    const tools::Film::Encoded encoded = film.finish();
     ::setenv("PATH", path.c_str(), 1);
     EXPECT_TRUE(encoded.mp4.empty());
     EXPECT_EQ(encoded.reason, "ffmpeg failed: no such encoder");

@@ -72,7 +72,7 @@ TEST(RenderCommand, StopsWithOneLineAndLeavesCompleteImages) {
     ::kill(process, SIGINT);
     EXPECT_EQ(wait_for(process), 128 + SIGINT);
     EXPECT_EQ(read_file(logs / "out"), "");
-    EXPECT_EQ(read_file(logs / "err"), "pelagic: stopped; images that are there are whole\n");
+    EXPECT_EQ(read_file(logs / "err"), "pelagic: stopped; the same command with --resume renders the rest\n");
     std::ptrdiff_t images = 0;
     for (const auto& [name, bytes] : files_in(folder.path())) {
         EXPECT_TRUE(name.starts_with("sea_")) << name;
@@ -156,6 +156,74 @@ TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     EXPECT_TRUE(statistics.at("median_ms").contains("draw_in_driver"));
     EXPECT_EQ(read_pixels(folder / "sea_0000.png").spec().width, 64);
     EXPECT_EQ(read_pixels(folder / "sea_0001.png").spec().height, 48);
+}
+
+std::function<void()> in_folder(const std::filesystem::path& folder) {
+    return [folder] { std::filesystem::current_path(folder); };
+}
+
+TEST(RenderCommand, WritesSeaPngByDefault) {
+    const TemporaryFolder folder;
+    const Outcome run = run_pelagic({"render", "--resolution", "32", "--size", "32x18", "--quality", "low"},
+                                    in_folder(folder.path()));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(read_pixels(folder / "sea.png").spec().width, 32);
+    EXPECT_EQ(run.out.find("sea.png: 1 image of 32x18"), 0u) << run.out;
+}
+
+TEST(RenderCommand, NamesImagesByAPatternAndResumes) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> command = {"render",  "rough.%03d.png", "--resolution", "32",       "--size",
+                                              "32x18",   "--quality",      "low",          "--frames", "3",
+                                              "--quiet", "--resume"};
+    ASSERT_EQ(run_pelagic(command, in_folder(folder.path())).out, "");
+    const auto first = files_in(folder.path());
+    ASSERT_EQ(first.size(), 3u);
+    for (const char* const name : {"rough.000.png", "rough.001.png", "rough.002.png"})
+        EXPECT_TRUE(first.contains(name)) << name;
+    // An image that exists is kept, a missing one is rendered with the same bytes.
+    write_file(folder / "rough.000.png", "kept");
+    std::filesystem::remove(folder / "rough.001.png");
+    ASSERT_EQ(run_pelagic(command, in_folder(folder.path())).exit_code, 0);
+    const auto second = files_in(folder.path());
+    EXPECT_EQ(second.at("rough.000.png"), "kept");
+    EXPECT_EQ(second.at("rough.001.png"), first.at("rough.001.png"));
+}
+
+// A stand-in for ffmpeg stores its input: five seconds of RGBA images, and no film if it fails.
+TEST(RenderCommand, SendsTheFramesOfAFilmToFfmpeg) {
+    const TemporaryFolder folder;
+    const auto with_ffmpeg = [&](const std::string& script) {
+        write_file(folder / "ffmpeg", "#!/bin/sh\n" + script);
+        std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+        return run_pelagic(
+            {"render", "sea.mp4", "--resolution", "32", "--size", "32x18", "--quality", "low", "--fps", "1"}, [&] {
+                std::filesystem::current_path(folder.path());
+                ::setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
+            });
+    };
+    const Outcome failed = with_ffmpeg("echo no such encoder >&2\nexit 1\n");
+    EXPECT_EQ(failed.exit_code, 1);
+    EXPECT_EQ(failed.err, "pelagic: can't write sea.mp4: ffmpeg failed: no such encoder\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "sea.mp4"));
+    const Outcome made = with_ffmpeg("exec cat\n");
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(read_file(folder / "sea.mp4").size(), 5u * 32 * 18 * 4);
+}
+
+TEST(RenderCommand, RejectsNamesOfFilmsAndImages) {
+    for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"sea.jpg"}, "--out is sea.jpg, expected a file named *.png or .mp4"},
+             {{"sea.%04d.mp4"}, "--out is sea.%04d.mp4, expected a name with one number"},
+             {{"sea.##.##.png"}, "--out is sea.##.##.png, expected a name with one number"},
+             {{"sea.mp4", "--resume"}, "--resume cannot be combined with a film"},
+             {{"sea.mp4", "--size", "33x18"}, "--size is 33x18, expected an even width and height"}}) {
+        std::vector<std::string> command = {"render"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const Outcome run = run_pelagic(command);
+        EXPECT_EQ(run.exit_code, 2) << says;
+        EXPECT_NE(run.err.find(says), std::string::npos) << run.err << "lacks " << says;
+    }
 }
 
 /// Renders a view, and a wider view with more bright and dark sky on both sides.

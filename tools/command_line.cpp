@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -14,6 +15,8 @@
 
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
@@ -28,15 +31,21 @@ struct CommandEntry {
 };
 
 constexpr CommandEntry command_table[] = {
-    {"bench", "measure frame times on this machine, beside stored results", make_bench_command},
-    {"export", "export frames of a sea as images or meshes, and sea.json", make_export_command, "PELAGIC_IMAGES"},
-    {"info", "print sea-state statistics, stages and memory", make_info_command},
-    {"merge", "join the shards of an export after checking every file", make_merge_command, "PELAGIC_IMAGES"},
-    {"quadtree", "select the mesh patches for a view; print statistics, write meshes", make_quadtree_command},
-    {"query", "print height, normal and velocity of the water at given points", make_query_command},
-    {"render", "render images of a sea offscreen", make_render_command, "PELAGIC_GL"},
-    {"verify", "check every file of an export, and recompute some frames", make_verify_command, "PELAGIC_IMAGES"},
-    {"view", "show a sea in a window, with controls", make_view_command, "PELAGIC_GL"}};
+    {"info", "Print sea-state statistics, stages and memory", make_info_command},
+    {"export", "Export frames as images or meshes, and sea.json", make_export_command, "PELAGIC_IMAGES"},
+    {"merge", "Check and join the shards of an export", make_merge_command, "PELAGIC_IMAGES"},
+    {"verify", "Check every file of an export, and recompute some frames", make_verify_command, "PELAGIC_IMAGES"},
+    {"query", "Print height, normal and velocity of the water at points", make_query_command},
+    {"render", "Render images or a film of a sea offscreen", make_render_command, "PELAGIC_GL"},
+    {"view", "Show a sea in a window, with controls", make_view_command, "PELAGIC_GL"},
+    {"quadtree", "Select the mesh patches of a view; print statistics, write meshes", make_quadtree_command},
+    {"bench", "Measure frame times, beside stored results", make_bench_command}};
+
+constexpr const char* examples = R"(Examples:
+  pelagic info storm                           heights, periods and wavelengths of a preset
+  pelagic export waves --frames loop --fps 8   a loop of maps in the folder waves
+  pelagic render sea.png --preset rough        an image
+"pelagic COMMAND --help" lists the options of a command.)";
 
 /// Returns "bench, export ... or view".
 std::string command_names() {
@@ -52,19 +61,23 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+/// Throws if the word after an option that requires a value is an option, too. CLI11 reads
+/// `--wind-speed --seed 3` as the wind speed "--seed".
+void require_values(const CLI::App& used, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const CLI::Option* option = used.get_option_no_throw(words[i]);
+        if (option && words[i].starts_with('-') && option->get_items_expected_min() > 0 &&
+            words[i + 1].starts_with('-') && used.get_option_no_throw(words[i + 1]))
+            throw InputError(words[i] + " requires a value");
+    }
+}
+
 /// Converts an error of CLI11 to a one-line InputError.
 InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
     const auto commands = app.get_subcommands();
     const CLI::App& used = commands.empty() ? app : *commands.front();
     const std::vector<std::string> options = option_names(used);
-
-    // `--wind-speed --seed 3`: CLI11 reads --seed as the wind speed and reports the 3 as
-    // unexpected.
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        const CLI::Option* option = used.get_option_no_throw(words[i]);
-        if (option && option->get_items_expected_min() > 0 && used.get_option_no_throw(words[i + 1]))
-            return InputError(words[i] + " requires a value");
-    }
+    require_values(used, words);
     // CLI11 reports an unknown option before it checks the values of other options.
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         const std::vector<std::string> extras = used.remaining(true);
@@ -74,8 +87,7 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
             return InputError((name.starts_with('-') ? "unknown option " : "unknown command ") + word +
                               ", expected " + command_names());
         const std::string help = "; pelagic " + used.get_name() + " --help lists all";
-        if (!name.starts_with('-'))
-            return InputError("unexpected word " + word + ", expected options such as " + options.back() + help);
+        if (!name.starts_with('-')) return InputError("unexpected word " + word + help);
         const auto nearest = near_name(name, options);
         return InputError("unknown option " + name + (nearest ? ", the nearest known one is " + *nearest : "") +
                           help);
@@ -83,12 +95,10 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     // Other messages of CLI11 begin with the option: "--seed: ..." or "--seed requires an
     // argument".
     for (const std::string& option : options) {
-        const auto times = std::count_if(words.begin(), words.end(), [&](const std::string& word) {
-            return word == option || word.starts_with(option + "=");
-        });
         const std::string what = error.what();
         if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
-        if (times > 1) return InputError(option + " is given " + number_text(times) + " times; give it once");
+        if (const std::size_t times = used.get_option(option)->count(); times > 1)
+            return InputError(option + " is given " + number_text(times) + " times; give it once");
         if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return InputError(option + " requires a value");
     }
     std::string line = error.what();
@@ -129,48 +139,70 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
     return words;
 }
 
-int run(int argc, const char* const* argv) {
-    CLI::App app("Simulates FFT ocean waves on the CPU and exports seamlessly looping displacement and normal maps.",
-                 "pelagic");
-    app.set_version_flag("--version", "pelagic " PELAGIC_VERSION);
-    app.get_formatter()->column_width(34);
-
-    app.require_subcommand(0, 1);
-    std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> parsers;
-    for (const CommandEntry& entry : command_table) {
-        CLI::App* const parser = app.add_subcommand(entry.name, entry.help);
-        parsers.emplace_back(parser, entry.make ? entry.make() : std::make_unique<AbsentCommand>(entry));
-        parsers.back().second->add_options(*parser);
-        parser->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+/// The parser of `pelagic`, and its commands.
+class CommandLine {
+   public:
+    CommandLine() : app_("Simulate ocean waves, and export them as looping maps, meshes and images.", "pelagic") {
+        app_.formatter(std::make_shared<HelpFormatter>());
+        app_.require_subcommand(0, 1);
+        app_.footer(examples);
+        add_common_options(app_);
+        for (const CommandEntry& entry : command_table) {
+            CLI::App* const parser = app_.add_subcommand(entry.name, entry.help)->group("Commands")->footer("");
+            commands_.emplace_back(parser, entry.make ? entry.make() : std::make_unique<AbsentCommand>(entry));
+            commands_.back().second->add_options(*parser);
+            add_common_options(*parser);
+            parser->add_flag("-q,--quiet", is_quiet_, "print no progress, notes or summaries")
+                ->group(help_group::other);
+        }
     }
 
-    const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
-    try {
-        // CLI11 expects the words in reverse order
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-    } catch (const CLI::Success& help_or_version) {
-        // CLI11 handles --help before it reports unknown words.
-        if (app.get_subcommands().empty() && !app.remaining().empty())
-            throw from_cli(CLI::ExtrasError(app.remaining()), app, words);
-        const int code = app.exit(help_or_version);
+    const CLI::App& app() const { return app_; }
+
+    int run(const std::vector<std::string>& words) {
+        try {
+            // CLI11 expects the words in reverse order
+            app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        } catch (const CLI::Success& help_or_version) {
+            // CLI11 handles --help before it reports unknown words.
+            if (app_.get_subcommands().empty() && !app_.remaining().empty())
+                throw from_cli(CLI::ExtrasError(app_.remaining()), app_, words);
+            const int code = app_.exit(help_or_version);
+            check_standard_output();
+            return code;
+        } catch (const CLI::ParseError& error) {
+            throw from_cli(error, app_, words);
+        }
+        const auto used =
+            std::find_if(commands_.begin(), commands_.end(), [](const auto& each) { return each.first->parsed(); });
+        if (used == commands_.end())
+            throw InputError("no command, expected " + command_names() + "; see pelagic --help");
+        require_values(*used->first, words);
+        set_quiet(is_quiet_);
+        used->second->run();
         check_standard_output();
-        return code;
-    } catch (const CLI::ParseError& error) {
-        throw from_cli(error, app, words);
+        return 0;
     }
-    const auto used =
-        std::find_if(parsers.begin(), parsers.end(), [](const auto& each) { return each.first->parsed(); });
-    if (used == parsers.end()) throw InputError("no command, expected " + command_names() + "; see pelagic --help");
-    used->second->run();
-    check_standard_output();
-    return 0;
-}
+
+   private:
+    static void add_common_options(CLI::App& app) {
+        app.set_help_flag("-h,--help", "print this help and exit")->group(help_group::other);
+        app.set_version_flag("--version", "pelagic " PELAGIC_VERSION, "print the version and exit")
+            ->group(help_group::other);
+    }
+
+    CLI::App app_;
+    std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> commands_;
+    bool is_quiet_ = false;
+};
 
 }  // namespace
 
+void describe_command_line(const std::function<void(const CLI::App&)>& take) { take(CommandLine().app()); }
+
 int run_command_line(int argc, const char* const* argv) {
     try {
-        return run(argc, argv);
+        return CommandLine().run(without_help_command({argv + 1, argv + argc}));
     } catch (const InputError& error) {
         std::fprintf(stderr, "pelagic: %s\n", error.what());
         return 2;

@@ -21,6 +21,7 @@
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
@@ -104,17 +105,16 @@ class BenchCommand final : public Command {
 };
 
 void BenchCommand::add_options(CLI::App& app) {
+    app.option_defaults()->group(help_group::input);
     app.add_option("--sizes", sizes_,
-                   "resolutions N of seas with one cascade, separated by commas (default: 64,128,256,512,1024, "
-                   "and the default sea)")
+                   "resolutions of seas with one cascade (default: 64,128,256,512,1024 and the default sea)")
         ->type_name("N,N");
-    app.add_option("--seconds", seconds_,
-                   std::string("approximate measuring time in seconds; ") + seconds_range + " (default: 30)")
+    app.add_option("--seconds", seconds_, std::string("measuring time; ") + seconds_range + " (default: 30)")
         ->type_name("SECONDS");
-    app.add_flag("--headset", headset_,
-                 "measure seas for a headset on 1, 2 and 3 threads, beside its frame times; excludes --sizes");
-    app.add_option("--json", json_, "write the statistics as JSON; - prints them instead of the tables")
-        ->type_name("FILE");
+    app.add_flag("--headset", headset_, "measure seas for a headset on 1, 2 and 3 threads; excludes --sizes");
+    app.add_option("--json", json_, "write the statistics as JSON; -: print them instead of the tables")
+        ->type_name("FILE.json")
+        ->group(help_group::output);
     compute_.add_to(app);
 }
 

@@ -27,6 +27,7 @@
 #include "pelagic/tools/record/folder_lock.hpp"
 #include "pelagic/tools/record/frame_writer.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
@@ -132,8 +133,7 @@ void run_export(const ExportOptions& options) {
     if (options.trace) trace_file.emplace(*options.trace);
     if (options.events) keep_events(*options.events->file, folder);
     journal.begin();
-    print_notes(stdout, options);
-    std::fflush(stdout);  // so that a pipe receives the notes before the first frame
+    print_notes(options);
     std::map<int, FrameRecord> records = journal.done();
     const std::size_t kept = records.size();
     const auto trace = options.trace ? std::make_shared<ChromeTrace>() : nullptr;
@@ -154,15 +154,15 @@ void run_export(const ExportOptions& options) {
     }
     journal.end(frames, sequence_files);
     if (trace) write_trace(*trace_file, *trace);
-    print_summary(stdout, options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
+    if (!is_quiet())
+        print_summary(stdout, options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
     if (clamped_halves())
-        std::fprintf(
-            stderr,
-            "note: values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold them, "
-            "without --half and --format ktx2\n");
+        print_note(
+            "values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold them, without "
+            "--half and --format ktx2");
     if (trace && trace->omitted() > 0)
-        std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
-                    ChromeTrace::default_max_spans, trace->omitted());
+        print_note(options.trace->string() + " holds the first " + number_text(ChromeTrace::default_max_spans) +
+                   " spans, " + number_text(trace->omitted()) + " later ones are omitted");
 }
 
 class ExportCommand final : public Command {

@@ -22,6 +22,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #if defined(PELAGIC_HAS_IMAGES)
 #include "pelagic/tools/measure/measure_report.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #endif
 
 namespace pelagic::tools {
@@ -242,16 +243,15 @@ class InfoCommand final : public Command {
 };
 
 void InfoCommand::add_options(CLI::App& app) {
+    app.option_defaults()->group(help_group::output);
     app.add_flag("--json", json_, "print JSON");
-    app.add_option("--measure", measure_,
-                   "read an export and print the heights, periods, directions and spectra of its frames, beside "
-                   "those expected from its options")
+    app.add_option("--measure", measure_, "print waves measured in an export, beside those expected")
         ->type_name("DIR");
-    app.add_option("--svg", svg_, "with --measure: write both spectra, measured and expected, as an SVG image")
-        ->type_name("FILE");
-    sea_.add_to(app);
+    app.add_option("--svg", svg_, "with --measure: plot both spectra, measured and expected")->type_name("FILE.svg");
+    sea_.add_to(app, SeaOptions::PresetName::positional_too);
     sea_.add_weather_to(app);
     compute_.add_to(app);
+    app.footer(SeaOptions::description_of_presets());
 }
 
 void InfoCommand::run() {

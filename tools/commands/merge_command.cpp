@@ -23,6 +23,8 @@
 #include "pelagic/tools/record/folder_lock.hpp"
 #include "pelagic/tools/record/frames_of_record.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -70,8 +72,9 @@ class Merge {
         for (const std::string& name : names_.leftovers)
             if (is_export_name(name, options_.maps.names)) folder_.remove(name);
         folder_.sync();
-        print_summary(stderr, options_, {.frames = options_.times.count(), .height_sum_m = height_sum_m});
-        print_notes(stderr, options_);
+        if (!is_quiet())
+            print_summary(stderr, options_, {.frames = options_.times.count(), .height_sum_m = height_sum_m});
+        print_notes(options_);
     }
 
    private:
@@ -266,8 +269,8 @@ class MergeCommand final : public Command {
 
 void MergeCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder with the shards of an export")->type_name("");
-    app.add_flag("--no-lock", no_lock_,
-                 "do not lock the folder, for file systems without locks; no other export may use the folder");
+    app.add_flag("--no-lock", no_lock_, "do not lock the folder, for file systems without locks")
+        ->group(help_group::output);
     compute_.add_to(app);
 }
 
@@ -282,8 +285,7 @@ void MergeCommand::run() {
         if (!names.has_record)
             throw bad_value("DIR", *folder_,
                             "a folder with records of shards, sea.1-of-N.json and so on: none is there");
-        std::fprintf(stderr, "%s: nothing to merge, it holds one export and no shards; pelagic verify checks it\n",
-                     folder_->c_str());
+        print_note(*folder_ + ": nothing to merge, it holds one export and no shards; pelagic verify checks it");
         return;
     }
     if (names.shards.size() > 1) {

@@ -26,6 +26,7 @@
 #include "pelagic/tools/options/sea_options.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -118,12 +119,12 @@ class QuadtreeCommand final : public Command {
 
 void QuadtreeFlags::add_to(CLI::App& app, const std::string& size_option) {
     size_option_ = size_option;
-    app.add_option(size_option, size_, "side of the square of sea in metres; [256, 8192] (default: 2048)")
-        ->type_name("M");
-    app.add_option("--quality", quality_,
-                   "level of detail: low, medium, high or ultra; paper_low ... paper_ultra are those of the "
-                   "paper (default: high)")
-        ->type_name("NAME");
+    app.add_option(size_option, size_, "side of the square of sea; [256, 8192] (default: 2048)")
+        ->type_name("METRES")
+        ->group(help_group::view);
+    app.add_option("--quality", quality_, "level of detail; or the paper's, as paper_high (default: high)")
+        ->type_name("low|medium|high|ultra")
+        ->group(help_group::view);
 }
 
 QuadtreeOptions QuadtreeFlags::resolve() const {
@@ -141,20 +142,19 @@ QuadtreeOptions QuadtreeFlags::resolve() const {
 void QuadtreeCommand::add_options(CLI::App& app) {
     quadtree_.add_to(app, "--size");
     camera_.add_to(app);
-    app.add_option("--stereo", stereo_, "distance between two eyes in metres; (0, 1] (default: one view)")
-        ->type_name("M");
-    app.add_option("--time", time_, "time of the frame in seconds; [-1e9, 1e9] (default: 0)")->type_name("S");
+    app.option_defaults()->group(help_group::view);
+    app.add_option("--stereo", stereo_, "distance between two eyes; (0, 1] (default: one view)")->type_name("METRES");
+    app.add_option("--time", time_, "time of the frame; [-1e9, 1e9] (default: 0)")->type_name("SECONDS");
     app.add_flag("--all", all_, "select every patch, visible or not");
-    app.add_option("--obj", obj_,
-                   "write the displaced mesh as OBJ, with normals and with texture coordinates for the maps of "
-                   "an export")
-        ->type_name("FILE");
-    app.add_option("--ply", ply_, "write the displaced mesh as binary PLY")->type_name("FILE");
-    app.add_option("--gltf", gltf_, "write the displaced mesh as binary glTF, FILE.glb")->type_name("FILE");
-    app.add_flag("--foam", foam_, "add foam to the vertices of the mesh, as colour");
-    app.add_option("--json", json_, "write the statistics as JSON")->type_name("FILE");
-    app.add_option("--svg", svg_, "write the plan of the patches, coloured by level, as SVG")->type_name("FILE");
-    sea_.add_to(app);
+    app.option_defaults()->group(help_group::output);
+    app.add_option("--obj", obj_, "write the displaced mesh as OBJ, with normals and texture coordinates")
+        ->type_name("FILE.obj");
+    app.add_option("--ply", ply_, "write the displaced mesh as binary PLY")->type_name("FILE.ply");
+    app.add_option("--gltf", gltf_, "write the displaced mesh as binary glTF")->type_name("FILE.glb");
+    app.add_flag("--foam", foam_, "add foam to the mesh as vertex colour");
+    app.add_option("--json", json_, "write the statistics as JSON")->type_name("FILE.json");
+    app.add_option("--svg", svg_, "write the plan of the patches, coloured by level")->type_name("FILE.svg");
+    sea_.add_to(app, SeaOptions::PresetName::positional_too);
     compute_.add_to(app);
 }
 

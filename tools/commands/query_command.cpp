@@ -23,6 +23,8 @@
 #include "pelagic/tools/query/points_file.hpp"
 #include "pelagic/tools/query/query_rows.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -62,8 +64,8 @@ class SpanNote {
         z_.extend(block.z);
         const double span_m = std::max(x_.length(), z_.length());
         if (!(span_m > repeat_m_)) return;
-        std::fprintf(stderr, "note: the points span %s m, but the longest waves repeat after %s m\n",
-                     number_text(span_m).c_str(), number_text(repeat_m_).c_str());
+        print_note("the points span " + number_text(span_m) + " m, but the longest waves repeat after " +
+                   number_text(repeat_m_) + " m");
         is_printed_ = true;
     }
 
@@ -122,29 +124,24 @@ class QueryCommand final : public Command {
 };
 
 void QueryCommand::add_options(CLI::App& app) {
-    app.add_option("--points", points_,
-                   "positions: lines x,z in metres, or named columns x and z among others if the first line is a "
-                   "header; - reads standard input")
+    app.option_defaults()->group(help_group::input);
+    app.add_option("--points", points_, "lines x,z in metres, or a header with columns x and z; -: standard input")
         ->type_name("FILE.csv");
-    app.add_option("--time", time_, "time in seconds; [-1e9, 1e9] (default: 0)")->type_name("NUMBER");
-    app.add_option("--times", times_,
-                   "sample every point at FIRST, FIRST + STEP and so on until LAST, in seconds; adds a first "
-                   "column with the time")
+    app.add_option("--time", time_, "seconds; [-1e9, 1e9] (default: 0)")->type_name("SECONDS");
+    app.add_option("--times", times_, "sample each point at several times, and add a column with the time")
         ->type_name("FIRST:LAST:STEP");
     app.add_option("--interpolation", interpolation_,
-                   "interpolation between texels. cubic keeps the heights and slopes of short waves; linear is "
-                   "the rendered surface, and keeps 93 % of Hm0 at N = 128 (default: cubic)")
-        ->type_name("linear|cubic");
-    app.add_flag("--json", json_, "print an array of objects, one for each line, instead of CSV");
-    app.add_flag(
-        "--foam", foam_,
-        "add a column foam: foam coverage, 0 to 1, with the foam remaining from the last 2.9 seconds. A jump "
-        "in time costs 29 ticks, each cheaper than a frame");
+                   "between texels; cubic keeps short waves, linear is the drawn surface (default: cubic)")
+        ->type_name(alternatives(names_of<Interpolation>()));
+
+    app.option_defaults()->group(help_group::output);
+    app.add_flag("--foam", foam_, "add a column with the foam coverage, 0 to 1");
+    app.add_flag("--json", json_, "print an array of objects instead of CSV");
 #if defined(PELAGIC_HAS_IMAGES)
     floor_.add_to(app);
 #endif
     events_.add_to(app);
-    sea_.add_to(app);
+    sea_.add_to(app, SeaOptions::PresetName::positional_too);
     sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(
@@ -210,7 +207,7 @@ void QueryCommand::run() {
     RowWriter rows(executor, answers, interpolation, json_, times_.has_value());
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
-    if (!json_) std::fprintf(stderr, "note: interpolation is %s\n", std::string(name_of(interpolation)).c_str());
+    if (!json_) print_note("interpolation is " + std::string(name_of(interpolation)));
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         answers.resize(block.size());
         span_note.extend(block);

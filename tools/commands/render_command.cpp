@@ -26,7 +26,10 @@
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/render_options.hpp"
+#include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
@@ -89,8 +92,7 @@ class OfflineRenderer {
           caustics_(make_default_executor(options.scene.compute.threads)) {
         if (const std::string name = context_.renderer_name();
             gl::is_software_renderer(name) && options.scene.quality != fastest_quality)
-            progress.note("note: " + name + " draws without a graphics processor; --quality " + fastest_quality +
-                          " is faster");
+            progress.note(name + " draws without a graphics processor; --quality " + fastest_quality + " is faster");
         renderer_.set_water(options.scene.water);
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
@@ -269,7 +271,7 @@ class OfflineRenderer {
     Measured measured_;
 };
 
-/// The output files of one option, --out, --hdr or --sky; none if the option is not given.
+/// The images of one option, --out or --hdr; none if the option is not given.
 class Files {
    public:
     Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
@@ -279,6 +281,11 @@ class Files {
     }
     void write(int frame, const std::vector<unsigned char>& bytes) const {
         folder_->write(options_.file_of(named_, frame).filename(), std::as_bytes(std::span(bytes)));
+    }
+    /// Returns true if the option is not given or the image exists.
+    bool has(int frame) const {
+        std::error_code error;
+        return !folder_ || std::filesystem::is_regular_file(options_.file_of(named_, frame), error);
     }
     void sync() const {
         if (folder_) folder_->sync();
@@ -308,71 +315,109 @@ Json as_json(const gl::WaterOptics& water) {
             {"backscattering_per_m", values(water.backscattering_per_m)}};
 }
 
+/// The outputs of one run.
+struct Outputs {
+    explicit Outputs(const RenderOptions& options)
+        : images(options, options.is_film() ? std::filesystem::path() : options.file),
+          hdr(options, options.hdr_file) {
+        if (options.is_film()) {
+            if (!can_make_films())
+                throw bad_value("--out", options.file.string(), "*.png, or the program ffmpeg in PATH");
+            film_file.emplace(options.file);
+        }
+        if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
+        if (!images && !hdr && !film_file) return;
+        for (int frame = 0; frame < options.frames; ++frame)
+            if (!options.resume || !images.has(frame) || !hdr.has(frame)) frames.push_back(frame);
+    }
+
+    Files images, hdr;
+    std::optional<OutputFile> film_file, panorama;
+    std::vector<int> frames;  ///< to be rendered
+};
+
 /// Renders and writes all images. Returns their statistics.
-Json write_images(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
-                  Progress& progress) {
+Json write_images(const RenderOptions& options, const gl::Sky& sky, const Outputs& outputs, Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;
     OfflineRenderer maker(options, sky, progress);
-    for (int frame = 0; frame < options.frames; ++frame) {
-        progress.show(static_cast<std::size_t>(frame));
+    std::optional<Film> film;
+    if (outputs.film_file) film.emplace(width, height, options.fps);
+    for (std::size_t done = 0; done < outputs.frames.size(); ++done) {
+        const int frame = outputs.frames[done];
+        progress.show(done);
         maker.draw(options.time_s + frame / options.fps);
+        if (film) film->add(maker.pixels());
         const HeldStop whole_files;
-        if (out) out.write(frame, encode_png(maker.pixels(), width, height));
-        if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
+        if (outputs.images) outputs.images.write(frame, encode_png(maker.pixels(), width, height));
+        if (outputs.hdr) outputs.hdr.write(frame, encode_light(maker.radiance(), width, height));
+    }
+    if (film) {
+        const Film::Encoded encoded = film->finish();
+        if (encoded.mp4.empty()) throw FileError("can't write " + options.file.string() + ": " + encoded.reason);
+        const HeldStop whole_file;
+        outputs.film_file->write(std::as_bytes(std::span(encoded.mp4)));
     }
     return maker.statistics();
 }
 
-void run_render(const RenderOptions& options) {
-    const Files out(options, options.file), hdr(options, options.hdr_file);
-    const bool draws = out || hdr;
-    std::optional<OutputFile> panorama;
-    if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
+void print_summary(const RenderOptions& options, const Json& json, std::size_t frames) {
+    if (!options.sky_file.empty())
+        std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
+    if (!json.contains("statistics")) {
+        if (options.resume) std::printf("all %d images exist\n", options.frames);
+        return;
+    }
+    const Json& statistics = json["statistics"];
+    std::printf("%s: %zu %s%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
+                json["file"].get<std::string>().c_str(), frames, options.is_film() ? "frame" : "image",
+                frames == 1 ? "" : "s", options.scene.width, options.scene.height,
+                statistics["sea_draw_calls_a_view"].get<int>(),
+                static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),
+                statistics["renderer"].get<std::string>().c_str());
+}
 
-    end_on_stop_signals("pelagic: stopped; images that are there are whole\n");
-    std::optional<Progress> progress(std::in_place, "image", static_cast<std::size_t>(options.frames));
+void run_render(const RenderOptions& options) {
+    const Outputs outputs(options);
+    end_on_stop_signals(options.is_film() ? "pelagic: stopped; no film was written\n"
+                                          : "pelagic: stopped; the same command with --resume renders the rest\n");
+    std::optional<Progress> progress(std::in_place, options.is_film() ? "frame" : "image", outputs.frames.size());
     progress->show("sky", 0);
     const gl::Stopwatch watch;
     const gl::Sky sky = baked_sky(options.scene);
     const double sky_ms = watch.milliseconds();
-    if (panorama) {
+    if (outputs.panorama) {
         const auto exr =
             encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
         const HeldStop whole_file;
-        panorama->write(std::as_bytes(std::span(exr)));
+        outputs.panorama->write(std::as_bytes(std::span(exr)));
     }
     Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
-    if (draws) {
-        const std::filesystem::path& first = out ? options.file : options.hdr_file;
-        json.update({{"file", options.file_of(first, 0).string()},
+    if (!outputs.frames.empty()) {
+        const std::filesystem::path& first = options.file.empty() ? options.hdr_file : options.file;
+        json.update({{"file", options.file_of(first, outputs.frames.front()).string()},
                      {"width", options.scene.width},
                      {"height", options.scene.height},
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
                      {"weather", weather_as_json(options.scene.sea)},
-                     {"statistics", write_images(options, sky, out, hdr, *progress)}});
+                     {"statistics", write_images(options, sky, outputs, *progress)}});
         json["statistics"]["sky_ms"] = sky_ms;
     }
     progress.reset();
-    out.sync();
-    hdr.sync();
-    if (options.json) {
+    outputs.images.sync();
+    outputs.hdr.sync();
+    if (options.json)
         std::printf("%s\n", json.dump(2).c_str());
-        return;
-    }
-    if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
-    if (!draws) return;
-    const Json& statistics = json["statistics"];
-    std::printf("%s: %d image%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
-                json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
-                options.scene.width, options.scene.height, statistics["sea_draw_calls_a_view"].get<int>(),
-                static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),
-                statistics["renderer"].get<std::string>().c_str());
+    else if (!is_quiet())
+        print_summary(options, json, outputs.frames.size());
 }
 
 class RenderCommand final : public Command {
    public:
-    void add_options(CLI::App& app) override { flags_.add_to(app); }
+    void add_options(CLI::App& app) override {
+        flags_.add_to(app);
+        app.footer(SceneFlags::description_of_lights());
+    }
     void run() override { run_render(flags_.resolve()); }
 
    private:

@@ -26,6 +26,8 @@
 #include "pelagic/tools/record/frame_writer.hpp"
 #include "pelagic/tools/record/frames_of_record.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
@@ -203,9 +205,10 @@ class VerifyCommand final : public Command {
 
 void VerifyCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder of a finished export")->type_name("");
+    app.option_defaults()->group(help_group::input);
     app.add_option("--sample", sample_, "number of frames to recompute; 0 to 1000000, or all (default: 8)")
         ->type_name("NUMBER");
-    app.add_option("--seed", seed_, "seed that selects the recomputed frames; 0 to 2147483647 (default: 0)")
+    app.add_option("--seed", seed_, "seed that selects these frames; 0 to 2147483647 (default: 0)")
         ->type_name("NUMBER");
     compute_.add_to(app);
 }
@@ -224,9 +227,9 @@ void VerifyCommand::run() {
         verification.check_files(sample_of(verification.frames(), sample, static_cast<std::uint64_t>(seed)));
         verification.check_sample();
         if (verification.wrong() > 0) verification.reject();
-        std::fprintf(stderr, "%s: %zu frame%s as they were written, %zu of them computed once more\n",
-                     folder_->c_str(), verification.frames(), verification.frames() == 1 ? "" : "s",
-                     verification.sampled());
+        if (!is_quiet())
+            std::fprintf(stderr, "%s: %zu frame%s as written, %zu of them recomputed\n", folder_->c_str(),
+                         verification.frames(), verification.frames() == 1 ? "" : "s", verification.sampled());
     } catch (const DamagedRecord&) {
         throw FileError((folder.path() / record_name({})).string() +
                         " is damaged: its options are unknown, so the export has to be made again");

@@ -14,6 +14,7 @@
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/viewer/viewer.hpp"
 
@@ -99,8 +100,11 @@ class ViewCommand final : public Command {
 };
 
 void ViewCommand::add_options(CLI::App& app) {
-    scene_.add_to(app);
-    app.add_option("--images", images_, "folder for the images that key P saves (default: .)")->type_name("FOLDER");
+    scene_.add_to(app, SeaOptions::PresetName::positional_too);
+    app.add_option("--images", images_, "folder for the images that key P saves (default: .)")
+        ->type_name("DIR")
+        ->group(help_group::output);
+    app.footer(SceneFlags::description_of_lights());
 }
 
 void ViewCommand::run() {

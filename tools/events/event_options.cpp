@@ -5,6 +5,7 @@
 
 #include "pelagic/tools/events/event_commands.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -81,20 +82,17 @@ void require_reachable(const EventOptions& options, double last_frame_s) {
 }
 
 void EventFlags::add_to(CLI::App& app) {
-    app.add_option("--events", file_,
-                   "disturbances of dynamic waves: columns time,x,z,radius,height and optionally "
-                   "velocity,heading,duration,length,mode, named by the first line")
-        ->type_name("FILE.csv");
-    app.add_option("--events-side", side_, "side of the dynamic-wave grid in metres; [1, 10000] (default: 64)")
-        ->type_name("METRES");
-    app.add_option("--events-resolution", resolution_,
-                   "texels along its side; 64, 128, 256, 512 or 1024 (default: 256)")
-        ->type_name("NUMBER");
-    app.add_option("--events-at", at_, "its centre in metres (default: the centre of the events)")->type_name("X,Z");
-    app.add_option("--events-step", step_,
-                   "spectral (dispersion of water of --depth, wakes) or verlet (one speed for all waves, cheaper) "
-                   "(default: spectral)")
-        ->type_name("NAME");
+    const auto add = [&](const char* name, std::optional<std::string>& typed, const std::string& type,
+                         const char* help) {
+        app.add_option(name, typed, help)->type_name(type)->group(help_group::dynamic_waves);
+    };
+    add("--events", file_, "FILE.csv",
+        "add disturbances; columns time,x,z,radius,height, optionally velocity,heading,duration,length,mode");
+    add("--events-side", side_, "METRES", "side of the grid; [1, 10000] (default: 64)");
+    add("--events-resolution", resolution_, "64|128|256|512|1024", "texels along the grid's side (default: 256)");
+    add("--events-at", at_, "X,Z", "centre of the grid in metres (default: the centre of the events)");
+    add("--events-step", step_, alternatives(names_of<DynamicWavesStep>()),
+        "dispersive waves, or one speed for all waves, which is cheaper (default: spectral)");
 }
 
 std::optional<EventOptions> EventFlags::resolve(double depth_m) const {

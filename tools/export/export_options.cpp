@@ -12,6 +12,7 @@
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/maps/pixel_meaning.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -183,71 +184,53 @@ std::filesystem::path checked_trace(const std::string& text, const ExportOptions
 }  // namespace
 
 void ExportFlags::add_to(CLI::App& app) {
-    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
-        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    const auto add = [&](const std::string& names, const std::string& type, const std::string& help) {
+        app.add_option("--" + names, typed_[names.substr(0, names.find(','))], help)->type_name(type);
     };
-    add("out", "DIR",
-        "output folder, created if missing; a finished export in it needs --resume or --overwrite. Or "
-        "a folder and a name for the sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; if a frame has "
-        "several images, map and cascade precede the number: wave.foam_c1.0007.png");
-    add("start", "SECONDS", "time of the first frame in seconds; [-1e9, 1e9] (default: 0)");
-    add("frames", "NUMBERS",
-        "number of frames, 1 to 1000000; or frame numbers such as 10-20,40 or 7-7, where "
-        "--start-number is the frame at --start; or loop: one loop period at --fps (default: 1)");
-    add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999 (default: 0)");
-    add("fps", "NUMBER", "frames per second; (0, 1000] (default: 24)");
-    add("loop-frames", "NUMBER", "number of frames over exactly one loop period; replaces --frames and --fps");
-    add("maps", "NAMES",
-        names_of_maps() +
-            ", several separated by commas, or none (default: displacement,gradient). Foam accumulates: each 0.1 s "
-            "between frames costs a tick, cheaper than a frame, at most 29");
-    add("bit-depth", "BITS", "bits of normal and foam: 8, 16 or float (default: 8)");
-    add("normal-y", "DIRECTION",
-        "direction of the normal's green channel in the image: up (OpenGL) or down (DirectX) "
-        "(default: up)");
-    add("axes", "NAME", "axes of maps and meshes: y-up (x east, z south) or z-up (x east, y north) (default: y-up)");
-    add("unit", "NAME", "unit of displacement and meshes, and of velocity per second: m or cm (default: m)");
-    add("rows", "EDGE", "edge of the images with the row z = 0: top or bottom (default: top)");
-    add("format", "NAME",
-        "exr (floats as EXR, others as PNG), tif (all as TIFF), ktx2 or dds (textures of 16-bit "
-        "floats and bytes for engines) (default: exr)");
-    add("compression", "NAME",
-        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none (default: zip); of KTX2: "
-        "zstd or none (default: none). All but dwaa are lossless; dwaa is for viewing: it stores "
-        "halves, and its error is 1 % of the largest waves or more");
-    add("pack", "NAME",
-        "contents of a file: files (one map of one cascade), layers or parts (one EXR file for each "
-        "frame, sea_0000.exr, with layers in one image or with parts, named displacement, "
-        "displacement_c1, ...) (default: files)");
-    app.add_flag("--tiled", tiled_,
-                 "write EXR files in tiles of 64 x 64 pixels, for renderers; with --mips a file has all "
-                 "levels, also of displacement");
-    app.add_flag("--mips", mips_,
-                 "write all mip levels, down to one texel, of all maps but displacement and velocity; in ktx2 "
-                 "and dds of all maps, within their files");
-    app.add_flag("--half", half_, "write 16-bit instead of 32-bit floats");
-    add("flipbook", "COLUMNSxROWS",
-        "also write all frames side by side: flipbook_MAP, one image for each map and cascade, and "
-        "flipbook.json, which describes the layout");
-    app.add_flag("--preview", preview_,
-                 "write no frames, but preview.png with the maps and an image of the sea, and preview.mp4 if "
-                 "ffmpeg is installed; print the number of files and bytes of the export");
-    add("shard", "I/N",
-        "export one of N equal shards of the frames, 1/N to N/N, for several machines with one "
-        "folder; N up to 1000000. pelagic merge joins the shards");
-    app.add_flag("--resume", resume_, "keep the complete frames of an interrupted export and make the others");
+    app.option_defaults()->group(help_group::output);
+    add("out,-o,DIR", "DIR", "folder, created if missing; or names: DIR/wave.####.exr");
+    app.add_flag("--resume", resume_, "keep the complete frames of an interrupted export");
     app.add_flag("--overwrite", overwrite_, "replace a finished export in the folder");
-    app.add_flag("--no-sync", no_sync_,
-                 "do not wait for the disk: faster, but a power failure may lose finished frames");
-    app.add_flag("--no-lock", no_lock_,
-                 "do not lock the folder, for file systems without locks; no other export may use the folder");
-    add("trace", "FILE", "write a Chrome trace of stages and workers, which ui.perfetto.dev opens");
+    app.add_flag("--preview", preview_, "write only preview.png, and preview.mp4 if ffmpeg is installed");
+    add("shard", "I/N", "export shard I of N; pelagic merge joins the shards");
+    app.add_flag("--no-sync", no_sync_, "do not wait for the disk: a power failure may lose frames");
+    app.add_flag("--no-lock", no_lock_, "do not lock the folder, for file systems without locks");
+    add("trace", "FILE", "write a Chrome trace of stages and workers");
+
+    app.option_defaults()->group(help_group::frames);
+    add("frames", "NUMBERS", "number, 1 to 1000000; numbers as 10-20,40; or loop: a period (default: 1)");
+    add("fps", "NUMBER", "frames per second; (0, 1000] (default: 24)");
+    add("loop-frames", "NUMBER", "number of frames over one loop period; replaces --frames and --fps");
+    add("start", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0)");
+    add("start-number", "NUMBER", "number of the first frame; 0 to 999999 (default: 0)");
+
+    app.option_defaults()->group(help_group::maps);
+    add("maps", "NAMES", names_of_maps() + ", separated by commas, or none (default: displacement,gradient)");
+    add("format", "exr|tif|ktx2|dds",
+        "exr: floats as EXR, others as PNG; tif: all as TIFF; ktx2 and dds: textures (default: exr)");
+    add("bit-depth", alternatives(names_of<BitDepth>()), "bits of normal and foam (default: 8)");
+    app.add_flag("--half", half_, "write 16-bit instead of 32-bit floats");
+    add("normal-y", alternatives(names_of<NormalY>()),
+        "green of normals: OpenGL's up or DirectX's down (default: up)");
+    add("axes", alternatives(names_of<UpAxis>()), "axes of maps and meshes; z-up: x east, y north (default: y-up)");
+    add("unit", alternatives(names_of<LengthUnit>()), "unit of displacements, velocities and meshes (default: m)");
+    add("rows", alternatives(names_of<FirstRow>()), "edge of the image with the row z = 0 (default: top)");
+    app.add_flag("--mips", mips_, "write all mip levels; of displacement and velocity in textures only");
+    add("compression", "NAME",
+        "EXR: zip, zips, piz, dwaa (lossy) or none; TIFF: zip, lzw or none; KTX2: zstd or none "
+        "(default: zip; textures: none)");
+    add("pack", alternatives(names_of<Pack>()),
+        "a file for each map and cascade, or one EXR file a frame with layers or parts (default: files)");
+    app.add_flag("--tiled", tiled_, "write EXR files in tiles of 64 x 64 pixels, with --mips all levels");
+    add("flipbook", "COLUMNSxROWS", "also write all frames side by side: flipbook_MAP and flipbook.json");
+    app.add_flag_callback(
+        "--help-pixels", [] { throw CLI::CallForVersion(pixel_meaning(), 0); },
+        "print the meaning of pixel values, rows and axes, and exit");
     meshes_.add_to(app);
     events_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
     compute_.add_to(app);
-    app.footer(pixel_meaning());
 }
 
 FrameTimes ExportFlags::times(const ResolvedSea& sea) const {

@@ -193,23 +193,23 @@ class FilmMaker {
 
     /// Writes the film or the strip. Returns a line that describes the file.
     std::string write_to(const OutputFolder& folder) {
-        const bool has_ffmpeg = can_make_films();
         const double fps = times_.fps.value_or(static_cast<double>(times_.count()) / times_.loop_period_s);
-        Film film(film_width, film_height, fps);
+        std::optional<Film> film;
+        if (can_make_films()) film.emplace(film_width, film_height, fps);
         std::vector<RgbaImage> strip;
         Progress progress("frame of the film", frames_);
         const std::size_t step = std::max<std::size_t>(1, frames_ / strip_frames);
         for (std::size_t i = 0; i < frames_; ++i) {
             const bool is_in_strip = i % step == 0 && strip.size() < strip_frames;
-            if (!has_ffmpeg && !is_in_strip) continue;
+            if (!film && !is_in_strip) continue;
             if (stop_signal() != 0) throw Stopped{stop_signal(), static_cast<int>(i), static_cast<int>(frames_)};
             progress.show(i);
             const std::vector<std::uint8_t>& pixels = shaded_.draw(ocean_.frame_at(times_.time_of(times_.number(i))));
             if (is_in_strip) strip.push_back(preview_of(shaded_, pixels));
-            if (has_ffmpeg) film.add(pixels);
+            if (film) film->add(pixels);
         }
         const std::string what = number_text(frames_) + " of " + number_text(times_.count()) + " frames";
-        const Film::Encoded encoded = has_ffmpeg ? film.encode() : Film::Encoded{{}, "ffmpeg is not in PATH"};
+        const Film::Encoded encoded = film ? film->finish() : Film::Encoded{{}, "ffmpeg is not in PATH"};
         if (!encoded.mp4.empty()) {
             write_bytes(folder, preview_film_name, encoded.mp4);
             folder.remove(preview_strip_name);

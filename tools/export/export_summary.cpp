@@ -5,6 +5,7 @@
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/text/notes.hpp"
 
 namespace pelagic::tools {
 
@@ -39,22 +40,19 @@ void print_summary(std::FILE* to, const ExportOptions& options, const ExportSumm
     std::fprintf(to, "peak period %.1f s\n", expected_waves(sea).peak_period_s);
 }
 
-void print_notes(std::FILE* to, const ExportOptions& options) {
+void print_notes(const ExportOptions& options) {
     if (options.shard) return;
     const SeaState& sea = options.sea.sea;
-    for (const std::string& warning : warnings_about(sea)) std::fprintf(to, "note: %s\n", warning.c_str());
-    if (const std::string warning = warning_about_loop(options); !warning.empty())
-        std::fprintf(to, "note: %s\n", warning.c_str());
+    for (const std::string& warning : warnings_about(sea)) print_note(warning);
+    if (const std::string warning = warning_about_loop(options); !warning.empty()) print_note(warning);
     if (options.events)
-        for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
-            std::fprintf(to, "note: %s\n", warning.c_str());
+        for (const std::string& warning : warnings_about(*options.events, !options.times.fps)) print_note(warning);
     if (const SeaPatch& patch = options.meshes.patch;
         options.meshes.any() && patch.cascades < static_cast<std::size_t>(cascades_of(sea)))
-        std::fprintf(to,
-                     "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d cascades; a smaller "
-                     "--mesh-size or "
-                     "more --mesh-steps show shorter waves\n",
-                     rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.cascades, cascades_of(sea));
+        print_note("the mesh's steps of " + rounded_text(patch.side_m / patch.steps, 3) +
+                   " m show the waves of the coarsest " + number_text(patch.cascades) + " of " +
+                   number_text(cascades_of(sea)) +
+                   " cascades; a smaller --mesh-size or more --mesh-steps show shorter waves");
 }
 
 }  // namespace pelagic::tools

@@ -17,8 +17,8 @@ struct ExportSummary {
 /// Prints one line: folder, frames, mean significant wave height and peak period.
 void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary);
 
-/// Prints a line for each warning about the sea, the events and the mesh. Prints none for a shard;
-/// the merge prints them.
-void print_notes(std::FILE* to, const ExportOptions& options);
+/// Prints a note on stderr for each warning about the sea, the events and the mesh. Prints none for
+/// a shard; the merge prints them.
+void print_notes(const ExportOptions& options);
 
 }  // namespace pelagic::tools

@@ -6,6 +6,7 @@
 #include "pelagic/tools/meshes/gltf_file.hpp"
 #include "pelagic/tools/meshes/mdd_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -57,16 +58,14 @@ bool MeshOptions::has(MeshFormat format) const {
 }
 
 void MeshFlags::add_to(CLI::App& app) {
+    app.option_defaults()->group(help_group::meshes);
     app.add_option("--mesh", formats_,
-                   "formats of meshes of a square of the sea, with texture coordinates, normals and foam: obj, "
-                   "ply or gltf (binary), one file for each frame; gltf-animation (morph targets) or mdd (a "
-                   "point cache for obj), one file for all frames; several are separated by commas")
-        ->type_name("NAMES");
-    app.add_option("--mesh-size", size_,
-                   "side of the square in metres; [0.001, 1e6] (default: the side of the coarsest cascade)")
-        ->type_name("M");
-    app.add_option("--mesh-steps", steps_,
-                   "grid cells along the side of the square; 1 to 2048 (default: --resolution)")
+                   "write a square of the sea as meshes: obj, ply or gltf for each frame; gltf-animation or mdd for "
+                   "all frames; separated by commas")
+        ->type_name("FORMATS");
+    app.add_option("--mesh-size", size_, "side of the square; [0.001, 1e6] (default: side of the coarsest cascade)")
+        ->type_name("METRES");
+    app.add_option("--mesh-steps", steps_, "cells along the side; 1 to 2048 (default: --resolution)")
         ->type_name("NUMBER");
 }
 

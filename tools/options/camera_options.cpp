@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -31,15 +32,16 @@ glm::dvec3 point(const std::string& option, const std::string& text) {
 
 void CameraFlags::add_to(CLI::App& app) {
     const auto text = [](glm::dvec3 p) { return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z); };
-    app.add_option("--camera", camera_,
-                   "camera position, X,Y,Z in metres, y up (default: " + text(default_position_m) + ")")
-        ->type_name("X,Y,Z");
-    app.add_option("--target", target_,
-                   "point that the camera looks at, X,Y,Z in metres (default: " + text(default_target_m) + ")")
-        ->type_name("X,Y,Z");
+    app.add_option("--camera", camera_, "position in metres, y up (default: " + text(default_position_m) + ")")
+        ->type_name("X,Y,Z")
+        ->group(help_group::view);
+    app.add_option("--target", target_, "point to look at, in metres (default: " + text(default_target_m) + ")")
+        ->type_name("X,Y,Z")
+        ->group(help_group::view);
     app.add_option("--fov", fov_,
-                   "vertical field of view in degrees, [1, 160] (default: " + number_text(default_fov_deg) + ")")
-        ->type_name("DEG");
+                   "vertical field of view; degrees in [1, 160] (default: " + number_text(default_fov_deg) + ")")
+        ->type_name("DEGREES")
+        ->group(help_group::view);
 }
 
 Camera CameraFlags::resolve() const {

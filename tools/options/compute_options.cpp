@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {
-
-constexpr const char* group = "Computing (results are bit-identical for all values)";
 
 std::vector<std::string> names_of_isas_here() {
     std::vector<std::string> names;
@@ -21,13 +20,12 @@ std::vector<std::string> names_of_isas_here() {
 }  // namespace
 
 void ComputeFlags::add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "maximum number of threads; 0 to 1024, 0: one per core (default: 0)")
+    app.add_option("--threads", threads_, "number of threads; 0 to 1024, 0: one per core (default: 0)")
         ->type_name("NUMBER")
-        ->group(group);
-    const std::vector<std::string> isas = names_of_isas_here();
-    app.add_option("--isa", isa_, "instruction set: " + list_of(isas) + " on this CPU (default: the strongest)")
-        ->type_name("NAME")
-        ->group(group);
+        ->group(help_group::performance);
+    app.add_option("--isa", isa_, "instruction set, if this CPU has it (default: the strongest)")
+        ->type_name("sse4.2|avx2|avx512|neon")
+        ->group(help_group::performance);
 }
 
 ComputeOptions ComputeFlags::resolve() const {

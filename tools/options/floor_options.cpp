@@ -12,6 +12,8 @@
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -74,22 +76,16 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
 }  // namespace
 
 void FloorFlags::add_to(CLI::App& app) {
-    app.add_option(
-           "--floor", file_,
-           "image of the sea floor's heights; a PNG maps black to white to the range of --floor-heights, an EXR "
-           "holds metres above the undisplaced surface (default: a flat floor at --depth)")
-        ->type_name("FILE.png|exr");
-    app.add_option("--floor-size", size_, "width of the floor image in the world in metres, [1, 1e6] (default: 1000)")
-        ->type_name("M");
-    app.add_option("--floor-middle", middle_, "centre of the floor image, X,Z in metres (default: 0,0)")
-        ->type_name("X,Z");
-    app.add_option("--floor-heights", heights_,
-                   "heights of black and white in metres above the undisplaced surface (default: -20,10)")
-        ->type_name("LOW,HIGH");
-    app.add_flag(
-        "--shore", shore_,
-        "apply shoaling, refraction, breaking and sheltering by the heights of --floor to the waves; adds about "
-        "one second before the first frame");
+    const auto add = [&](const char* name, std::optional<std::string>& typed, const char* type, const char* help) {
+        app.add_option(name, typed, help)->type_name(type)->group(help_group::floor);
+    };
+    add("--floor", file_, "FILE.png|exr", "image of the sea floor's heights (default: a flat floor at --depth)");
+    add("--floor-size", size_, "METRES", "width of the image in the world; [1, 1e6] (default: 1000)");
+    add("--floor-middle", middle_, "X,Z", "centre of the image in metres (default: 0,0)");
+    add("--floor-heights", heights_, "LOW,HIGH",
+        "heights of a PNG's black and white in metres above still water; an EXR holds metres (default: -20,10)");
+    app.add_flag("--shore", shore_, "apply shoaling, refraction, breaking and sheltering by --floor")
+        ->group(help_group::floor);
 }
 
 std::string FloorFlags::typed() const {
@@ -117,7 +113,7 @@ FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
     if (shore_) {
         if (const std::string reason = check(*floor.field, sea.sea); !reason.empty()) throw InputError("--" + reason);
         if (const std::string warning = warning_about(*floor.field, sea.sea); !warning.empty())
-            std::fprintf(stderr, "note: %s; --floor-size sets them\n", warning.c_str());
+            print_note(warning + "; --floor-size sets them");
     }
     return floor;
 }

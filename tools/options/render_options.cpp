@@ -1,28 +1,34 @@
 #include "pelagic/tools/options/render_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
+#include "pelagic/tools/maps/name_pattern.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 constexpr int max_frames = 100'000;
+constexpr const char *default_file = "sea.png", *image_extension = ".png", *film_extension = ".mp4";
+constexpr double default_film_s = 5;
 
-/// Returns an empty path if the option is not set. \param extension  ".png" or ".exr"
+/// Returns an empty path if the option is not set.
+/// \param extensions  accepted ones; only images may have a name pattern
 std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
-                                   const std::string& extension) {
+                                   const std::vector<std::string>& extensions) {
     if (!text) return {};
     const std::filesystem::path file = *text;
-    if (file.extension() != extension || file.stem().empty())
-        throw bad_value(option, *text, "a file named *" + extension);
-    if (file.filename().string().find('%') != std::string::npos)
-        throw bad_value(
-            option, *text,
-            "a name without %: with --frames, FILE" + extension + " becomes FILE_0000" + extension + " and so on");
+    const std::string name = file.filename().string();
+    if (std::ranges::find(extensions, file.extension().string()) == extensions.end() || file.stem().empty())
+        throw bad_value(option, *text, "a file named *" + list_of(extensions));
+    if (NamePattern::is_meant(name) && (file.extension() == film_extension || !NamePattern::parse(name)))
+        throw bad_value(option, *text, "a name with one number, as sea.####.png or sea.%04d.png, or none");
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw bad_value(option, *text, "a file, but that is a folder");
     return file;
@@ -41,40 +47,45 @@ glm::dvec2 rock_place(const std::string& option, const std::string& text) {
 }  // namespace
 
 std::filesystem::path RenderOptions::file_of(const std::filesystem::path& named, int frame) const {
-    if (frames == 1) return named;
+    if (const auto pattern = NamePattern::parse(named.filename().string()))
+        return named.parent_path() / pattern->name("", frame, pattern->extension());
+    if (frames == 1 || named.extension() == film_extension) return named;
     std::array<char, 16> number;
     std::snprintf(number.data(), number.size(), "_%04d", frame);
     return named.parent_path() / (named.stem().string() + number.data() + named.extension().string());
 }
 
 void RenderFlags::add_to(CLI::App& app) {
-    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
-        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    const auto add = [&](const std::string& names, const std::string& type, const std::string& help) {
+        app.add_option("--" + names, typed_[names.substr(0, names.find(','))], help)->type_name(type);
     };
-    add("out", "FILE.png", "write the image; with --frames, FILE_0000.png and so on");
-    add("hdr", "FILE.exr",
-        "write the image's linear radiance as 32-bit floats; the sun's irradiance above the atmosphere is 1");
-    add("sky", "FILE.exr", "write the sky as an environment map of 2048x1024 pixels, without the sun's disc");
+    app.option_defaults()->group(help_group::output);
+    add("out,-o,FILE", "FILE.png|mp4", "image, images as FILE.####.png, or a film by ffmpeg (default: sea.png)");
+    add("hdr", "FILE.exr", "also write linear radiance; 1: the sun above the atmosphere");
+    add("sky", "FILE.exr", "also write the sky as an environment map, without the sun's disc");
+    app.add_flag("--resume", resume_, "keep the images that exist, and render the others");
+    app.add_flag("--json", json_, "print statistics as JSON");
+
+    app.option_defaults()->group(help_group::frames);
     add("time", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0)");
-    add("frames", "NUMBER", "number of images; 1 to 100000 (default: 1)");
+    add("frames", "NUMBER", "number of images; 1 to 100000 (default: 1; 5 seconds of a film)");
     add("fps", "NUMBER", "images per second; (0, 1000] (default: 24)");
-    add("rock", "X,Z",
-        "place a rock, about 12 m wide and 6 m high, and its reflection at this position; metres, each in "
-        "[-10000, 10000]");
-    app.add_flag("--wireframe", wireframe_, "draw the mesh as wireframe, with one colour per level of detail");
+
+    app.option_defaults()->group(help_group::view);
+    app.add_flag("--wireframe", wireframe_, "draw the mesh, with one colour per level of detail");
     app.add_flag("--stereo", stereo_, "draw the images of both eyes side by side");
-    app.add_flag("--json", json_, "print draw calls, triangles, bytes and times as JSON");
+    add("rock", "X,Z", "place a rock of about 12 x 6 m; metres in [-10000, 10000]");
     events_.add_to(app);
     scene_.add_to(app);
 }
 
 RenderOptions RenderFlags::resolve() const {
     RenderOptions options;
-    options.file = checked_file("--out", typed_.at("out"), ".png");
-    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), ".exr");
-    options.sky_file = checked_file("--sky", typed_.at("sky"), ".exr");
-    if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty())
-        throw InputError("--out is missing: expected a PNG file to write; or give --hdr or --sky, an EXR file");
+    options.file = checked_file("--out", typed_.at("out"), {image_extension, film_extension});
+    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), {".exr"});
+    options.sky_file = checked_file("--sky", typed_.at("sky"), {".exr"});
+    if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty()) options.file = default_file;
+    if (options.is_film() && resume_) throw InputError("--resume cannot be combined with a film, --out *.mp4");
     if (options.hdr_file == options.sky_file && !options.sky_file.empty())
         throw bad_value("--sky", options.sky_file.string(), "another file than --hdr");
     if (wireframe_ && !options.hdr_file.empty())
@@ -84,6 +95,10 @@ RenderOptions RenderFlags::resolve() const {
     options.wireframe = wireframe_;
     options.stereo = stereo_;
     options.json = json_;
+    options.resume = resume_;
+    if (options.is_film() && (options.scene.width % 2 != 0 || options.scene.height % 2 != 0))
+        throw bad_value("--size", number_text(options.scene.width) + "x" + number_text(options.scene.height),
+                        "an even width and height, which films require");
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
@@ -101,6 +116,8 @@ RenderOptions RenderFlags::resolve() const {
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
     });
+    if (options.is_film() && !typed_.at("frames"))
+        options.frames = std::max(1, static_cast<int>(std::lround(default_film_s * options.fps)));
     options.events = events_.resolve(options.scene.sea.sea.depth_m);
     if (options.events) require_reachable(*options.events, options.time_s + (options.frames - 1) / options.fps);
     return options;

@@ -15,8 +15,8 @@ namespace pelagic::tools {
 
 struct RenderOptions {
     SceneOptions scene;
-    /// Output files: the image as PNG, its radiance as EXR, the sky as EXR. At least one is not
-    /// empty.
+    /// Output files: the image as PNG or a film as MP4, the radiance as EXR, the sky as EXR. At
+    /// least one is not empty.
     std::filesystem::path file, hdr_file, sky_file;
     double time_s = 0;
     int frames = 1;
@@ -24,9 +24,12 @@ struct RenderOptions {
     std::optional<EventOptions> events;  ///< unset: no dynamic waves
     std::optional<glm::dvec2> rock_m;    ///< x and z of a rock in the sea
     bool wireframe = false, stereo = false, json = false;
+    bool resume = false;  ///< keep images that exist
 
-    /// Returns the name of a frame's file: FILE.png, or FILE_0000.png and so on if there are
-    /// several frames.
+    /// Returns true if `file` is one film of all frames.
+    bool is_film() const { return file.extension() == ".mp4"; }
+    /// Returns the path of a frame's file: FILE.png, or FILE_0000.png and so on if there are
+    /// several frames; for FILE.####.png always FILE.0000.png and so on.
     /// \param named  `file` or `hdr_file`
     std::filesystem::path file_of(const std::filesystem::path& named, int frame) const;
 };
@@ -42,7 +45,7 @@ class RenderFlags {
     SceneFlags scene_;
     EventFlags events_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
-    bool wireframe_ = false, stereo_ = false, json_ = false;
+    bool wireframe_ = false, stereo_ = false, json_ = false, resume_ = false;
 };
 
 }  // namespace pelagic::tools

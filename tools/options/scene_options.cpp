@@ -9,6 +9,7 @@
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/encode/flow_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -101,47 +102,47 @@ gl::SkyOptions default_sky(const SeaState& sea) {
 
 }  // namespace
 
-void SceneFlags::add_to(CLI::App& app) {
+void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
-    add("size", "WxH", "image size in pixels, each side from 16 to 8192 (default: 1280x720)");
+    app.option_defaults()->group(help_group::view);
+    add("size", "WxH", "image size in pixels, each from 16 to 8192 (default: 1280x720)");
     camera_.add_to(app);
-    std::string lights =
-        "preset of sky and exposure; --sun, --moon, --clouds, --visibility and --exposure-bias override it:";
-    for (const gl::LightPreset& light : gl::light_presets())
-        lights += (&light == &gl::light_presets().front() ? " " : "; ") + std::string(light.name) + " (" +
-                  std::string(light.meaning) + ")";
-    add("light", "NAME", lights);
-    add("sun", "AZIMUTH,ELEVATION",
-        "direction of the sun in degrees: azimuth from +x towards +z, elevation above the horizon in [-90, 90] "
-        "(default: 80,32)");
-    add("moon", "AZIMUTH,ELEVATION",
-        "direction of the moon, as --sun; it lights the night, and its phase follows from both directions "
-        "(default: opposite the sun, full)");
-    add("clouds", "FRACTION", "cloud cover of the sky; [0, 1] (default: depends on the wind)");
-    add("water", "TYPE",
-        "Jerlov water type: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts (default: II)");
-    add("chlorophyll", "MG_PER_M3", "chlorophyll concentration in mg/m^3, instead of --water; [0.01, 30]");
-    add("shading", "TIER",
-        "shading quality of the water: headset, medium or high (default: high; in a window, adapted to the frame "
-        "time)");
-    add("visibility", "METRES",
-        "distance at which haze reduces contrast to 2 %; [500, 300000] (default: depends on the wind)");
-    add("surface", "NAME", "water surface: open, lake, coast, river or pond (default: open)");
-    add("flow", "FILE.png",
-        "square flow map of a river, 160 m wide: red is the velocity along x, green along z; 128 is 0, 255 is "
-        "1.5 m/s (default: a winding channel)");
-    add("quality", "NAME", "level of detail: low, medium, high or ultra (default: high)");
-    add("exposure", "EV",
-        "exposure value at ISO 100, [-10, 20], or auto, which meters the view; 15 is sunlight, 12 an overcast day, "
-        "-3 moonlight (default: auto)");
-    add("exposure-bias", "STOPS", "exposure compensation; positive is brighter; [-5, 5] (default: 0)");
-    add("bloom", "FRACTION", "fraction of a pixel's light that the lens scatters around it; [0, 1] (default: 0.04)");
+    add("quality", "low|medium|high|ultra", "level of detail (default: high)");
+    add("shading", alternatives(names_of<gl::Shading>()),
+        "shading quality (default: high; in a window, adapted to the frame time)");
+
+    app.option_defaults()->group(help_group::light);
+    std::vector<std::string_view> lights;
+    for (const gl::LightPreset& light : gl::light_presets()) lights.push_back(light.name);
+    add("light", alternatives(lights), "preset of sky and exposure, which the options below override");
+    add("sun", "AZIMUTH,ELEVATION", "direction in degrees; azimuth from +x to +z (default: 80,32)");
+    add("moon", "AZIMUTH,ELEVATION", "direction in degrees (default: opposite the sun, full)");
+    add("clouds", "FRACTION", "cloud cover; [0, 1] (default: depends on the wind)");
+    add("visibility", "METRES", "distance of 2 % contrast; [500, 300000] (default: depends on the wind)");
+    add("exposure", "EV", "exposure value at ISO 100; [-10, 20], or auto: metered (default: auto)");
+    add("exposure-bias", "STOPS", "exposure compensation; [-5, 5] (default: 0)");
+    add("bloom", "FRACTION", "light scattered in the lens; [0, 1] (default: 0.04)");
+
+    app.option_defaults()->group(help_group::water);
+    add("surface", alternatives(names_of<gl::Surface>()), "kind of water body (default: open)");
+    add("water", "TYPE", "Jerlov type: I, IA, IB, II, III, or 1C to 9C at coasts (default: II)");
+    add("chlorophyll", "MG_PER_M3", "concentration, instead of --water; [0.01, 30]");
+    add("flow", "FILE.png", "flow map of a river (default: a winding channel)");
     floor_.add_to(app);
-    sea_.add_to(app);
+    sea_.add_to(app, preset);
     sea_.add_weather_to(app);
     compute_.add_to(app);
+}
+
+std::string SceneFlags::description_of_lights() {
+    std::string text = "Light presets:";
+    for (const gl::LightPreset& light : gl::light_presets()) {
+        const std::string name = "\n  " + std::string(light.name);
+        text.append(name).append(18 - name.size(), ' ').append(light.meaning);
+    }
+    return text;
 }
 
 void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {

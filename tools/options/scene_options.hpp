@@ -41,10 +41,13 @@ struct SceneOptions {
 
 class SceneFlags {
    public:
-    void add_to(CLI::App& app);
+    /// \param preset  see SeaOptions::add_to()
+    void add_to(CLI::App& app, SeaOptions::PresetName preset = SeaOptions::PresetName::option);
     /// Checks the options.
     /// \throws InputError  on one line with option, value and range
     SceneOptions resolve() const;
+    /// Returns a heading and a line for each preset of --light.
+    static std::string description_of_lights();
     /// Returns the floor's options as given on the command line, to print an equivalent command.
     std::string typed_floor() const { return floor_.typed(); }
 

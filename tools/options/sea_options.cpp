@@ -9,6 +9,7 @@
 
 #include "pelagic/tools/options/config_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/wind_text.hpp"
 
@@ -25,35 +26,29 @@ struct SeaFlag {
 };
 
 constexpr std::array sea_flags = {
-    SeaFlag{"cascades", "cascades", "number of cascades, each a band of wavelengths; their sides depend on the sea"},
-    SeaFlag{"resolution", "resolution", "texels along a side of a cascade"},
-    SeaFlag{"patch-size", "patch_size_m", "use one cascade with this side in metres; the sea repeats after it"},
-    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind speed 10 m above the sea"},
-    SeaFlag{"wind-direction", "wind_direction_rad",
-            "direction towards which the wind blows, from +x (east) towards +z (south; north is -z)"},
-    SeaFlag{"fetch", "fetch_m", "fetch in metres (jonswap); more than 17,000 U^2 / g has no further effect"},
-    SeaFlag{"depth", "depth_m", "water depth in metres; waves higher than 0.6 of it break"},
-    SeaFlag{"choppiness", "choppiness", "scale of the horizontal displacement, which sharpens crests"},
-    SeaFlag{
-        "roughness", "roughness",
-        "roughness of unresolved waves; wind: slope variance of a sea at this wind that the grid does not resolve"},
-    SeaFlag{"short-wave-cutoff", "short_wave_cutoff",
-            "damping of short waves; 1 removes waves shorter than a quarter of the peak wavelength"},
-    SeaFlag{"wind-alignment", "wind_alignment",
-            "alignment of the waves with the wind (spreading paper); a third of the energy runs against the wind at "
-            "0, a hundredth at 1"},
-    SeaFlag{"swell-height", "swell_height_m", "significant wave height of the swell in metres; 0: no swell"},
-    SeaFlag{"swell-period", "swell_period_s", "peak period of the swell in seconds"},
-    SeaFlag{"swell-direction", "swell_direction_rad", "direction towards which the swell runs, as --wind-direction"},
-    SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
-    SeaFlag{"loop-period", "loop_period_s", "time in seconds after which the sea repeats exactly"},
-    SeaFlag{"seed", "seed", "seed of the random phases and amplitudes"},
-    SeaFlag{"wave-count", "wave_count", "number of analytic waves, or octaves of pond waves"},
-    SeaFlag{"longest-wave", "longest_wave_m", "longest wavelength of analytic or pond waves in metres"},
-    SeaFlag{"shortest-wave", "shortest_wave_m", "shortest wavelength of analytic or pond waves in metres"},
-    SeaFlag{"wave-strength", "wave_strength", "strength of analytic waves: 0 calm, 1 moderate, 2 intense"},
-    SeaFlag{"wave-height", "wave_height_m", "significant wave height of analytic or pond waves in metres"},
-    SeaFlag{"wave-drag", "wave_drag", "displacement of a pond's short waves by its long waves"},
+    SeaFlag{"cascades", "cascades", "bands of wavelengths"},
+    SeaFlag{"resolution", "resolution", "texels along a cascade's side"},
+    SeaFlag{"patch-size", "patch_size_m", "side of a single cascade in metres"},
+    SeaFlag{"wind-speed", "wind_speed_mps", "wind speed at 10 m"},
+    SeaFlag{"wind-direction", "wind_direction_rad", "heading of the wind"},
+    SeaFlag{"fetch", "fetch_m", "fetch in metres (jonswap)"},
+    SeaFlag{"depth", "depth_m", "water depth in metres"},
+    SeaFlag{"choppiness", "choppiness", "scale of horizontal displacement"},
+    SeaFlag{"roughness", "roughness", "roughness of unresolved waves"},
+    SeaFlag{"short-wave-cutoff", "short_wave_cutoff", "damping of short waves"},
+    SeaFlag{"wind-alignment", "wind_alignment", "alignment of waves with the wind (--spreading paper)"},
+    SeaFlag{"loop-period", "loop_period_s", "seconds after which the sea repeats exactly"},
+    SeaFlag{"seed", "seed", "seed of phases and amplitudes"},
+    SeaFlag{"swell-height", "swell_height_m", "significant wave height in metres; 0: no swell"},
+    SeaFlag{"swell-period", "swell_period_s", "peak period in seconds"},
+    SeaFlag{"swell-direction", "swell_direction_rad", "heading of the swell"},
+    SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of directions"},
+    SeaFlag{"wave-count", "wave_count", "number of waves, or octaves of a pond"},
+    SeaFlag{"longest-wave", "longest_wave_m", "longest wavelength in metres"},
+    SeaFlag{"shortest-wave", "shortest_wave_m", "shortest wavelength in metres"},
+    SeaFlag{"wave-strength", "wave_strength", "0 calm, 1 moderate, 2 intense"},
+    SeaFlag{"wave-height", "wave_height_m", "significant wave height in metres"},
+    SeaFlag{"wave-drag", "wave_drag", "drift of a pond's short waves on long ones"},
 };
 
 const SeaStateField& field_of(const SeaFlag& flag) {
@@ -109,12 +104,28 @@ std::string config_key(std::string_view flag) {
 
 bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
 
-/// Returns one line per preset. The thirteen presets of Beaufort forces share one line.
-std::string help_of_presets() {
-    std::string help = "sea preset:";
+/// Returns "pond, calm ... or beaufort-0 to beaufort-12".
+std::string names_of_presets() {
+    std::string names;
     for (const SeaPreset& preset : sea_presets())
-        if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
-    return help + "\nbeaufort-0 to beaufort-12: open sea of this Beaufort force, Hs 0 to 14 m";
+        if (!is_force(preset)) names.append(preset.name).append(", ");
+    return names + "or beaufort-0 to beaufort-12";
+}
+
+/// Returns the values that a flag accepts, as short as a line of help needs.
+std::string accepted_in_help(const SeaFlag& flag) {
+    if (is_direction(flag)) return "degrees from +x (east) to +z (south; north is -z), or from-NW";
+    if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
+    std::string accepted = accepted_by(flag);
+    for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", 0: chosen"})
+        if (const std::size_t at = accepted.find(words); at != std::string::npos) accepted.erase(at, words.size());
+    return accepted;
+}
+
+const char* group_of(const SeaFlag& flag) {
+    if (flag.field.starts_with("swell_")) return help_group::swell;
+    const bool is_analytic = flag.field.starts_with("wave_") || flag.field.ends_with("est_wave_m");
+    return is_analytic ? help_group::analytic : help_group::sea;
 }
 
 /// Returns degrees rounded to 1e-6 if they convert to exactly these radians: 30, not
@@ -214,30 +225,40 @@ constexpr double max_swell_from_m = 2e7;
 
 }  // namespace
 
-void SeaOptions::add_to(CLI::App& app) {
-    const auto add = [&](std::string_view flag, const std::string& type, const std::string& help) {
+void SeaOptions::add_to(CLI::App& app, PresetName preset) {
+    const auto add = [&](std::string_view flag, const std::string& type, const std::string& help, const char* group,
+                         const char* positional = "") {
         const std::string name(flag);
-        app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
+        app.add_option("--" + name + positional, typed_[name], help)->type_name(type)->group(group);
     };
-    add("preset", "NAME", help_of_presets());
-    const auto with_default = [](const std::string& text, std::string_view value) {
-        return text + " (default: " + std::string(value) + ")";
+    const auto add_names = [&]<class Enum>(std::string_view flag, Enum first, const std::string& help) {
+        add(flag, alternatives(names_of<Enum>()), help + " (default: " + std::string(name_of(first)) + ")",
+            help_group::sea);
     };
-    add("config", "FILE",
-        "read sea options from a TOML file, whose keys are the names of these flags with underscores, or from a "
-        "sea.json of export; flags override the file");
-    add("waves", "NAME",
-        with_default("wave model: " + list_of(names_of<WaveModel>()) +
-                         "; a wind-wave spectrum, up to 64 analytic waves between calm and storm, or pond waves",
-                     name_of(SeaState{}.waves)));
-    add("spectrum", "NAME",
-        with_default("wave spectrum: " + list_of(names_of<SpectrumModel>()), name_of(SeaState{}.spectrum)));
-    add("spreading", "NAME",
-        with_default("directional spreading of the waves: " + list_of(names_of<SpreadingModel>()),
-                     name_of(SeaState{}.spreading)));
+    const SeaState first;
+    add("preset", "PRESET", "start from a preset: " + names_of_presets(), help_group::sea,
+        preset == PresetName::positional_too ? ",PRESET" : "");
+    add("config", "FILE.toml|json", "read sea options from a file; options override it", help_group::sea);
+    add_names("waves", first.waves, "wave model");
+    add_names("spectrum", first.spectrum, "wave spectrum");
+    add_names("spreading", first.spreading, "directional spreading");
     for (const SeaFlag& flag : sea_flags)
-        add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
-            with_default(std::string(flag.help) + "; " + accepted_by(flag), default_of(flag)));
+        add(flag.flag,
+            is_direction(flag) ? "HEADING"
+            : is_speed(flag)   ? "SPEED"
+                               : "NUMBER",
+            std::string(flag.help) + "; " + accepted_in_help(flag) + " (default: " + default_of(flag) + ")",
+            group_of(flag));
+}
+
+std::string SeaOptions::description_of_presets() {
+    std::string text = "Presets:\n";
+    for (const SeaPreset& preset : sea_presets()) {
+        if (is_force(preset)) continue;
+        const std::string name = "  " + std::string(preset.name);
+        text.append(name).append(22 - name.size(), ' ').append(preset.summary).append("\n");
+    }
+    return text + "  beaufort-0 to -12   open sea of this Beaufort force, Hs 0 to 14 m";
 }
 
 bool SeaOptions::is_given() const {
@@ -245,13 +266,9 @@ bool SeaOptions::is_given() const {
 }
 
 void SeaOptions::add_weather_to(CLI::App& app) {
-    app.add_option(
-           "--weather", typed_["weather"],
-           "read a sea and its transitions from a TOML file as for --config, with a table [[change]] for each "
-           "transition: keys from and over in seconds, swell_from in metres for a swell from a distance, and "
-           "the options that change, such as preset; or from a sea.json of an export with --weather")
-        ->type_name("FILE")
-        ->group("Sea");
+    app.add_option("--weather", typed_["weather"], "read a sea and its transitions from a file; excludes --config")
+        ->type_name("FILE.toml|json")
+        ->group(help_group::sea);
 }
 
 ResolvedSea SeaOptions::resolve() const {

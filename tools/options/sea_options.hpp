@@ -61,9 +61,13 @@ const SeaAngle* sea_angle(std::string_view field);
 
 class SeaOptions {
    public:
+    enum class PresetName { option, positional_too };
     /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric
     /// field, with units, ranges and defaults.
-    void add_to(CLI::App& app);
+    /// \param preset  positional_too: the command line's first word names the preset, too
+    void add_to(CLI::App& app, PresetName preset = PresetName::option);
+    /// Returns a heading and one line per preset; the presets of Beaufort forces share a line.
+    static std::string description_of_presets();
 
     /// Declares --weather, for commands with times of frames.
     void add_weather_to(CLI::App& app);

@@ -2,10 +2,12 @@
 
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -31,15 +33,6 @@ Descriptor unnamed_file() {
     return file;
 }
 
-void append(const Descriptor& file, std::span<const unsigned char> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) throw FileError(std::string("can't keep a film: ") + std::strerror(errno));
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-}
-
 std::vector<unsigned char> content_of(const Descriptor& file) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) return {};
@@ -54,9 +47,11 @@ std::vector<unsigned char> content_of(const Descriptor& file) {
     return bytes;
 }
 
-/// Runs a program in PATH with these files as standard input, output and error. Returns 0 on
-/// success, an errno if the program could not be started, and -1 if it failed.
-int run(const std::vector<std::string>& arguments, const std::array<const Descriptor*, 3>& standard) {
+/// Starts a program in PATH with these files as standard input, output and error, in a process
+/// group of its own, so that Ctrl+C in a terminal does not stop it. Returns 0 on success, else an
+/// errno.
+int start(const std::vector<std::string>& arguments, const std::array<const Descriptor*, 3>& standard,
+          pid_t& process) {
     std::vector<char*> texts;
     for (const std::string& argument : arguments) texts.push_back(const_cast<char*>(argument.c_str()));
     texts.push_back(nullptr);
@@ -64,13 +59,13 @@ int run(const std::vector<std::string>& arguments, const std::array<const Descri
     ::posix_spawn_file_actions_init(&actions);
     for (int number = 0; number < 3; ++number)
         ::posix_spawn_file_actions_adddup2(&actions, standard[static_cast<std::size_t>(number)]->get(), number);
-    pid_t process = 0;
-    const int failure = ::posix_spawnp(&process, texts[0], &actions, nullptr, texts.data(), environ);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int failure = ::posix_spawnp(&process, texts[0], &actions, &attributes, texts.data(), environ);
+    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) return failure;
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+    return failure;
 }
 
 }  // namespace
@@ -83,20 +78,14 @@ bool can_make_films() {
     return false;
 }
 
-Film::Film(int width, int height, double frames_per_second)
-    : width_(width), height_(height), frames_per_second_(frames_per_second), frames_(unnamed_file()) {}
-
-void Film::add(std::span<const std::uint8_t> rgba) {
-    std::vector<unsigned char> rgb;
-    rgb.reserve(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
-    append(frames_, rgb);
-}
-
-Film::Encoded Film::encode() const {
-    const Descriptor film = unnamed_file(), errors = unnamed_file();
-    // ffmpeg reopens the standard files by these names, so that it can seek in its output, as MP4
-    // requires.
+Film::Film(int width, int height, double frames_per_second) : film_(unnamed_file()), errors_(unnamed_file()) {
+    // A socket, unlike a pipe, returns an error for an encoder that has ended, and sends no signal.
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw FileError(std::string("can't make a film: ") + std::strerror(errno));
+    frames_ = Descriptor(ends[0]);
+    const Descriptor input(ends[1]);
+    // ffmpeg reopens its output by this name, so that it can seek in it, as MP4 requires.
     const std::vector<std::string> arguments = {program,
                                                 "-nostdin",
                                                 "-v",
@@ -105,13 +94,13 @@ Film::Encoded Film::encode() const {
                                                 "-f",
                                                 "rawvideo",
                                                 "-pix_fmt",
-                                                "rgb24",
+                                                "rgb0",
                                                 "-s",
-                                                number_text(width_) + "x" + number_text(height_),
+                                                number_text(width) + "x" + number_text(height),
                                                 "-r",
-                                                number_text(frames_per_second_),
+                                                number_text(frames_per_second),
                                                 "-i",
-                                                "/proc/self/fd/0",
+                                                "pipe:0",
                                                 "-c:v",
                                                 "libx264",
                                                 "-crf",
@@ -127,11 +116,35 @@ Film::Encoded Film::encode() const {
                                                 "-f",
                                                 "mp4",
                                                 "/proc/self/fd/1"};
-    const int failure = run(arguments, {&frames_, &film, &errors});
-    if (failure > 0) return {{}, std::string("can't run ffmpeg: ") + std::strerror(failure)};
-    Encoded encoded{content_of(film), ""};
-    if (failure == 0 && !encoded.mp4.empty()) return encoded;
-    const std::vector<unsigned char> content = content_of(errors);
+    failure_ = start(arguments, {&input, &film_, &errors_}, process_);
+}
+
+Film::~Film() { wait(); }
+
+int Film::wait() {
+    frames_ = Descriptor();  // the end of the input
+    if (process_ <= 0) return -1;
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+    process_ = 0;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+}
+
+void Film::add(std::span<const std::uint8_t> rgba) {
+    while (failure_ == 0 && !rgba.empty()) {
+        const ssize_t sent = ::send(frames_.get(), rgba.data(), rgba.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0) failure_ = -1;  // the encoder has ended; finish() returns its message
+        rgba = rgba.subspan(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
+    }
+}
+
+Film::Encoded Film::finish() {
+    if (failure_ > 0) return {{}, std::string("can't run ffmpeg: ") + std::strerror(failure_)};
+    const bool is_complete = wait() == 0 && failure_ == 0;
+    Encoded encoded{content_of(film_), ""};
+    if (is_complete && !encoded.mp4.empty()) return encoded;
+    const std::vector<unsigned char> content = content_of(errors_);
     std::string message(content.begin(), content.end());
     message.resize(message.find_last_not_of(" \n") + 1);
     return {{}, "ffmpeg failed: " + one_line(message)};

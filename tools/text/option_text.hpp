@@ -44,6 +44,14 @@ Enum one_of(const std::string& option, const std::string& text) {
     throw unknown_name(option, text, names_of<Enum>());
 }
 
+/// Returns "a|b|c", the type of an option with named values in help texts.
+template <class Names>
+std::string alternatives(const Names& names) {
+    std::string text;
+    for (const auto& name : names) text.append(text.empty() ? "" : "|").append(name);
+    return text;
+}
+
 /// Splits "a,b" into {"a", "b"}. Empty pieces are kept.
 std::vector<std::string> split_at_commas(std::string_view text);
 

@@ -6,17 +6,20 @@
 #include <cstdio>
 #include <utility>
 
+#include "pelagic/tools/text/notes.hpp"
+
 namespace pelagic::tools {
 
 Progress::Progress(std::string item, std::size_t total)
-    : item_(std::move(item)), total_(total), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : item_(std::move(item)), total_(total), on_terminal_(!is_quiet() && ::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (on_terminal_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::note(const std::string& line) {
-    std::fprintf(stderr, "%s%s\n", on_terminal_ ? "\r\033[K" : "", line.c_str());
+void Progress::note(const std::string& text) {
+    if (on_terminal_) std::fputs("\r\033[K", stderr);
+    print_note(text);
 }
 
 void Progress::show(std::size_t done) {

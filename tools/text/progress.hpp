@@ -1,4 +1,5 @@
-// Progress display on a terminal. If stderr is not a terminal, show() prints nothing.
+// Progress display on a terminal. If stderr is not a terminal, or with --quiet, show() prints
+// nothing.
 #pragma once
 
 #include <chrono>
@@ -20,9 +21,8 @@ class Progress {
     /// Shows a description and a percentage.
     /// \param fraction  completed fraction of the work, 0 to 1
     void show(const std::string& doing, double fraction);
-    /// Prints a permanent line on stderr, on a terminal or not.
-    /// \param line  without a line break
-    void note(const std::string& line);
+    /// Prints a note, see print_note().
+    void note(const std::string& text);
 
    private:
     using Clock = std::chrono::steady_clock;

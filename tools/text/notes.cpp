@@ -1,0 +1,20 @@
+#include "pelagic/tools/text/notes.hpp"
+
+#include <atomic>
+#include <cstdio>
+
+namespace pelagic::tools {
+namespace {
+
+std::atomic<bool> quiet_process = false;
+
+}  // namespace
+
+void set_quiet(bool quiet) { quiet_process = quiet; }
+bool is_quiet() { return quiet_process; }
+
+void print_note(const std::string& text) {
+    if (!is_quiet()) std::fprintf(stderr, "note: %s\n", text.c_str());
+}
+
+}  // namespace pelagic::tools
