@@ -27,8 +27,9 @@ pelagic_packages=(
 
 # Packages for tests only: an X server with a mouse, for the window; pkg-config, as applications use
 # it; the reference compiler of GLSL, for shaders that no driver here compiles; strace, to check
-# that files are synced; valgrind and Python, to count instructions; a validation layer for OpenXR.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3
+# that files are synced; valgrind and Python, to count instructions; groff, to check the manual
+# page; a validation layer for OpenXR.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3 groff-base
                        openxr-layer-corevalidation)
 
 # Packages for further parts of test.sh: clang with its sanitizers and libFuzzer, the C++ library of

@@ -162,4 +162,6 @@ if [ -x "$work/prefix/bin/pelagic" ]; then
   # A library that is installed beside the tool, and found relative to it, writes the images.
   "$work/prefix/bin/pelagic" export --out "$work/export" --resolution 16 --frames 1 --maps displacement >/dev/null
   [ -s "$work/export/displacement_0000.exr" ] || { ls -R "$work/export"; exit 1; }
+  [ -s "$work/prefix/share/man/man1/pelagic.1" ] || { ls -R "$work/prefix/share"; exit 1; }
+  [ -s "$work/prefix/share/bash-completion/completions/pelagic" ] || { ls -R "$work/prefix/share"; exit 1; }
 fi
