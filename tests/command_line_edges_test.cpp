@@ -28,7 +28,7 @@ TEST(CommandLineEdges, ErrorsAreOneLineAndExitCode2) {
         {{"info", "--seed="}, "--seed requires a value"},
         {{"info", "--wind-speed", "--seed", "3"}, "--wind-speed requires a value"},
         {{"info", "--wind-speed", "+-3"}, "--wind-speed +-3 is out of range (0, 60]"},
-        {{"info", "export", "--out", "OUT"}, "export"},
+        {{"info", "export", "--out", "OUT"}, "unknown option --out"},
         {{"export", "--out", "OUT", "info"}, "info"},
         {{"info"}, ":1: wind_speed is \"9\", expected a number without quotes: (0, 60]", "wind_speed = \"9\"\n"},
         {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},

@@ -127,10 +127,10 @@ TEST(ExportMesh, ANotePrintsTheCascadesThatTheStepsResolve) {
     const std::vector<std::string> stack = {
         "export", "--out", folder.path().string(), "--resolution", "32", "--maps", "none", "--mesh", "obj"};
     const Outcome coarse = run_pelagic(with(stack, {"--mesh-steps", "8"}));
-    EXPECT_NE(coarse.out.find("show the waves of the coarsest 1 of 4 cascades"), std::string::npos) << coarse.out;
+    EXPECT_NE(coarse.err.find("show the waves of the coarsest 1 of 4 cascades"), std::string::npos) << coarse.err;
     const Outcome fine = run_pelagic(with(stack, {"--mesh-steps", "8", "--mesh-size", "0.5", "--overwrite"}));
     EXPECT_EQ(fine.exit_code, 0) << fine.err;
-    EXPECT_EQ(fine.out.find("show the waves"), std::string::npos) << fine.out;
+    EXPECT_EQ(fine.err.find("show the waves"), std::string::npos) << fine.err;
 }
 
 TEST(ExportMesh, InvalidOptionsGiveOneLineAndNoFile) {

@@ -24,7 +24,7 @@ using Arguments = std::vector<std::string>;
 const std::string journal = ".pelagic-export.jsonl", record = "sea_files.json";
 
 Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3"};
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3", "--quiet"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }

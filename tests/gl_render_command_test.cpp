@@ -213,8 +213,8 @@ TEST(RenderCommand, SendsTheFramesOfAFilmToFfmpeg) {
 
 TEST(RenderCommand, RejectsNamesOfFilmsAndImages) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-             {{"sea.jpg"}, "--out is sea.jpg, expected a file named *.png or .mp4"},
-             {{"sea.%04d.mp4"}, "--out is sea.%04d.mp4, expected a name with one number"},
+             {{"sea.jpg"}, "--out is sea.jpg, expected a file named *.png or *.mp4"},
+             {{"sea.%04d.mp4"}, "--out is sea.%04d.mp4, expected a name without # and %: it is one file"},
              {{"sea.##.##.png"}, "--out is sea.##.##.png, expected a name with one number"},
              {{"sea.mp4", "--resume"}, "--resume cannot be combined with a film"},
              {{"sea.mp4", "--size", "33x18"}, "--size is 33x18, expected an even width and height"}}) {
@@ -314,7 +314,7 @@ TEST(RenderCommand, WritesLinearLightAndTheSkyMap) {
 
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, expected a file named *.png\n"},
+        {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, expected a file named *.png or *.mp4\n"},
         {{"--out", "a.png", "--size", "12x9000"},
          "pelagic: --size is 12x9000, expected WIDTHxHEIGHT, each from 16 to 8192\n"},
         {{"--out", "a.png", "--sun", "3"},
@@ -347,11 +347,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--out", "a.png", "--rock", "3,4", "--stereo"},
          "pelagic: --rock is 3,4, expected an image without --stereo and --wireframe\n"},
         {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, expected a fraction in [0, 1]\n"},
-        {{}, "pelagic: --out is missing: expected a PNG file to write; or give --hdr or --sky, an EXR file\n"},
         {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, expected a file named *.exr\n"},
-        {{"--sky", "a%d.exr"},
-         "pelagic: --sky is a%d.exr, expected a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
-         "on\n"},
+        {{"--sky", "a%d.exr"}, "pelagic: --sky is a%d.exr, expected a name without # and %: it is one file\n"},
         {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, expected another file than --hdr\n"},
         {{"--hdr", "a.exr", "--wireframe"},
          "pelagic: --hdr is a.exr, expected a sea without --wireframe, whose colours are no radiance\n"},

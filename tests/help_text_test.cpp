@@ -49,9 +49,9 @@ TEST(HelpText, ListsEveryOptionOnceInAtMost100Columns) {
 // A new user reads these at a glance.
 TEST(HelpText, DescribesTheCommonOptionsOnOneLine) {
     const std::vector<std::string> lines = lines_of(run_pelagic({"export", "--help"}).out);
-    for (const char* const option : {"  -o, --out DIR", "  --frames NUMBERS", "  --fps NUMBER", "  --half",
-                                     "  --unit m|cm", "  --wind-speed SPEED", "  --depth NUMBER",
-                                     "  --choppiness NUMBER", "  --seed NUMBER", "  --threads NUMBER"}) {
+    for (const char* const option :
+         {"  -o, --out DIR", "  --fps NUMBER", "  --half", "  --unit m|cm", "  --wind-speed SPEED",
+          "  --depth NUMBER", "  --choppiness NUMBER", "  --seed NUMBER", "  --threads NUMBER"}) {
         const auto line =
             std::ranges::find_if(lines, [&](const std::string& one) { return one.starts_with(option); });
         ASSERT_NE(line, lines.end()) << option;

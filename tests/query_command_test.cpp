@@ -302,8 +302,8 @@ TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
              {{"query", "--points", points, "--choppiness", "2"}, "--choppiness 2 is out of range [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
              {{"ask"},
-              "unknown command ask, expected bench, export, info, merge, quadtree, query, render, verify or view"},
-             {{}, "no command, expected bench, export, info, merge, quadtree, query, render, verify or view"}}) {
+              "unknown command ask, expected info, export, merge, verify, query, render, view, quadtree or bench"},
+             {{}, "no command, expected info, export, merge, verify, query, render, view, quadtree or bench"}}) {
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << says;
         EXPECT_EQ(outcome.out, "") << says;

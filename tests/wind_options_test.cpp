@@ -116,7 +116,7 @@ TEST(Wind, IncompleteValuesAreRejected) {
         EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
     }
     const std::string help = run_pelagic({"info", "--help"}).out;
-    for (const char* part : {"20kn", "bft6", "from-NW", "+x (east)", "north is -z"})
+    for (const char* part : {"20kn", "bft6", "from-NW", "+x (east)", "+z (south)"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 

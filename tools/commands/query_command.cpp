@@ -145,15 +145,15 @@ void QueryCommand::add_options(CLI::App& app) {
     sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(
-        "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged. Units are metres and metres per\n"
-        "second; the normal is a unit vector. error_m is the distance between the sampled and the requested\n"
-        "point; converged: whether it is at most a millimetre. --foam adds a column foam before the last one.\n"
-        "--shore adds a column depth: still-water depth in metres, 0 or less on dry ground. Over a shore vx and\n"
-        "vz include the motion of long waves by linear theory. The displacement of these waves is vertical, so\n"
-        "error_m and jacobian do not include them. The interpolation is printed on standard error, or with\n"
-        "--json as interpolation in each object. Other columns of the file are copied in front of the results.\n"
-        "A file may have any length. It is read in blocks of 32768 points: an invalid line ends the command\n"
-        "when its block is read, and --times applies to one block at a time.");
+        "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged. Units are metres and m/s; the\n"
+        "normal is a unit vector. error_m is the distance between the sampled and the requested point;\n"
+        "converged: whether it is at most a millimetre. --foam adds a column foam before the last one.\n"
+        "--shore adds a column depth: still-water depth in metres, 0 or less on dry ground. Over a shore\n"
+        "vx and vz include the motion of long waves by linear theory. The displacement of these waves is\n"
+        "vertical, so error_m and jacobian do not include them. The interpolation is printed on standard\n"
+        "error, or with --json as interpolation in each object. Other columns of the file are copied in\n"
+        "front of the results. A file may have any length. It is read in blocks of 32768 points: an\n"
+        "invalid line ends the command when its block is read, and --times applies to one block at a time.");
 }
 
 std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {

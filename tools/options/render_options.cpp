@@ -19,16 +19,22 @@ constexpr const char *default_file = "sea.png", *image_extension = ".png", *film
 constexpr double default_film_s = 5;
 
 /// Returns an empty path if the option is not set.
-/// \param extensions  accepted ones; only images may have a name pattern
+/// \param extensions  accepted ones
+/// \param is_one_file  the file holds all frames, so that its name cannot be a pattern
 std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
-                                   const std::vector<std::string>& extensions) {
+                                   const std::vector<std::string>& extensions, bool is_one_file) {
     if (!text) return {};
     const std::filesystem::path file = *text;
     const std::string name = file.filename().string();
-    if (std::ranges::find(extensions, file.extension().string()) == extensions.end() || file.stem().empty())
-        throw bad_value(option, *text, "a file named *" + list_of(extensions));
-    if (NamePattern::is_meant(name) && (file.extension() == film_extension || !NamePattern::parse(name)))
-        throw bad_value(option, *text, "a name with one number, as sea.####.png or sea.%04d.png, or none");
+    if (std::ranges::find(extensions, file.extension().string()) == extensions.end() || file.stem().empty()) {
+        std::vector<std::string> names;
+        for (const std::string& extension : extensions) names.push_back("*" + extension);
+        throw bad_value(option, *text, "a file named " + list_of(names));
+    }
+    if (NamePattern::is_meant(name) && (is_one_file || !NamePattern::parse(name)))
+        throw bad_value(option, *text,
+                        is_one_file ? "a name without # and %: it is one file"
+                                    : "a name with one number, as sea.####.png or sea.%04d.png, or none");
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw bad_value(option, *text, "a file, but that is a folder");
     return file;
@@ -81,9 +87,11 @@ void RenderFlags::add_to(CLI::App& app) {
 
 RenderOptions RenderFlags::resolve() const {
     RenderOptions options;
-    options.file = checked_file("--out", typed_.at("out"), {image_extension, film_extension});
-    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), {".exr"});
-    options.sky_file = checked_file("--sky", typed_.at("sky"), {".exr"});
+    const auto& out = typed_.at("out");
+    options.file =
+        checked_file("--out", out, {image_extension, film_extension}, out && out->ends_with(film_extension));
+    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), {".exr"}, false);
+    options.sky_file = checked_file("--sky", typed_.at("sky"), {".exr"}, true);
     if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty()) options.file = default_file;
     if (options.is_film() && resume_) throw InputError("--resume cannot be combined with a film, --out *.mp4");
     if (options.hdr_file == options.sky_file && !options.sky_file.empty())

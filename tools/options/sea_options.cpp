@@ -114,7 +114,7 @@ std::string names_of_presets() {
 
 /// Returns the values that a flag accepts, as short as a line of help needs.
 std::string accepted_in_help(const SeaFlag& flag) {
-    if (is_direction(flag)) return "degrees from +x (east) to +z (south; north is -z), or from-NW";
+    if (is_direction(flag)) return "degrees from +x (east) to +z (south), or from-NW";
     if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
     std::string accepted = accepted_by(flag);
     for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", 0: chosen"})
