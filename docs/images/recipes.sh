@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Generates the images of docs/users/exporter.md: the same sea in Blender, three.js and Godot, as in
+# Generates the images of docs/export.md: the same sea in Blender, three.js and Godot, as in
 # the nightly tests.
 # usage: docs/images/recipes.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail

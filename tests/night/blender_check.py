@@ -1,4 +1,4 @@
-# Runs in Blender after docs/users/recipes/blender.py and checks that all vertices are on the sea.
+# Runs in Blender after docs/recipes/blender.py and checks that all vertices are on the sea.
 #
 # usage: blender -b --python-exit-code 1 -P blender.py -P blender_check.py -- \
 #          FOLDER IMAGE.png PELAGIC

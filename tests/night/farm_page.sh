@@ -1,4 +1,4 @@
-# Sourced by the tests of docs/users/farm.md: runs the page's lines in a temporary folder, for a
+# Sourced by the tests of docs/render-farm.md: runs the page's lines in a temporary folder, for a
 # small shot.
 #
 #   open_page PELAGIC   changes to a new folder, removed at the end, in which `pelagic` and
@@ -13,7 +13,7 @@
 # quarter of a second. Its 12 frames take half a minute, enough to interrupt it. (strace can delay
 # calls too, but loses threads that receive a signal meanwhile.)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-page=$root/docs/users/farm.md
+page=$root/docs/render-farm.md
 # 96 frames of 64 texels in 8 shards.
 small='s/\b1440\b/96/; s/\b1024\b/64/; s/\b40\b/8/g'
 

@@ -14,7 +14,7 @@ done
 mkdir -p "$2"
 cd "$2"
 rm -rf sea sea_dds book
-cp "$here"/../../docs/users/recipes/game/sample.mjs "$here"/ktx2_check.mjs .
+cp "$here"/../../docs/recipes/game/sample.mjs "$here"/ktx2_check.mjs .
 echo {} >package.json  # npm installs here, regardless of the folders above
 PATH=$(dirname "$pelagic"):$PATH
 

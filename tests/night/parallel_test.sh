@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the line of docs/users/farm.md for GNU parallel, with an export killed in the middle of its
+# Runs the line of docs/render-farm.md for GNU parallel, with an export killed in the middle of its
 # shard.
 #
 # usage: parallel_test.sh PELAGIC

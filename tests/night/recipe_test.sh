@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a recipe of docs/users/recipes as documented, and compares every vertex of the program with
+# Runs a recipe of docs/recipes as documented, and compares every vertex of the program with
 # `pelagic query`. Exits with 77, "skipped" in ctest, if the program is missing.
 #
 # usage: recipe_test.sh blender|three|godot PELAGIC FOLDER
@@ -7,7 +7,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 recipe=$1 pelagic=$2
-recipes=$here/../../docs/users/recipes
+recipes=$here/../../docs/recipes
 mkdir -p "$3"
 cd "$3"
 

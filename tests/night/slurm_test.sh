@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs docs/users/farm.md line by line on a real Slurm cluster of two nodes. One node is lost in the
+# Runs docs/render-farm.md line by line on a real Slurm cluster of two nodes. One node is lost in the
 # middle of two shards, with a lock. One shard is requeued, one receives its time limit signal, and
 # one is cancelled and submitted again. Afterwards every file is identical to that of one run
 # without shards.

@@ -1,4 +1,4 @@
-# Serves docs/users/recipes/three as documented, opens it in headless Chromium, and compares its
+# Serves docs/recipes/three as documented, opens it in headless Chromium, and compares its
 # vertices with queries.
 #
 # usage: three_check.py FOLDER IMAGE.png PELAGIC RECIPE NODE_MODULES
