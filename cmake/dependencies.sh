@@ -56,7 +56,7 @@ command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 
 # Packages for nightly tests: programs that import an export by the recipes of
 # docs/export.md, schedulers of docs/render-farm.md, and readers of textures and films of
-# docs/users/game.md. three.js and the types of Kubernetes come from npm. Debian's npm package is
+# docs/integrations/unity.md. three.js and the types of Kubernetes come from npm. Debian's npm package is
 # large; the one of Node.js works too.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)

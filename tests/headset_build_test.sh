@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the line of docs/users/headset.md with a replacement for the NDK's toolchain file: it
+# Runs the line of docs/integrations/vr.md with a replacement for the NDK's toolchain file: it
 # configures without GLM, oneTBB and a graphics library, and builds a library for 64-bit Arm that
 # has the C interface and needs only the system's C++ library. The optimisation level is lower than
 # usual, to save time.
@@ -14,7 +14,7 @@ mkdir "$work/deps"
 ln -s /usr/include/xsimd /usr/include/xxhash.h "$work/deps"
 
 # Read from the page, except for the NDK's options, so that page and test agree.
-line=$(sed -n '/^    cmake -S \. -B build\/android/,/[^\\]$/p' "$source/docs/users/headset.md" | sed 's/\\$//' | tr '\n' ' ')
+line=$(sed -n '/^    cmake -S \. -B build\/android/,/[^\\]$/p' "$source/docs/integrations/vr.md" | sed 's/\\$//' | tr '\n' ' ')
 [[ $line == *-DPELAGIC_XXHASH_INCLUDE_DIR* ]] || { echo "the page has no such line any more"; exit 1; }
 options=$(sed -E 's/^ *cmake -S \. -B build\/android//; s/-DCMAKE_TOOLCHAIN_FILE=[^ ]*//; s/-DANDROID_[A-Z]*=[^ ]*//g; s/\$DEPS/DEPS/g' <<<"$line")
 options=${options//DEPS/"$work/deps"}

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Checks docs/users/headset.md: its C code compiles with the installed header, and its command lines
+# Checks docs/integrations/vr.md: its C code compiles with the installed header, and its command lines
 # run. headset_build_test.sh tests its build for Android.
 #
 # usage: headset_page_test.sh SOURCE_FOLDER PELAGIC C_COMPILER INCLUDE_FOLDER
 set -euo pipefail
-page=$1/docs/users/headset.md pelagic=$2 cc=$3 include=$4
+page=$1/docs/integrations/vr.md pelagic=$2 cc=$3 include=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

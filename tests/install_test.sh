@@ -23,7 +23,7 @@ for application in cpp_application c_application; do
 done
 diff "$work/cpp_application.txt" "$work/c_application.txt"
 # The page for Windows shows these lines, and a test of Windows compares them too.
-sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/users/windows.md" | diff - "$work/c_application.txt"
+sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/integrations/windows.md" | diff - "$work/c_application.txt"
 
 # A C application needs no packages, with or without components. A missing component is reported
 # with its reason.

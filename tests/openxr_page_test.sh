@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs every command line of docs/users/openxr.md, in a folder with the build at the page's path and
-# with the stand-in as the runtime. The stand-in ends programs that run until their user leaves
-# after six frames, of which the first is not displayed.
+# Runs every command line of the section OpenXR of docs/integrations/vr.md, in a folder with the
+# build at the page's path and with the stand-in as the runtime. The stand-in ends programs that run
+# until their user leaves after six frames, of which the first is not displayed.
 #
 # usage: openxr_page_test.sh SOURCE_FOLDER BUILD_FOLDER RUNTIME_JSON
 set -euo pipefail
@@ -13,7 +13,7 @@ mkdir "$work/build"
 ln -s "$build" "$work/build/release"
 cd "$work"
 
-sed -n 's/^    //p' "$source/docs/users/openxr.md" >lines
+sed -n '/^## OpenXR$/,/^## /s/^    //p' "$source/docs/integrations/vr.md" >lines
 [ "$(wc -l <lines)" -eq 5 ] || { echo "the page has other lines than this test knows"; exit 1; }
 while read -r line; do
   # The preset would reconfigure this build while it is tested; here it is enough that the preset

@@ -5,7 +5,7 @@
   cmake --build build/arm64-libcxx --target pelagic_count_jobs
 
   bench/instructions/headset_model.py [--seas 1x128 1x256 3x128]    each job on one thread
-  bench/instructions/headset_model.py --table       the table of docs/users/headset.md
+  bench/instructions/headset_model.py --table       the table of docs/integrations/vr.md
 
 qemu counts how often each block of instructions runs. llvm-mca (19 or newer, Debian's llvm-19)
 computes the cycles that a core takes for repetitions of a block if every load hits the first-level
@@ -103,7 +103,7 @@ def print_jobs(options):
 
 
 def print_table(options):
-    """Prints the rows of docs/users/headset.md, which are those of `pelagic bench --headset`."""
+    """Prints the rows of docs/integrations/vr.md, which are those of `pelagic bench --headset`."""
     # SSE4.2 has registers as wide as NEON's, so frames have equal padding.
     printed = subprocess.run([options.command, "bench", "--headset", "--isa", "sse4.2", "--threads", "3", "--seconds", "0.1",
                               "--json", "-"], stdout=subprocess.PIPE, check=True).stdout
@@ -128,7 +128,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=builds / "arm64-libcxx/bin/pelagic_count_jobs")
     parser.add_argument("--command", type=pathlib.Path, default=builds / "release/bin/pelagic")
     parser.add_argument("--seas", nargs="+", help="cascades x resolution [1x128 1x256 3x128]")
-    parser.add_argument("--table", action="store_true", help="print the table of docs/users/headset.md")
+    parser.add_argument("--table", action="store_true", help="print the table of docs/integrations/vr.md")
     options = parser.parse_args()
     print_table(options) if options.table else print_jobs(options)
 

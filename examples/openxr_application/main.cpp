@@ -4,7 +4,7 @@
 //                      [--images FOLDER] [--hashes FILE]
 //
 // This file contains the frame loop. The other files contain functions that an engine usually
-// provides. See docs/users/openxr.md.
+// provides. See docs/integrations/vr.md.
 #include <algorithm>
 #include <array>
 #include <cinttypes>

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Executes the lines of docs/users/game.md in order, then checks their output with independent
+# Executes the lines of docs/integrations/unity.md in order, then checks their output with independent
 # readers: npm's ktx-parse and zstddec, a checker of Khronos' rules, NVIDIA's nvddsinfo, ffmpeg,
 # Pillow, and `pelagic query` for heights. Exits with 77, "skipped" in ctest, if a program is
 # missing.
@@ -19,8 +19,8 @@ echo {} >package.json  # npm installs here, regardless of the folders above
 PATH=$(dirname "$pelagic"):$PATH
 
 # Indented lines that begin with a program, as a reader types them.
-sed -n 's/^    \(\(pelagic\|npm\|node\) .*\)$/\1/p' "$here/../../docs/users/game.md" >lines
-[ "$(wc -l <lines)" -eq 6 ] || { echo "game.md has other lines than this test knows"; exit 1; }
+sed -n 's/^    \(\(pelagic\|npm\|node\) .*\)$/\1/p' "$here/../../docs/integrations/unity.md" >lines
+[ "$(wc -l <lines)" -eq 6 ] || { echo "unity.md has other lines than this test knows"; exit 1; }
 while read -r line; do
   echo "+ $line"
   bash -c "$line" </dev/null | tee last_output

@@ -345,8 +345,8 @@ test('a damaged link shows one line and the default sea', async () => {
   assert.equal(await problemLine(), '');
 });
 
-test('the commands and the link of docs/users/web.md work', async () => {
-  const text = readFileSync(join(root, 'docs/users/web.md'), 'utf8');
+test('the commands and the link of docs/integrations/web.md work', async () => {
+  const text = readFileSync(join(root, 'docs/integrations/web.md'), 'utf8');
   const [, link] = text.match(/^ {4}http:.*#(sum=\S+)$/m);
   const [, flags] = text.match(/^ {4}pelagic export (.*) --start 12.5 --out out$/m);
   await openLink(link);

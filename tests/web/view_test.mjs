@@ -311,7 +311,7 @@ test('a lost context is reported, and a new view draws in the restored one', {ti
   assert.deepEqual(problems, []);
 });
 
-test("the example of docs/users/web.md shows the sea in a headset", {timeout: 120000}, async () => {
+test("the example of docs/integrations/web.md shows the sea in a headset", {timeout: 120000}, async () => {
   const documented = await browser.newPage();
   const errors = [];
   documented.on('pageerror', error => errors.push(String(error)));

@@ -13,6 +13,6 @@ cd "$3"
 cp "$1"/pelagic_view.* "$here"/../../web/page/*.js page/
 cp "$here"/view_page.* "$here"/documented.html "$here"/package.json .
 # The example under that heading.
-sed -n "/^## In a headset's browser/,/^## /{/^\`\`\`js/,/^\`\`\`$/{/^\`\`\`/!p}}" "$here/../../docs/users/web.md" >page/documented.js
+sed -n "/^## In a headset's browser/,/^## /{/^\`\`\`js/,/^\`\`\`$/{/^\`\`\`/!p}}" "$here/../../docs/integrations/web.md" >page/documented.js
 [ -d node_modules/iwer ] || npm install --no-audit --no-fund --no-save >npm.log 2>&1 || { cat npm.log; exit 1; }
 exec node "$here/view_test.mjs" "$2" "$here/../../web/page/serve.mjs"

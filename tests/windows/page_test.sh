@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs every command line of docs/users/windows.md in a folder with the build and the sources at the
+# Runs every command line of docs/integrations/windows.md in a folder with the build and the sources at the
 # page's paths. The applications print the lines of the page.
 #
 # usage: page_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail
 source=$1 build=$2
-page=$source/docs/users/windows.md
+page=$source/docs/integrations/windows.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/build"

@@ -44,7 +44,7 @@ void print_headset_timings(const Timings& timings) {
     for (const FrameTiming& frame : timings.frames) print_row(frame);
     std::printf(
         "\nsea: cascades x N; Hz: percentage of a display's frame; uploaded: textures of each frame, all levels\n");
-    std::printf("docs/users/headset.md lists modelled times of a headset's cores.\n");
+    std::printf("docs/integrations/vr.md lists modelled times of a headset's cores.\n");
 }
 
 }  // namespace pelagic::tools

@@ -1,5 +1,5 @@
 // The table of `pelagic bench --headset`: times of seas for headsets on this machine.
-// docs/users/headset.md lists modelled times of a headset's cores.
+// docs/integrations/vr.md lists modelled times of a headset's cores.
 #pragma once
 
 #include <vector>
