@@ -63,7 +63,7 @@ def metadata():
 def run(*command):
     print(shlex.join(map(str, command)), flush=True)
     if subprocess.run(list(map(str, command))).returncode != 0:
-        raise SystemExit(f"{command[0]} failed; what building Pelagic needs stands in docs/users/python.md")
+        raise SystemExit(f"{command[0]} failed; what building Pelagic needs stands in docs/integrations/python.md")
 
 
 def built_files():

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the add-on from its zip as docs/users/blender.md describes, and runs a test in Blender,
+# Installs the add-on from its zip as docs/integrations/blender.md describes, and runs a test in Blender,
 # with a temporary home and folder.
 #
 # It uses the newest zip in SOURCE_FOLDER/build/python.

@@ -1,5 +1,6 @@
-# Runs every command line and script of docs/users/godot.md, in a folder where the build has the
-# page's path, and compares the page's tables with the node.
+# Runs every command line of docs/integrations/godot.md and every script of that page and of the
+# node's README, in a folder where the build has the page's path. Compares the README's tables with
+# the node.
 # usage: page_test.py SOURCE BUILD GOLDEN_HASHES
 import os
 import re
@@ -12,10 +13,11 @@ from engine import run, run_headless
 
 source, build, golden_file = sys.argv[1:]
 golden = dict(line.split() for line in Path(golden_file).read_text().splitlines())
-page = Path(source, "docs/users/godot.md").read_text()
+page = Path(source, "docs/integrations/godot.md").read_text()
+reference = Path(source, "examples/godot/README.md").read_text()
 lines = re.findall(r"^    (\S.*)$", page, re.MULTILINE)
-scripts = dict(re.findall(r"`(\w+\.gd)`[^`]*:\n\n```gdscript\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
-assert sorted(scripts) == ["beach.gd", "buoy.gd", "server.gd", "wake.gd"], "the page has other scripts than this test knows"
+scripts = dict(re.findall(r"`(\w+\.gd)`[^`]*:\n\n```gdscript\n(.*?)^```$", page + reference, re.MULTILINE | re.DOTALL))
+assert sorted(scripts) == ["beach.gd", "buoy.gd", "server.gd", "wake.gd"], "the pages have other scripts than this test knows"
 assert len(lines) == 10, "the page has other lines than this test knows"
 
 BUOY = """
@@ -145,7 +147,7 @@ with tempfile.TemporaryDirectory() as work:
     # has a range or choices for each number and name.
     Path("described.gd").write_text(DESCRIBED)
     node = run_headless("my_game", Path(work, "described.gd"), work, {})
-    first_cells = [line.split("|")[1] for line in page.splitlines() if line.startswith("| `")]
+    first_cells = [line.split("|")[1] for line in reference.splitlines() if line.startswith("| `")]
     written = [name for cell in first_cells for name in re.findall(r"`(\w+)[`(]", cell)]
     hints = {words.split()[0]: words.split()[1:] for words in node["property"]}
     methods = [name for name in node["method"] if not name.startswith("_")]
@@ -153,7 +155,7 @@ with tempfile.TemporaryDirectory() as work:
     without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
     assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "shore_heights_m"], without
     defaults = dict(words.split(" ", 1) for words in node["default"])
-    cells = [[cell.strip() for cell in line.split("|")] for line in page.splitlines() if re.match(r"\| `\w+` \|.*\| [0-9.]+ \|$", line)]
+    cells = [[cell.strip() for cell in line.split("|")] for line in reference.splitlines() if re.match(r"\| `\w+` \|.*\| [0-9.]+ \|$", line)]
     assert len(cells) > 20, cells
     for _, name, *_, default, _ in cells:
         assert float(default) == float(defaults[name.strip("`")]), (name, default, defaults)
