@@ -307,11 +307,13 @@ TEST_F(ExportEvents, HeightsBeyondTheLargestHalfAreClampedWithOneNote) {
         const ReadImage image = map(name, "dynamic-waves_0002.exr");
         const auto [lowest, highest] = std::minmax_element(image.pixels.begin(), image.pixels.end());
         if (more.empty()) {
-            EXPECT_EQ(outcome.err, "");
+            EXPECT_EQ(outcome.err.find("note: values beyond"), std::string::npos) << outcome.err;
             EXPECT_GT(*highest, 65520);
             continue;
         }
-        EXPECT_EQ(outcome.err,
+        // after the notes about the sea
+        const std::size_t begin = std::min(outcome.err.find("note: values beyond"), outcome.err.size());
+        EXPECT_EQ(outcome.err.substr(begin),
                   "note: values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold "
                   "them, without --half and --format ktx2\n");
         EXPECT_EQ(image.type, "half");

@@ -24,7 +24,7 @@ using Arguments = std::vector<std::string>;
 const std::string journal = ".pelagic-export.jsonl", record = "sea_files.json";
 
 Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3", "--quiet"};
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -34,9 +34,11 @@ void at_most_a_minute() { ::alarm(60); }
 
 Outcome run(const Arguments& arguments) { return run_pelagic(arguments, at_most_a_minute); }
 
+/// Notes about the sea precede an error.
 void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const std::string error = outcome.err.substr(std::min(outcome.err.find("pelagic: "), outcome.err.size()));
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << outcome.err;
     EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err << "lacks " << expected;
 }
 
