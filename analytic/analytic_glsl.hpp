@@ -24,6 +24,7 @@ struct GlslOrigin {
 /// \throws std::invalid_argument with the message of check(sea), if it is not empty
 /// \pre the origin is finite
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin = {});
+/// As above, for plane waves.
 std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin = {});
 
 }  // namespace pelagic

@@ -39,6 +39,7 @@ double significant_height_m(const AnalyticSea& sea);
 /// is not 0
 AnalyticSea with_significant_height(AnalyticSea sea, double height_m);
 
+/// Returns the numeric fields of a wave, with names and ranges.
 std::span<const NumericField<AnalyticWave>> analytic_wave_fields();
 
 /// Returns an empty string if the sea is valid, otherwise one line: "steepness is 0.52, expected at
@@ -76,6 +77,7 @@ struct AnalyticPreset {
     std::string_view summary;
     AnalyticSea sea;
 };
+/// Returns all presets: analytic-calm, analytic-moderate, analytic-intense.
 std::span<const AnalyticPreset> analytic_presets();
 /// Returns a preset, or null if there is none of that name.
 const AnalyticPreset* analytic_preset_named(std::string_view name);

@@ -61,6 +61,7 @@ class AnalyticSurface {
     /// \throws std::invalid_argument if check(sea) is not empty, or the CPU lacks the instruction
     /// set
     explicit AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa = {});
+    /// As above, for plane waves.
     explicit AnalyticSurface(PlaneWaves waves, std::optional<Isa> isa = {});
     ~AnalyticSurface();
     AnalyticSurface(AnalyticSurface&&) noexcept;
@@ -75,6 +76,7 @@ class AnalyticSurface {
     /// \pre time_s is finite; spans are as long as the points or empty (asserted)
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
+    /// Returns the waves of the sea.
     const PlaneWaves& waves() const { return waves_; }
     /// Returns the upper bound of the search's steps for any point (proof in analytic_surface.cpp).
     int max_search_steps() const { return max_steps_; }

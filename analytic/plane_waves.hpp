@@ -17,6 +17,7 @@ struct PlaneWave {
     double frequency_hz = 0;                      ///< [0, 1e4]
     double phase_turns = 0;                       ///< [-1, 1]
 
+    /// Returns the wave number in cycles per metre, 1 / wavelength.
     double turns_per_m() const;
 };
 
@@ -30,7 +31,9 @@ PlaneWaves plane_waves_of(const AnalyticSea& sea);
 
 /// Overloads of the functions for AnalyticSea.
 double steepness_of(const PlaneWaves& sea);
+/// Returns Hs in metres.
 double significant_height_m(const PlaneWaves& sea);
+/// Returns a message about the first invalid value, or an empty text.
 std::string check(const PlaneWaves& sea);
 
 /// Returns sqrt(g k) / 2 pi.

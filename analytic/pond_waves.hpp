@@ -52,6 +52,7 @@ struct PondOctave {
     double height_m;  ///< a
     double drag_m;    ///< displacement of the octaves after it, m
 
+    /// Returns the wave number in cycles per metre, 1 / wavelength.
     double turns_per_m() const;
 };
 
@@ -116,8 +117,11 @@ class PondWaves {
     std::optional<PondHit> first_hit(double time_s, std::array<double, 3> origin_m, std::array<double, 3> direction,
                                      double reach_m) const;
 
+    /// Returns a lower bound of the height, metres.
     double lowest_m() const;
+    /// Returns an upper bound of the height, metres.
     double highest_m() const;
+    /// Returns the octaves, the longest first.
     const std::vector<PondOctave>& octaves() const { return octaves_; }
 
    private:

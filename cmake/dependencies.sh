@@ -42,11 +42,11 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
-# Packages for tests inside other programs: a compiler to WebAssembly, node and a browser; a game
-# engine, with a window (for xvfb-run, which needs xauth) and without; pybind11 and Python's
-# headers, NumPy, matplotlib for the Python example, pytest and mypy; Blender; a compiler to
-# Windows, and wine.
-pelagic_hosts_packages=(emscripten chromium)
+# Packages for tests inside other programs: Doxygen, for the API reference; a compiler to
+# WebAssembly, node and a browser; a game engine, with a window (for xvfb-run, which needs xauth)
+# and without; pybind11 and Python's headers, NumPy, matplotlib for the Python example, pytest and
+# mypy; Blender; a compiler to Windows, and wine.
+pelagic_hosts_packages=(doxygen emscripten chromium)
 pelagic_hosts_packages+=(godot3 godot3-server xauth)
 pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
 pelagic_hosts_packages+=(blender)
@@ -54,10 +54,10 @@ pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
 command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 
-# Packages for nightly tests: programs that import an export by the recipes of
-# docs/export.md, schedulers of docs/render-farm.md, and readers of textures and films of
-# docs/integrations/unity.md. three.js and the types of Kubernetes come from npm. Debian's npm package is
-# large; the one of Node.js works too.
+# Packages for nightly tests: programs that import an export by the recipes of docs/export.md,
+# schedulers of docs/render-farm.md, and readers of textures and films of
+# docs/integrations/unity.md. three.js and the types of Kubernetes come from npm. Debian's npm
+# package is large; the one of Node.js works too.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
 pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil)

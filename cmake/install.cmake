@@ -76,6 +76,7 @@ foreach(folder IN LISTS folders)
     get_filename_component(inside ${folder}/${header} DIRECTORY)
     install(FILES ${PROJECT_SOURCE_DIR}/${folder}/${header}.hpp
             DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic/${inside})
+    list(APPEND installed_headers ${PROJECT_SOURCE_DIR}/${folder}/${header}.hpp)
   endforeach()
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic)
@@ -92,4 +93,16 @@ if(PELAGIC_TOOLS)
     install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
     install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   endif()
+endif()
+
+# The API reference of the installed headers, by Doxygen: the target `docs`.
+find_program(PELAGIC_DOXYGEN doxygen)
+if(PELAGIC_DOXYGEN AND NOT TARGET docs)
+  set(reference_folder ${PROJECT_BINARY_DIR}/reference)
+  list(JOIN installed_headers " " reference_headers)
+  string(APPEND reference_headers " ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PROJECT_SOURCE_DIR}/cmake/reference.md")
+  configure_file(cmake/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+  add_custom_target(docs COMMAND ${CMAKE_COMMAND} -E rm -rf ${reference_folder}
+                    COMMAND ${CMAKE_COMMAND} -E make_directory ${reference_folder}
+                    COMMAND ${PELAGIC_DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM)
 endif()

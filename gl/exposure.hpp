@@ -80,6 +80,7 @@ class FollowedExposure {
     void follow(float metered, double passed_s);
     /// \pre follow() was called
     float ev() const { return *ev_; }
+    /// Returns whether follow() was called.
     bool has_ev() const { return ev_.has_value(); }
 
    private:

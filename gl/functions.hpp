@@ -62,6 +62,7 @@ struct Functions {
 /// missing
 Functions load_functions(GetProcAddress get);
 
+/// Returns whether the context has an extension. \pre the context is current
 bool has_extension(const Functions& gl, std::string_view name);
 
 /// Checks for a reset, if the driver supports the query.

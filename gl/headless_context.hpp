@@ -27,6 +27,7 @@ class HeadlessContext {
 
     /// Makes the context current on this thread. \throws GlError if EGL refuses
     void make_current();
+    /// Returns the loaded OpenGL ES functions.
     const Functions& functions() const;
     std::string renderer_name() const;  ///< GL_RENDERER
 

@@ -12,6 +12,7 @@ template <auto Make, auto Delete>
 class Object {
    public:
     Object() = default;
+    /// Creates an object. \pre the context is current
     explicit Object(const Functions& gl) : gl_(&gl) { (gl.*Make)(1, &name_); }
     ~Object() { reset(); }
     Object(Object&& from) noexcept : gl_(from.gl_), name_(std::exchange(from.name_, 0)) {}
@@ -20,7 +21,9 @@ class Object {
         std::swap(name_, from.name_);
         return *this;
     }
+    /// Returns the GL name, or 0 if there is no object.
     GLuint name() const { return name_; }
+    /// Deletes the object, if there is one.
     void reset() {
         if (name_ != 0) (gl_->*Delete)(1, &name_);
         name_ = 0;

@@ -26,6 +26,7 @@ class PixelRing {
     /// \pre a GlStateGuard exists in an enclosing scope; also for hand_over() and release()
     /// \throws GlError if the driver does not map the buffer
     std::byte* map();
+    /// Returns whether a buffer is mapped.
     bool is_mapped() const { return mapped_ != nullptr; }
     /// Ends writing and unmaps the buffer. Returns the data address for GL's upload calls, valid
     /// until release(): an offset in the bound GL_PIXEL_UNPACK_BUFFER, or a pointer to CPU memory.

@@ -30,6 +30,7 @@ class RenderTarget {
     /// Averages the samples of the lower left width x height pixels into a texture with linear
     /// filtering. The texture is valid until the next call. Binds this target again.
     TexturePart resolved(int width, int height);
+    /// As above, with the size of the target.
     TexturePart resolved() { return resolved(width_, height_); }
     /// Copies the lower left width x height pixels to the lower left window_width x window_height
     /// pixels of framebuffer 0, with linear filtering. Binds framebuffer 0.
@@ -41,7 +42,9 @@ class RenderTarget {
     /// radiance
     std::vector<float> read_radiance();
 
+    /// Returns the width in pixels.
     int width() const { return width_; }
+    /// Returns the height in pixels.
     int height() const { return height_; }
 
    private:

@@ -55,6 +55,7 @@ class Executor {
     /// is_done() returns false until then.
     virtual bool runs_ahead() const { return thread_limit() > 1; }
 
+    /// Returns a short name for reports, such as "tbb".
     virtual std::string_view name() const = 0;
 };
 

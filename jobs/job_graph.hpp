@@ -33,6 +33,7 @@ class JobGraph {
     /// \throws std::invalid_argument  if the batch is 0, the body is empty, or `waits_for` holds a
     ///                                stage that has not been added
     StageId add(Stage stage);
+    /// Returns the stages in the order of add().
     std::span<const Stage> stages() const { return stages_; }
 
    private:

@@ -27,6 +27,7 @@ class SlicedExecutor : public Executor {
     virtual bool advance(std::chrono::nanoseconds budget) = 0;
 };
 
+/// Returns an executor that works only in advance() and complete(), on the calling thread.
 std::shared_ptr<SlicedExecutor> make_sliced_executor();
 
 }  // namespace pelagic

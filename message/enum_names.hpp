@@ -21,16 +21,19 @@ concept NamedEnum = std::is_enum_v<Enum> && requires {
     EnumNames<Enum>::all.size();
 };
 
+/// Returns the name of a value.
 template <NamedEnum Enum>
 constexpr std::string_view name_of(Enum value) {
     return EnumNames<Enum>::all[static_cast<std::size_t>(value)];
 }
 
+/// Returns the names of all values, in their order.
 template <NamedEnum Enum>
 constexpr const auto& names_of() {
     return EnumNames<Enum>::all;
 }
 
+/// Returns all values, in their order.
 template <NamedEnum Enum>
 constexpr auto values_of() {
     std::array<Enum, EnumNames<Enum>::all.size()> values{};

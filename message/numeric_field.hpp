@@ -34,6 +34,7 @@ struct NumericField {
                (among == Among::even ? whole % 2 == 0 : (whole & (whole - 1)) == 0);
     }
 
+    /// Returns the value of this field as a double.
     double value_in(const Options& options) const {
         return std::visit([&](auto at) { return static_cast<double>(options.*at); }, member);
     }

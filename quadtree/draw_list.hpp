@@ -34,11 +34,13 @@ struct QuadtreeGrid {
     double fade_start_m = 0;
     double fade_end_m = 0;
 
+    /// Returns the side of the grid in metres.
     double size_m() const { return side * step_m; }
     /// Returns the steps between two vertices of a patch of this level.
     std::int32_t stride(int level) const { return std::int32_t{1} << (deepest_level - level); }
     /// Returns the steps along the side of a patch of this level.
     std::int32_t patch_side(int level) const { return vertices * stride(level); }
+    /// Returns the side of a patch of this level in metres.
     double patch_size_m(int level) const { return patch_side(level) * step_m; }
 };
 

@@ -44,6 +44,7 @@ class LevelMap {
     /// Returns an upper bound of the number of patches for any viewer position.
     std::size_t max_patches() const;
 
+    /// Returns the finest level; 0 is the whole grid.
     int deepest_level() const { return deepest_; }
     /// Returns the number of cells of the finest level along a side.
     std::int32_t width() const { return std::int32_t{1} << deepest_; }
@@ -72,11 +73,14 @@ class LevelMap {
         std::int32_t x0 = 0, x1 = 0, z0 = 0, z1 = 0;
         std::vector<float> measures;
 
+        /// Returns whether a cell is inside.
         bool holds(std::int32_t x, std::int32_t z) const { return x >= x0 && x < x1 && z >= z0 && z < z1; }
+        /// Returns the measure of a cell. \pre holds(x, z)
         float& at(std::int32_t x, std::int32_t z) {
             return measures[static_cast<std::size_t>(z - z0) * static_cast<std::size_t>(x1 - x0) +
                             static_cast<std::size_t>(x - x0)];
         }
+        /// Returns the measure of a cell. \pre holds(x, z)
         float at(std::int32_t x, std::int32_t z) const { return const_cast<Window*>(this)->at(x, z); }
     };
 

@@ -24,6 +24,7 @@ class NodeCulling {
    public:
     enum class Sight { none, partial, whole };
 
+    /// Prepares the tests of a view: one extent of the boxes for each plane and level.
     NodeCulling(const Frustum& view, const QuadtreeGrid& grid, const BoxesOfNodes& boxes);
 
     /// Returns none only if the node's box is outside the view, whole only if all of the box is

@@ -32,6 +32,7 @@ struct QuadtreePreset {
     double lod_scale;
     double cull_scale;
 
+    /// Returns options for a square of this side in metres.
     QuadtreeOptions options(double size_m) const { return {size_m, vertices, lod_scale, cull_scale}; }
 };
 

@@ -32,6 +32,7 @@ struct SurfaceBounds {
     double horizontal_z_max_m = 0;
 
     constexpr SurfaceBounds() = default;
+    /// Stores extremes in metres; horizontal ones are absolute values.
     constexpr SurfaceBounds(double height_min, double height_max, double horizontal_x_max, double horizontal_z_max)
         : height_min_m(height_min),
           height_max_m(height_max),
@@ -74,9 +75,11 @@ class Selection {
     ///                                list() then stays unchanged
     const DrawList& select(const SelectionInput& input);
 
+    /// Returns the draw list of the last select().
     const DrawList& list() const { return list_; }
     /// Returns the levels over the whole grid of the last select().
     const LevelMap& level_map() const { return levels_; }
+    /// Returns the options of construction.
     const QuadtreeOptions& options() const { return options_; }
 
    private:

@@ -17,6 +17,7 @@ inline constexpr double skirt_reach = 10;
 /// The mesh of every piece: vertex pairs t = 0 ... V along the border, outer = 0 or 1, index 2 t +
 /// outer.
 struct SkirtMesh {
+    /// Makes the mesh for patches with this number of vertex steps along a side.
     explicit SkirtMesh(int vertices);
 
     int vertices;

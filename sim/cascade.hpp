@@ -23,6 +23,7 @@ struct PlaneView {
     std::ptrdiff_t row_stride = 0;
     std::ptrdiff_t block_stride = 0;
 
+    /// Returns the value of column i, row j. \pre both are in [0, resolution)
     float at(int i, int j) const {
         return data[i / block_columns * block_stride + j * row_stride + i % block_columns];
     }
@@ -60,6 +61,7 @@ struct CascadeGrid {
     double side_m = 0;            ///< L, the period along both axes of the cascade
     double cosine = 1, sine = 0;  ///< of the rotation, from +x towards +z
 
+    /// Returns whether the grid is rotated against the world's axes.
     bool is_rotated() const { return sine != 0; }
 
     struct Place {
@@ -94,6 +96,7 @@ struct ContractionBound {
     /// Returns the largest bound of all blocks.
     double max() const { return static_cast<double>(blocks.back()) / one; }
 
+    /// Returns whether there is no map, because the frame was made without queries.
     bool empty() const { return blocks.empty(); }
 };
 
@@ -139,10 +142,14 @@ struct Cascade {
     float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;
 
+    /// Returns whether the cascade's waves make foam.
     bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps; }
 
+    /// Returns N, the texels along a side.
     int resolution() const { return height.resolution; }
+    /// Returns the side of a texel in metres.
     double texel_m() const { return grid.side_m / resolution(); }
+    /// Returns one level of gradient_rgba8; level 0 has N x N texels.
     std::span<const std::uint32_t> gradient_level(int level) const { return level_of(gradient_rgba8, level); }
     /// Returns one level of a chain.
     template <class Texel>

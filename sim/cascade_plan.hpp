@@ -33,6 +33,7 @@ struct CascadePlan {
     bool makes_whitecaps() const { return min_k < 2 * std::numbers::pi; }
 
     double spacing() const { return 2 * std::numbers::pi / grid.side_m; }  ///< dk in rad/m
+    /// Returns whether the cascade holds a band of wave numbers only.
     bool is_banded() const { return min_k > 0 || max_k < std::numeric_limits<double>::infinity(); }
 };
 
@@ -43,6 +44,7 @@ struct WaveReach {
 
     /// Returns the range of one sea; zeros if patch_size_m is set, whose grid determines the range.
     static WaveReach of(const SeaState& sea);
+    /// Extends the range to contain another one.
     WaveReach& extend_to(const WaveReach& other);
 };
 

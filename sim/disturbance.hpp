@@ -57,6 +57,7 @@ struct EnumNames<Disturbance::Mode> {
     static constexpr std::array<std::string_view, 3> all = {"pressure", "relaxation", "impulse"};
 };
 
+/// Returns the numeric fields of a disturbance, with names and ranges.
 std::span<const NumericField<Disturbance>> disturbance_fields();
 
 /// Returns an empty string for a usable disturbance, else what is wrong: "radius_m 0 is out of

@@ -106,6 +106,7 @@ class DynamicWaves {
     /// Throws std::invalid_argument(check(options)), what choose_isa() and executors throw, and
     /// std::bad_alloc.
     explicit DynamicWaves(const DynamicWavesOptions& options) : DynamicWaves(options, Resources{}) {}
+    /// As above, with an executor, an instruction set and memory of the application.
     DynamicWaves(const DynamicWavesOptions& options, Resources resources);
     ~DynamicWaves();  ///< waits for work in flight
     DynamicWaves(const DynamicWaves&) = delete;
@@ -155,6 +156,7 @@ class DynamicWaves {
     /// options differ or the bytes are damaged. \pre no frame of an ocean is in flight
     void restore_state(std::span<const std::uint8_t> saved);
 
+    /// Returns the options of construction.
     const DynamicWavesOptions& options() const;
     std::size_t memory_bytes() const;  ///< all memory of the object
 

@@ -22,6 +22,7 @@ struct DynamicWavesView {
     std::span<const std::uint8_t> foam;  ///< N^2, 0 none to 255 full
     float height_min_m = 0, height_max_m = 0;
 
+    /// Returns whether there are dynamic waves.
     explicit operator bool() const { return resolution > 0; }
 };
 

@@ -64,6 +64,7 @@ struct Forecast {
 
     /// Returns the first sea for 0, and that of changes[i - 1] for i. \pre number <= changes.size()
     const SeaState& sea(std::size_t number) const { return number == 0 ? first : changes[number - 1].sea; }
+    /// Returns the sea after all changes.
     const SeaState& last() const { return sea(changes.size()); }
     /// Returns the state at a time. \pre check() is empty, and time_s is finite
     ForecastMoment at(double time_s) const;

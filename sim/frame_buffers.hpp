@@ -44,6 +44,7 @@ void copy_plane(const PlaneView& plane, std::span<float> out);
 /// Copies a frame, with one FrameBuffers for each cascade. Throws std::invalid_argument(check(...))
 /// before it writes.
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades);
+/// As above, for a frame with one cascade.
 inline void copy_frame(const Frame& frame, const FrameBuffers& only_cascade) {
     copy_frame(frame, {&only_cascade, 1});
 }

@@ -127,6 +127,7 @@ class Ocean {
     /// ...)) before it computes.
     /// \pre no frame is in flight
     FrameBounds frame_at(double time_s, std::span<const FrameBuffers> cascades);
+    /// As above, for an ocean with one cascade.
     FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) {
         return frame_at(time_s, {&only_cascade, 1});
     }
@@ -153,6 +154,7 @@ class Ocean {
     /// A frame may be in flight; it belongs to the forecast in which it was scheduled.
     /// \pre no sea is between schedule_sea(sea) and complete_sea()
     void schedule_sea(const SeaChange& change);
+    /// As above, for a change without a distant swell.
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
         schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
     }
@@ -168,13 +170,16 @@ class Ocean {
     /// frames. Frames of equal times with equal commands between them have bit-identical waves.
     /// Throws std::invalid_argument without that option.
     DynamicWaves& dynamic_waves();
+    /// As above.
     const DynamicWaves& dynamic_waves() const;
 
     std::size_t cascade_count() const;  ///< of every frame
     int resolution() const;             ///< texels along a side of each cascade
     const SeaState& sea() const;        ///< last sea of the forecast; Frame::sea is that of a frame
     const Forecast& forecast() const;   ///< with the largest_peak_m of the cascades
+    /// Returns the instruction set of the kernels.
     Isa isa() const;
+    /// Returns the executor of the options, or the default one.
     const Executor& executor() const;
     const JobGraph& graph() const;  ///< the stages of a frame
     /// Returns all memory of the ocean, two frames and the spectrum included.

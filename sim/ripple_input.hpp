@@ -56,6 +56,7 @@ class RippleInput final : public WaveInput {
         /// amplitude is 0.
         double reach_m = 0;
     };
+    /// Returns what the cascades hold, after moving the rings to their grids.
     Held held() const;
 
     void begin(const InputMoment& moment) override;

@@ -108,6 +108,7 @@ struct SeaState {
 
 /// Return the option, or the value derived for 0. \pre check(sea) is empty
 int cascades_of(const SeaState& sea);
+/// Returns the texels along a side of a cascade, N.
 int resolution_of(const SeaState& sea);
 /// Returns whether the sea has one cascade because patch_size_m is set or its model has only one.
 /// \pre check(sea) is empty
@@ -137,6 +138,7 @@ struct SeaPreset {
     std::string_view summary;
     SeaState sea;
 };
+/// Returns all presets: named ones and beaufort-0 to beaufort-12.
 std::span<const SeaPreset> sea_presets();
 /// Returns null for an unknown name.
 const SeaPreset* sea_preset_named(std::string_view name);

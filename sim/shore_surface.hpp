@@ -32,6 +32,7 @@ struct ShoreSurface {
     float height_min_m = 0, height_max_m = 0;  ///< bounds of the height, between texels too
     float weights_change_per_m = 0;            ///< largest change of a weight per metre
 
+    /// Returns whether there is a shore.
     explicit operator bool() const { return columns > 0; }
 };
 

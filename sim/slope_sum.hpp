@@ -24,6 +24,7 @@ struct SurfaceSlopes {
     /// Covariance of h_x and h_z within the texel; cascades are independent.
     double var_xx = 0, var_zz = 0, cov_xz = 0;
 
+    /// Adds the derivatives and their moments of another cascade.
     SurfaceSlopes& operator+=(const SurfaceSlopes& other) {
         h_x += other.h_x;
         h_z += other.h_z;
@@ -58,6 +59,7 @@ inline SurfaceSlopes slopes_of_texel(std::uint32_t slopes, std::uint32_t moments
 struct SurfaceNormal {
     double x, y, z;
 };
+/// Returns the normal of the summed surface, not normalised; y is the Jacobian.
 inline SurfaceNormal normal_of(const SurfaceSlopes& sum) {
     const double j_xx = 1 + sum.d_xx, j_zz = 1 + sum.d_zz;
     return {sum.h_z * sum.d_xz - sum.h_x * j_zz, j_xx * j_zz - sum.d_xz * sum.d_xz,

@@ -8,6 +8,7 @@ namespace pelagic {
 struct SlopeVariance {
     double upwind = 0, crosswind = 0;
 
+    /// Returns the sum of both variances.
     double total() const { return upwind + crosswind; }
 };
 

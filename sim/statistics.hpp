@@ -88,6 +88,7 @@ WaveDirections directions_of_moment(double a, double b);
 /// models, whose spectra are lines.
 /// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
+/// As above, by wave number, m^3.
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);
 
 /// Mean periods from the moments m_n = integral f^n S(f) df of the waves that the grid holds,
@@ -136,6 +137,7 @@ struct SeaReport {
     LoopFrequencies loop_frequencies = {};
     std::vector<std::string> warnings;  ///< warnings_about()
 };
+/// Returns expected and drawn statistics, and warnings. \pre check(sea) is empty
 SeaReport report_on(const SeaState& sea);
 
 /// Returns warnings about a sea, a sentence each: a patch shorter than two peak wavelengths, a grid

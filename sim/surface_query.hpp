@@ -98,6 +98,7 @@ class SurfaceQuery {
 
     /// Throws std::invalid_argument if the frame was made without OceanOptions::queries.
     explicit SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options = {});
+    /// As above, with linear interpolation.
     SurfaceQuery(const Frame& frame, double tolerance_m) : SurfaceQuery(frame, {.tolerance_m = tolerance_m}) {}
 
     /// Samples the surface at the points. Throws std::invalid_argument, before it writes, for
@@ -109,12 +110,18 @@ class SurfaceQuery {
     /// Returns a query of this frame and tolerance with another interpolation.
     SurfaceQuery with(Interpolation interpolation) const;
 
+    /// Returns the queried frame.
     const Frame& frame() const { return frame_; }
+    /// Returns the bounds of the frame.
     const FrameBounds& bounds() const { return frame_.bounds; }
     double texel_m() const { return texel_m_; }  ///< of the finest cascade
+    /// Returns the largest error of a converged point, metres.
     double tolerance_m() const { return tolerance_m_; }
+    /// Returns how values between texels are interpolated.
     Interpolation interpolation() const { return options_.interpolation; }
+    /// Returns whether velocities can be sampled.
     bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
+    /// Returns whether foam can be sampled.
     bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
     /// Throws what sample() throws for these arrays.
     void check(const SurfaceSamples& wanted) const;

@@ -15,6 +15,7 @@ namespace pelagic {
 /// of an ocean whose frames are in flight.
 class SurfaceQueryJobs {
    public:
+    /// Creates jobs for an executor. Batches of several threads need an object each.
     explicit SurfaceQueryJobs(std::shared_ptr<Executor> executor);
     ~SurfaceQueryJobs();
     SurfaceQueryJobs(const SurfaceQueryJobs&) = delete;  // the stage points into it

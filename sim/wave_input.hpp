@@ -49,7 +49,9 @@ struct InputRows {
     /// Derivatives in time, m/s. Empty in ticks, and unless OceanOptions::velocities is set.
     std::span<float> velocity_x, velocity_y, velocity_z;
 
+    /// Returns the grid of the cascade.
     const CascadeGrid& grid() const { return moment.grids[cascade]; }
+    /// Returns N, the texels along a side.
     std::size_t resolution() const { return static_cast<std::size_t>(moment.resolution); }
     /// Returns one row of a field.
     std::span<float> row_of(std::span<float> field, std::size_t row) const {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that LIST has every symbol that a library needs of the C library, with an Android API level
-# of 29 or less, which docs/integrations/vr.md requires. A new symbol is looked up in bionic's symbol
-# maps and added to the list in the same commit.
+# of 29 or less, which docs/integrations/vr.md requires. A new symbol is looked up in bionic's
+# symbol maps and added to the list in the same commit.
 #
 # Symbols of the C++ library and of the unwinder are part of the application, from the NDK, at any
 # level.

@@ -1,5 +1,5 @@
-# Renders docs/images/blender.jpg with Cycles: the ocean of docs/integrations/blender.md under a sky,
-# with the add-on installed as documented there. Run in the clone:
+# Renders docs/images/blender.jpg with Cycles: the ocean of docs/integrations/blender.md under a
+# sky, with the add-on installed as documented there. Run in the clone:
 #
 #   mkdir -p out
 #   blender -b --python-exit-code 1 -P docs/images/blender.py -- docs/images/blender.jpg

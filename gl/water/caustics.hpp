@@ -71,6 +71,7 @@ double caustics_depth_m(const SeaFloor& floor, double sea_depth_m);
 
 class CausticsBaker {
    public:
+    /// Creates a baker whose jobs run on an executor.
     explicit CausticsBaker(std::shared_ptr<Executor> executor);
     ~CausticsBaker();  ///< Waits for jobs in flight.
     CausticsBaker(const CausticsBaker&) = delete;
@@ -80,6 +81,7 @@ class CausticsBaker {
     /// \pre no bake is in progress
     /// \throws std::invalid_argument  with the text of check(options)
     void schedule(const Frame& frame, const CausticsOptions& options);
+    /// Returns whether complete() would not wait.
     bool is_done() const;
     /// Waits for the bake and runs jobs meanwhile. The result is valid until the next complete().
     const Caustics& complete();

@@ -42,12 +42,17 @@ class FrameTextures {
 
     /// Each is a GL_TEXTURE_2D_ARRAY; layer i holds cascade i.
     GLuint displacement() const { return sets_[set_].displacement.name(); }
+    /// Returns the texture array of slopes, RGBA8.
     GLuint slopes() const { return sets_[set_].slopes.name(); }
+    /// Returns the texture array of moments, RGBA8.
     GLuint moments() const { return sets_[set_].moments.name(); }
+    /// Returns the texture array of foam, R8.
     GLuint foam() const { return sets_[set_].foam.name(); }
     /// Returns whether the last frame has foam. If not, foam() holds no data of that frame.
     bool has_foam() const { return has_foam_; }
+    /// Returns the texels along a side of a cascade.
     int resolution() const { return resolution_; }
+    /// Returns the number of cascades.
     std::size_t cascades() const { return cascades_; }
     /// Returns whether the driver generates mips of the displacement for vertex shaders to sample.
     bool has_displacement_mips() const { return gl_.renders_to_half_floats; }

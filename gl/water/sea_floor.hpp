@@ -28,6 +28,7 @@ struct SeaFloor {
     bool is_sand = true;
     glm::vec3 albedo{0.35f, 0.31f, 0.25f};  ///< albedo if is_sand is false; [0, 1] per channel
 
+    /// Returns whether the floor is a plane at the sea's depth.
     bool is_even() const { return columns == 0; }
     /// Returns the height at a world position, bilinear between samples.
     /// \pre the floor is a height field
@@ -47,6 +48,7 @@ struct FloorTexels {
     int levels = 0;
     std::vector<std::uint16_t> halves;
 };
+/// Returns the heights as texels of a texture, half floats.
 FloorTexels texels_of(const SeaFloor& floor);
 
 }  // namespace pelagic::gl

@@ -110,6 +110,7 @@ class SeaRenderer {
     SeaRenderer(const SeaRenderer&) = delete;
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
+    /// Sets the light and the image that the water reflects.
     void set_sky(const Sky& sky);
     /// Sets the optical properties of the water. The default is Jerlov type II.
     void set_water(const WaterOptics& water);
@@ -139,7 +140,9 @@ class SeaRenderer {
     ///     options.patch_vertices
     const DrawStatistics& draw(const DrawInput& input);
 
+    /// Returns the textures of the last uploaded frame.
     const FrameTextures& textures() const;
+    /// Returns the statistics of the last draw().
     const DrawStatistics& statistics() const;
 
    private:

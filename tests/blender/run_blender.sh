@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the add-on from its zip as docs/integrations/blender.md describes, and runs a test in Blender,
-# with a temporary home and folder.
+# Installs the add-on from its zip as docs/integrations/blender.md describes, and runs a test in
+# Blender, with a temporary home and folder.
 #
 # It uses the newest zip in SOURCE_FOLDER/build/python.
 #

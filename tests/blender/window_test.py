@@ -1,6 +1,5 @@
 """The panel in Blender's window on a virtual display: it draws for all kinds of seas and invalid
-options; Escape stops a bake, and the next one continues. Leaves an image of the window, from which
-docs/images/blender_panel.png is cut.
+options; Escape stops a bake, and the next one continues. Leaves an image of the window.
 
 usage: blender -b -P window_test.py -- PELAGIC FOLDER"""
 import os

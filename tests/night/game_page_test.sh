@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Executes the lines of docs/integrations/unity.md in order, then checks their output with independent
-# readers: npm's ktx-parse and zstddec, a checker of Khronos' rules, NVIDIA's nvddsinfo, ffmpeg,
-# Pillow, and `pelagic query` for heights. Exits with 77, "skipped" in ctest, if a program is
-# missing.
+# Executes the lines of docs/integrations/unity.md in order, then checks their output with
+# independent readers: npm's ktx-parse and zstddec, a checker of Khronos' rules, NVIDIA's nvddsinfo,
+# ffmpeg, Pillow, and `pelagic query` for heights. Exits with 77, "skipped" in ctest, if a program
+# is missing.
 #
 # usage: game_page_test.sh PELAGIC FOLDER    FOLDER keeps npm's packages between runs
 set -euo pipefail

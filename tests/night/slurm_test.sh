@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs docs/render-farm.md line by line on a real Slurm cluster of two nodes. One node is lost in the
-# middle of two shards, with a lock. One shard is requeued, one receives its time limit signal, and
-# one is cancelled and submitted again. Afterwards every file is identical to that of one run
+# Runs docs/render-farm.md line by line on a real Slurm cluster of two nodes. One node is lost in
+# the middle of two shards, with a lock. One shard is requeued, one receives its time limit signal,
+# and one is cancelled and submitted again. Afterwards every file is identical to that of one run
 # without shards.
 #
 # The test runs in a process namespace of its own, so that no process outlives it. It exits with 77,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every command line of docs/integrations/windows.md in a folder with the build and the sources at the
-# page's paths. The applications print the lines of the page.
+# Runs every command line of docs/integrations/windows.md in a folder with the build and the sources
+# at the page's paths. The applications print the lines of the page.
 #
 # usage: page_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail

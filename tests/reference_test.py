@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Builds the API reference and checks that every function of the C and C++ interface has a comment.
+Destructors, copies and moves need none.
+
+usage: reference_test.py CMAKE BUILD_FOLDER
+"""
+import pathlib
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+cmake, build = sys.argv[1:]
+done = subprocess.run([cmake, "--build", build, "--target", "docs"], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+if done.returncode != 0 or "warning:" in done.stdout:
+    sys.exit(done.stdout)
+
+
+def is_special(name, arguments):
+    own = name.rsplit("::", 1)[-1]
+    return own.startswith("~") or own == "operator=" or "&&" in arguments or arguments.endswith(("=delete", "=default"))
+
+
+documented, missing = set(), set()
+folder = pathlib.Path(build, "reference/xml")
+for file in folder.glob("*.xml"):
+    for member in ElementTree.parse(file).iter("memberdef"):
+        name, arguments = member.findtext("qualifiedname") or member.findtext("name"), member.findtext("argsstring") or ""
+        if member.get("kind") != "function" or member.get("prot") == "private" or is_special(name, arguments):
+            continue
+        text = "".join("".join(member.find(part).itertext()) for part in ("briefdescription", "detaileddescription"))
+        location = member.find("location")
+        entry = f"{location.get('file')}:{location.get('line')}: {name}{arguments}"
+        (documented if text.strip() else missing).add(entry if not text.strip() else name)
+for name in ("pelagic_ocean_create", "pelagic_ocean_query", "pelagic::Ocean::schedule", "pelagic::SurfaceQuery::sample"):
+    assert name in documented, f"the reference lacks {name}"
+assert len(documented) > 300, f"the reference has {len(documented)} functions only"
+assert (folder.parent / "html/index.html").exists()
+print(f"{len(documented)} functions are documented")
+if missing:
+    sys.exit("no comment:\n" + "\n".join(sorted(missing)))
