@@ -12,6 +12,7 @@ import json
 import pathlib
 import re
 import sys
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MACHINE = "amd-epyc-family-25-model-17.json"
@@ -231,6 +232,7 @@ def generated(page, text):
         if begin in text:
             head, content = function()
             before, _, rest = text.partition(begin)
+            head = textwrap.fill(head, 118)
             text = f"{before}{begin}{head}\n\n{content}\n<!-- /generated -->{rest.partition('<!-- /generated -->')[2]}"
     for _, pattern, value in (figure for figure in FIGURES if figure[0] == page):
         found = list(re.finditer(pattern.replace(" ", r"\s+"), text))

@@ -6,6 +6,7 @@ usage: docs_check.py SOURCE_FOLDER CHECK [PELAGIC]
 links      relative links, anchors and images exist
 options    options and subcommands of `pelagic` in code exist in PELAGIC's help texts
 figures    facts of tests/docs_figures.txt have one value on all pages
+platforms  README's table of platforms has the rows of docs/platforms.md
 columns    lines end at column 120, except rows of tables and code
 sentences  at most 5 % of a page's sentences have more than 25 words
 words      README, CHANGELOG and all pages together stay within their numbers of words; tables that a
@@ -169,6 +170,20 @@ def check_figures(pages, source, _):
         if len(found) != 1:
             values = [f"{value} in {', '.join(places)}" for value, places in found.items()]
             yield f"{fact}: {'; '.join(values) or 'on no page'}"
+
+
+def check_platforms(pages, *_):
+    def rows(name):
+        page = next(page for page in pages if page.name == name)
+        table = "\n".join(page.lines).partition("| platform |")[2].partition("\n\n")[0]
+        return [[cell.strip() for cell in row.split("|")[1:4]] for row in table.splitlines()[2:]]
+
+    expected = [[re.sub(r"\]\((?!http)", "](docs/", row[0]), *row[1:]] for row in rows("docs/platforms.md")]
+    if len(expected) < 9:
+        yield f"docs/platforms.md: {len(expected)} rows were read, expected more"
+    for row, other in zip(expected, rows("README.md") + [None] * len(expected)):
+        if row != other:
+            yield f"README.md: a row of the table of platforms is {other}, expected {row}"
 
 
 def check_columns(pages, *_):
