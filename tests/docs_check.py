@@ -9,8 +9,8 @@ figures    facts of tests/docs_figures.txt have one value on all pages
 platforms  README's table of platforms has the rows of docs/platforms.md
 columns    lines end at column 120, except rows of tables and code
 sentences  at most 5 % of a page's sentences have more than 25 words
-words      README, CHANGELOG and all pages together stay within their numbers of words; tables that a
-           program generated are not counted
+words      README, CHANGELOG and all pages stay within their numbers of words; generated tables are
+           not counted
 """
 import pathlib
 import re
