@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tables of docs/performance.md from stored results, and the figures that README takes from them.
 
-    bench/tables.py            writes tables between <!-- generated: NAME --> and <!-- /generated -->
+    bench/tables.py            writes tables into docs/performance.md, and figures into README
     bench/tables.py --check    fails if a table or a figure is not that of the stored results
 
 Frames beside peers are of bench/results (pelagic-compare), instructions of bench/budgets.json, all
