@@ -1,0 +1,45 @@
+// Names that code blocks of pages use without declaring them, for tests/page_snippets_test.py.
+#pragma once
+
+#include <cstdio>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/gl/functions.hpp"
+#include "pelagic/gl/sky/sky_baker.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
+#include "pelagic/quadtree/camera.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/analytic_cascades.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/gerstner_input.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+
+using namespace pelagic;
+
+extern SeaState sea, calm, storm;
+extern const Frame& frame;
+extern const SurfaceQuery& water;
+extern AnalyticSea other_waves;
+extern Camera camera;
+extern gl::GetProcAddress get_proc_address;
+extern glm::dvec3 head;
+extern std::vector<glm::dmat4> both_eyes;
+extern std::vector<double> xs, zs;
+extern std::vector<float> heights, ups, heave;
+extern double t, now_s, time_s, x, z;
+extern int tick, width, height;
+
+bool running();
+void draw(const Frame& frame);
+template <class... Textures>
+void upload(const Textures&...);
+template <class... Arguments>
+void place(const Arguments&...);
