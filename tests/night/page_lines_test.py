@@ -29,7 +29,7 @@ def shortened(line):
     if re.search(r"pelagic (render|view)\b", line):
         line += " --size 64x36 --quality low"
     if "pelagic bench" in line:
-        line = line.split("#")[0] + " --seconds 0.1"
+        line = re.sub(r" --seconds \S+", "", line.split("#")[0]) + " --seconds 0.1"
     return line
 
 
