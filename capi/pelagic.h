@@ -277,8 +277,8 @@ enum {
  * user: pelagic_executor_options.user.
  *
  * Pelagic calls it several times a frame, from complete() or from a submitted task. Jobs need
- * 512 KiB of stack, and 1 MiB for N = 2048 (exact sizes: docs/api.md, Stacks). A job that
- * finds less runs on a thread created for it, which is slow.
+ * 512 KiB of stack, and 1 MiB for N = 2048. A job that finds less runs on a thread created for it,
+ * which is slow.
  *
  * Errors: if the function throws, or returns before all jobs are done, Pelagic runs the remaining
  *   jobs and complete() returns PELAGIC_APPLICATION_ERROR. That frame or sea is lost; the ocean

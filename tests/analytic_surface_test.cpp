@@ -411,12 +411,12 @@ TEST(AnalyticExample, SamplesFollowATransition) {
         const AnalyticSea& rough = analytic_preset_named("analytic-intense")->sea;
         // the transition takes a minute
         const AnalyticSurface water(morphed(calm, rough, time_s / 60));
-        const double x = 12, z = -3;
-        float height_m, vertical_velocity_mps;
-        water.sample(time_s, {{&x, 1}, {&z, 1}},
-                     {.height_m = {&height_m, 1}, .velocity_y_mps = {&vertical_velocity_mps, 1}});
-        seen.push_back(height_m);
-        EXPECT_LE(std::fabs(vertical_velocity_mps), 5);
+        const std::vector<double> xs{12, 30}, zs{-3, 5};
+        std::vector<float> heights(2), velocities(2);
+        water.sample(time_s, {.x = xs, .z = zs}, {.height_m = heights});
+        water.sample(time_s, {.x = xs, .z = zs}, {.velocity_y_mps = velocities});
+        seen.push_back(heights[0]);
+        for (const float velocity : velocities) EXPECT_LE(std::fabs(velocity), 5);
     }
     EXPECT_EQ(seen.size(), 3u);
     EXPECT_NE(seen[0], seen[2]);
