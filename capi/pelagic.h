@@ -101,9 +101,9 @@ enum {
     PELAGIC_APPLICATION_ERROR = 6 /* a callback threw or returned too early; the message names it */
 };
 
-/* Returns the message of the last call that failed on this thread: "wind_speed_mps is -3, needs
- * (0, 60]". The message is one line of UTF-8 without control characters, less than 300 bytes. It is
- * empty before the first failure, and success leaves it unchanged.
+/* Returns the message of the last call that failed on this thread: "wind_speed_mps -3 is out of
+ * range (0, 60]". The message is one line of UTF-8 without control characters, less than 300 bytes.
+ * It is empty before the first failure, and success leaves it unchanged.
  *
  * Threads: any; each thread has its own message.
  * Lifetime: valid until the next failure on this thread. */
@@ -204,8 +204,8 @@ PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
 /* Sets every field but struct_size to those of a preset.
  *
- * name: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a wind force,
- *   "beaufort-0" to "beaufort-12".
+ * name: "calm", "lake", "swell", "moderate", "rough", "storm", "pond", "analytic-calm",
+ *   "analytic-moderate" or "analytic-intense", or "beaufort-0" to "beaufort-12".
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown name.
  * Threads: any. */
