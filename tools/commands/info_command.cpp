@@ -20,9 +20,9 @@
 #include "pelagic/tools/options/sea_options.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/help_formatter.hpp"
 #if defined(PELAGIC_HAS_IMAGES)
 #include "pelagic/tools/measure/measure_report.hpp"
-#include "pelagic/tools/text/help_formatter.hpp"
 #endif
 
 namespace pelagic::tools {
