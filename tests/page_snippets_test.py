@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Compiles every C and C++ code block of README and docs. A block is a program if it has main(),
-else the body of a function; its includes and its functions come first. The names that blocks use
-without declaring them are in page_snippets.h and page_snippets.hpp.
+"""Compiles every C, C++ and GLSL code block of README and docs. A block of C or C++ is a program if
+it has main(), else the body of a function; its includes and its functions come first. The names
+that blocks use without declaring them are in page_snippets.h, .hpp and .glsl.
 
 usage: page_snippets_test.py SOURCE_FOLDER INCLUDE_FOLDER C_COMPILER CXX_COMPILER
 """
@@ -20,7 +20,7 @@ def blocks():
     """Yields page, first line, language and text of each block."""
     for page in [source / "README.md", *sorted((source / "docs").rglob("*.md"))]:
         text = page.read_text(encoding="utf-8")
-        for match in re.finditer(r"^```(cpp|c)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        for match in re.finditer(r"^```(cpp|c|glsl)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
             yield page.relative_to(source), text.count("\n", 0, match.start(2)) + 1, match[1], match[2]
 
 
@@ -43,5 +43,12 @@ for language, command in (("c", C), ("cpp", CXX)):
     unit = unit_of([block for block in found if block[2] == language])
     flags = ["-Wall", "-Wno-unused", "-Werror", "-fsyntax-only", f"-I{include}", "-"]
     failed |= subprocess.run([*command, *flags], input=unit, text=True).returncode != 0
+for page, line, language, text in found:
+    if language == "glsl":
+        shader = (tests / "page_snippets.glsl").read_text(encoding="utf-8") + text + "\nvoid main() {}\n"
+        done = subprocess.run(["glslangValidator", "--stdin", "-S", "vert"], input=shader, text=True, stdout=subprocess.PIPE)
+        if done.returncode != 0:
+            print(f"{page}:{line}:\n{done.stdout}")
+            failed = True
 print(f"{len(found)} blocks")
 sys.exit(failed or len(found) < 15)
