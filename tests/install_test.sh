@@ -25,6 +25,16 @@ diff "$work/cpp_application.txt" "$work/c_application.txt"
 # The page for Windows shows these lines, and a test of Windows compares them too.
 sed -n '/^```text$/,/^```$/{/^```/!p}' "$examples/../docs/integrations/windows.md" | diff - "$work/c_application.txt"
 
+# The application of docs/getting-started.md, built by the page's line.
+page=$examples/../docs/getting-started.md
+mkdir "$work/page"
+sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$page" >"$work/page/CMakeLists.txt"
+sed -n '/^`main.cpp`:$/,/^```$/{/^[`]/!p}' "$page" >"$work/page/main.cpp"
+line=$(sed -n "s|^    \(cmake -S . .*\)/opt/pelagic \(.*\)|\1$work/prefix \2|p" "$page")
+[ -n "$line" ] || { echo "docs/getting-started.md has no line for CMake"; exit 1; }
+(cd "$work/page" && cmake() { command "$cmake" "$@"; } && export CXX="$cxx" && eval "$line") >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+[ "$(grep -c 'half floats to upload, side' "$work/log")" -eq 20 ] || { cat "$work/log"; exit 1; }
+
 # A C application needs no packages, with or without components. A missing component is reported
 # with its reason.
 # usage: configure_c_application NAME WANTED [OPTION...]

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Runs every line of README and docs that calls `pelagic`, in order, in a new folder for each page.
-Images are small. Other tests run the lines of docs/render-farm.md and docs/integrations.
+"""Runs every line of README and docs that calls `pelagic`, in order, in a new folder for each page,
+and lets `pelagic` read every TOML block. Images are small. Other tests run the lines of
+docs/render-farm.md and docs/integrations.
 
 usage: page_lines_test.py SOURCE_FOLDER PELAGIC
 """
@@ -37,6 +38,10 @@ def run_page(page):
     """Returns the number of lines that ran."""
     lines = re.findall(r"^ {4}((?:build/release/bin/)?pelagic .*|echo .*)$", page.read_text(), re.MULTILINE)
     lines = [line for line in lines if "pelagic view" not in line]
+    for number, block in enumerate(re.findall(r"^```toml\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)):
+        pathlib.Path(f"block_{number}.toml").write_text(block)
+        option = "--weather" if "[[change]]" in block else "--config"
+        lines.append(f"pelagic query {option} block_{number}.toml --points buoys.csv --time 12.5")
     bin = pathlib.Path("build/release/bin")
     bin.mkdir(parents=True)
     (bin / "pelagic").symlink_to(pelagic)
