@@ -50,8 +50,10 @@ TEST(HelpText, ListsEveryOptionOnceInAtMost100Columns) {
 TEST(HelpText, DescribesTheCommonOptionsOnOneLine) {
     const std::vector<std::string> lines = lines_of(run_pelagic({"export", "--help"}).out);
     for (const char* const option :
-         {"  -o, --out DIR", "  --fps NUMBER", "  --half", "  --unit m|cm", "  --wind-speed SPEED",
-          "  --depth NUMBER", "  --choppiness NUMBER", "  --seed NUMBER", "  --threads NUMBER"}) {
+         {"  -o, --out DIR", "  --frames NUMBERS", "  --fps NUMBER", "  --half", "  --unit m|cm",
+          "  --wind-speed SPEED", "  --wind-direction HEADING", "  --fetch NUMBER", "  --depth NUMBER",
+          "  --choppiness NUMBER", "  --loop-period NUMBER", "  --seed NUMBER", "  --swell-direction HEADING",
+          "  --threads NUMBER"}) {
         const auto line =
             std::ranges::find_if(lines, [&](const std::string& one) { return one.starts_with(option); });
         ASSERT_NE(line, lines.end()) << option;

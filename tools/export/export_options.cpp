@@ -198,7 +198,7 @@ void ExportFlags::add_to(CLI::App& app) {
     add("trace", "FILE", "write a Chrome trace of stages and workers");
 
     app.option_defaults()->group(help_group::frames);
-    add("frames", "NUMBERS", "number, 1 to 1000000; numbers as 10-20,40; or loop: a period (default: 1)");
+    add("frames", "NUMBERS", "1 to 1000000; a list as 10-20,40; or loop: one period (default: 1)");
     add("fps", "NUMBER", "frames per second; (0, 1000] (default: 24)");
     add("loop-frames", "NUMBER", "number of frames over one loop period; replaces --frames and --fps");
     add("start", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0)");
