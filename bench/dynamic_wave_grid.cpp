@@ -55,14 +55,14 @@ struct Waves {
 
 /// The Verlet step as a plain loop without vectorisation.
 __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRowsJob& job) {
-    const auto [now, before, n, first_row, rows, coupling, left] = job;
+    const auto [now, before, n, first_row, rows, coupling, damping] = job;
     const std::size_t stride = dynamic_row_stride(n);
     for (std::size_t z = first_row; z < first_row + rows; ++z) {
         const float *row = now + z * stride, *above = now + (z + n - 1) % n * stride,
                     *below = now + (z + 1) % n * stride;
         float* const to = before + z * stride;
         for (std::size_t x = 0; x < n; ++x)
-            to[x] = row[x] + (left * (row[x] - to[x]) +
+            to[x] = row[x] + (damping * (row[x] - to[x]) +
                               coupling * (row[x - 1] + row[x + 1] + (above[x] + below[x]) - 4 * row[x]));
     }
 }
@@ -179,7 +179,7 @@ void measure_queries(Isa isa, int threads) {
         const auto boat = static_cast<double>(i / 12), point = static_cast<double>(i % 12);
         x[i] = 400 * std::sin(0.37 * boat) + point, z[i] = 400 * std::cos(0.73 * boat) + 0.5 * point;
     }
-    std::vector<float> height(count), normal_x(count), normal_y(count), normal_z(count), rise(count);
+    std::vector<float> height(count), normal_x(count), normal_y(count), normal_z(count), vertical_velocity(count);
     for (int tick = 0; tick < rounds / 2; ++tick)
         ticks.push_back(seconds_of([&] {
             const SurfaceQuery query(ocean.frame_at(tick / 30.0));
@@ -188,7 +188,7 @@ void measure_queries(Isa isa, int threads) {
                          .normal_x = normal_x,
                          .normal_y = normal_y,
                          .normal_z = normal_z,
-                         .velocity_y_mps = rise});
+                         .velocity_y_mps = vertical_velocity});
         }));
     std::printf("a frame of the default sea and 12 points of each of 1,000 boats, %d thread%s: %.2f ms\n", threads,
                 threads == 1 ? "" : "s", median_us(ticks) / 1000);

@@ -98,13 +98,13 @@ void main() {
     float height = at.y + viewer.z;
 
 #ifdef SHORE
-    look_at_shore(at.xz);
+    sample_shore(at.xz);
 #endif
     Waves surface = waves_at(resting, distance_m);
 #ifdef DYNAMIC_WAVES
-    vec4 answers = dynamic_waves(at.xz, footprint_of(resting).wide_m);
-    surface.slopes -= answers.yz;
-    surface.crests = max(surface.crests, answers.w);
+    vec4 waves = dynamic_waves(at.xz, footprint_of(resting).wide_m);
+    surface.slopes -= waves.yz;
+    surface.crests = max(surface.crests, waves.w);
 #endif
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
 #if !defined(SKIRT) && SHADING != HEADSET

@@ -6,10 +6,10 @@ struct ShoreInPixel {
     vec2 at;     // displaced position
 };
 
-// Shore at the current pixel. main() sets it by look_at_shore() before it calls other functions.
+// Shore at the current pixel. main() sets it by sample_shore() before it calls other functions.
 ShoreInPixel shore = ShoreInPixel(vec4(1.0), vec4(0.0), 0.0, vec2(0.0));
 
-void look_at_shore(vec2 at) {
+void sample_shore(vec2 at) {
     float wide_m = footprint_of(at).wide_m;
     float mip = shore_mip(wide_m);
     shore = ShoreInPixel(weights_of_cascades(at), shore_water_at(at, mip), mip, at);

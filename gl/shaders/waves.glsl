@@ -21,8 +21,8 @@ struct Footprint {
 };
 
 #if SHADING == HIGH
-const int looks = 4;
-const vec2 look_at[looks] = vec2[](vec2(-0.167, 0.5), vec2(0.5, 0.167), vec2(0.167, -0.5), vec2(-0.5, -0.167));
+const int sample_count = 4;
+const vec2 sample_places[sample_count] = vec2[](vec2(-0.167, 0.5), vec2(0.5, 0.167), vec2(0.167, -0.5), vec2(-0.5, -0.167));
 
 #endif
 
@@ -82,19 +82,19 @@ Copies copies_along(float noise) {
 Copies copies_at(int cascade, vec2 at, float distance_m) {
     float fraction = CASCADES == 1 ? smoothstep(3.0, 12.0, distance_m / cascade_scale[cascade].z) : 0.0;
     if (fraction <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
-    vec2 uv = tile_noise[cascade].xy + rotated_into_cascade(cascade, at) * tile_noise[cascade].z;
+    vec2 uv = cascade_noise[cascade].xy + rotated_into_cascade(cascade, at) * cascade_noise[cascade].z;
     return copies_along(fraction * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
 }
 
-vec4 look_of(int i, int cascade, vec2 uv, mat2 sides, float mip) {
-    return textureLod(slopes, vec3(uv + sides * look_at[i], cascade), mip) * signed_scale - signed_zero;
+vec4 slopes_at_sample(int i, int cascade, vec2 uv, mat2 sides, float mip) {
+    return textureLod(slopes, vec3(uv + sides * sample_places[i], cascade), mip) * signed_scale - signed_zero;
 }
 
 // Returns a cascade's slopes in a footprint whose sides are given in texture coordinates. The
 // variance between the samples counts as averaged away.
-Slopes look_at_cascade(int cascade, vec2 uv, mat2 sides, float mip, Copies copies) {
-    vec4 a = look_of(0, cascade, uv + copies.first, sides, mip), b = look_of(2, cascade, uv + copies.first, sides, mip);
-    vec4 c = look_of(1, cascade, uv + copies.second, sides, mip), d = look_of(3, cascade, uv + copies.second, sides, mip);
+Slopes slopes_in_footprint(int cascade, vec2 uv, mat2 sides, float mip, Copies copies) {
+    vec4 a = slopes_at_sample(0, cascade, uv + copies.first, sides, mip), b = slopes_at_sample(2, cascade, uv + copies.first, sides, mip);
+    vec4 c = slopes_at_sample(1, cascade, uv + copies.second, sides, mip), d = slopes_at_sample(3, cascade, uv + copies.second, sides, mip);
     vec4 first = 0.5 * (a + b), second = 0.5 * (c + d);
     vec4 sum = copies.weights.x * first + copies.weights.y * second;
     vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy)) / 4.0;
@@ -114,7 +114,7 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float all = cascade_slope[cascade].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
     mat2 sides = sides_of(pixel, 1.0 / cascade_scale[cascade].x, cascade_scale[cascade].z);
-    Slopes seen = look_at_cascade(cascade, place_in_cascade(cascade, at), mat2(rotated_into_cascade(cascade, sides[0]), rotated_into_cascade(cascade, sides[1])), mip,
+    Slopes seen = slopes_in_footprint(cascade, place_in_cascade(cascade, at), mat2(rotated_into_cascade(cascade, sides[0]), rotated_into_cascade(cascade, sides[1])), mip,
                                copies_at(cascade, at, distance_m));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
@@ -209,10 +209,10 @@ vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 noise_uv = turn * at / ripple_noise_tiles + (layer == 0 ? detail_noise.xy : detail_noise.zw);
     Copies copies = copies_along(16.0 * (textureLod(detail, noise_uv, 5.0).z - 0.5));
     mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_a_m), 1.0 / tiles_a_m);
-    vec4 a = textureLod(detail, uv + copies.first + sides * look_at[0], mip);
-    vec4 b = textureLod(detail, uv + copies.first + sides * look_at[2], mip);
-    vec4 c = textureLod(detail, uv + copies.second + sides * look_at[1], mip);
-    vec4 d = textureLod(detail, uv + copies.second + sides * look_at[3], mip);
+    vec4 a = textureLod(detail, uv + copies.first + sides * sample_places[0], mip);
+    vec4 b = textureLod(detail, uv + copies.first + sides * sample_places[2], mip);
+    vec4 c = textureLod(detail, uv + copies.second + sides * sample_places[1], mip);
+    vec4 d = textureLod(detail, uv + copies.second + sides * sample_places[3], mip);
     vec2 first = a.xy + b.xy - 1.0, second = c.xy + d.xy - 1.0;
     vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy));
     // Slopes are stored with a standard deviation of 1/4, so their mean square is 1/16.

@@ -83,9 +83,9 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
         block.floor_place = {place, 1.0 / size};
         block.floor_size = {size - floor.metres_a_texel, corner};
     }
-    const auto in_cascade = [](double at) { return at - std::floor(at / sand_tile_m) * sand_tile_m; };
+    const auto in_sand_tile = [](double at) { return at - std::floor(at / sand_tile_m) * sand_tile_m; };
     const glm::ivec2 cells = floor_cells(floor);
-    block.floor_mesh = {cells.x, cells.y, in_cascade(viewer.x), in_cascade(viewer.y)};
+    block.floor_mesh = {cells.x, cells.y, in_sand_tile(viewer.x), in_sand_tile(viewer.y)};
     block.floor_look = {-sea.sea.depth_m, 0.1 + 0.35 * sea.statistics.significant_wave_height_m,
                         input.eyes.empty() ? 1e-3 : pixel_of(input.eyes[0]), floor.is_sand ? 1 : 0};
     block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_m ? 1 : 0};

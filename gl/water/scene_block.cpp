@@ -62,7 +62,7 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
         block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
                                   cascade.grid.cosine / side, cascade.grid.sine / side};
         const double noise_m = noise_sides * side;
-        block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
+        block.cascade_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
         // Texels of the last mip are as long as the longest waves.
         const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
         block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};

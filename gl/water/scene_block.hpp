@@ -24,7 +24,7 @@ inline constexpr std::size_t max_cascades = 4;
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
-    std::array<glm::vec4, max_cascades> cascade_place{}, cascade_scale{}, cascade_slope{}, tile_noise{};
+    std::array<glm::vec4, max_cascades> cascade_place{}, cascade_scale{}, cascade_slope{}, cascade_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};

@@ -139,7 +139,7 @@ float shore_height_at(vec2 at, float mip) {
 vec3 displaced(vec2 index, sampler2DArray maps) {
 	vec2 at = grid.xy + index * grid.z;
 	vec2 from_centre = abs(at - fade.xy);
-	float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
+	float attenuation = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
 	float step_m = max(spacing.y, length(vec3(at.x, viewer.y, at.y)) * spacing.x);
 	vec4 xs = vec4(0.0); // one component per cascade
 	vec4 heights = vec4(0.0);
@@ -149,7 +149,7 @@ vec3 displaced(vec2 index, sampler2DArray maps) {
 		float weight = weight_of_mip(mip);
 		if (weight > 0.0) {
 			vec2 uv = place_in_cascade(place_of_cascade(cascade), at);
-			vec3 texel = left * weight * textureLod(maps, vec3(uv, float(cascade)), mip).xyz;
+			vec3 texel = attenuation * weight * textureLod(maps, vec3(uv, float(cascade)), mip).xyz;
 			vec4 component = component_of_cascade(cascade);
 			xs += texel.x * component;
 			heights += texel.y * component;
@@ -165,9 +165,9 @@ vec3 displaced(vec2 index, sampler2DArray maps) {
 		at_shore = weights_of_cascades(at + vec2(dot(at_shore, xs), dot(at_shore, zs)));
 	}
 	vec3 moved = vec3(dot(at_shore, xs), dot(at_shore, heights), dot(at_shore, zs));
-	if (has_shore()) moved.y += left * shore_height_at(at + moved.xz, shore_mip(step_m));
+	if (has_shore()) moved.y += attenuation * shore_height_at(at + moved.xz, shore_mip(step_m));
 	// Half a level finer, like the mips of the cascades.
-	moved.y += left * dynamic_waves(at + moved.xz, step_m * 0.7071068).x;
+	moved.y += attenuation * dynamic_waves(at + moved.xz, step_m * 0.7071068).x;
 	return moved;
 }
 
