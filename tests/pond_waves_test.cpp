@@ -55,8 +55,8 @@ struct Places {
 
 enum Kind { height, normal_x, normal_y, normal_z, rise, variance, kinds };
 
-struct Answers {
-    Answers(const PondWaves& water, double time_s, const Places& places, const std::vector<float>& footprint = {})
+struct Samples {
+    Samples(const PondWaves& water, double time_s, const Places& places, const std::vector<float>& footprint = {})
         : of(kinds, std::vector<float>(places.x.size())) {
         water.sample(time_s, places.view(), {of[0], of[1], of[2], of[3], of[4], of[5]}, footprint);
     }
@@ -72,9 +72,9 @@ TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
     const PondSea sea{.octaves = 1, .height_m = 1, .wavelength_m = 1};
     const PondWaves water(sea, GetParam());
     const Places places(2000, 10);
-    const Answers said(water, 0, places);
+    const Samples samples(water, 0, places);
     for (std::size_t i = 0; i < places.x.size(); ++i)
-        ASSERT_NEAR(said.of[height][i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
+        ASSERT_NEAR(samples.of[height][i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
 }
 
 // The drag of later octaves amplifies the rounding errors of earlier ones, up to ten times an
@@ -84,20 +84,20 @@ TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithExactDerivatives) {
     const PondWaves water(sea, GetParam());
     const Places places(120, 1000);
     const double t = 321.5;
-    const Answers said(water, t, places);
+    const Samples samples(water, t, places);
     const Long step = 1e-6L;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
         const Long x = places.x[i], z = places.z[i];
-        ASSERT_NEAR(said.of[height][i], rounded(height_of(sea, t, x, z)), 1e-6 * sea.height_m);
+        ASSERT_NEAR(samples.of[height][i], rounded(height_of(sea, t, x, z)), 1e-6 * sea.height_m);
         const Long h_x = (height_of(sea, t, x + step, z) - height_of(sea, t, x - step, z)) / (2 * step);
         const Long h_z = (height_of(sea, t, x, z + step) - height_of(sea, t, x, z - step)) / (2 * step);
         const Long length = std::sqrt(1 + h_x * h_x + h_z * h_z);
-        ASSERT_NEAR(said.of[normal_x][i], rounded(-h_x / length), 1e-5);
-        ASSERT_NEAR(said.of[normal_y][i], rounded(1 / length), 1e-5);
-        ASSERT_NEAR(said.of[normal_z][i], rounded(-h_z / length), 1e-5);
+        ASSERT_NEAR(samples.of[normal_x][i], rounded(-h_x / length), 1e-5);
+        ASSERT_NEAR(samples.of[normal_y][i], rounded(1 / length), 1e-5);
+        ASSERT_NEAR(samples.of[normal_z][i], rounded(-h_z / length), 1e-5);
         const Long rises = (height_of(sea, t + step, x, z) - height_of(sea, t - step, x, z)) / (2 * step);
-        ASSERT_NEAR(said.of[rise][i], rounded(rises), 1e-5);
-        ASSERT_EQ(said.of[variance][i], 0);
+        ASSERT_NEAR(samples.of[rise][i], rounded(rises), 1e-5);
+        ASSERT_EQ(samples.of[variance][i], 0);
     }
 }
 
@@ -105,18 +105,18 @@ TEST_P(PondOnEachIsa, MatchesTheGoldenHashes) {
     const Places places(501, 100);
     std::vector<float> footprint;
     for (int i = 0; i < 501; ++i) footprint.push_back(0.001f * static_cast<float>(i % 50));
-    const Answers said(PondWaves({}, GetParam()), 77, places, footprint);
+    const Samples samples(PondWaves({}, GetParam()), 77, places, footprint);
     std::uint64_t hash = 0xcbf29ce484222325;
-    for (const auto& array : said.of)
+    for (const auto& array : samples.of)
         for (const float value : array) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
     EXPECT_EQ(hash, 14251735415318672993u);
 }
 
 TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
     const PondWaves water({});
-    const Answers said(water, 5, Places(20000, 500));
+    const Samples samples(water, 5, Places(20000, 500));
     double sum = 0;
-    for (const float h : said.of[height]) {
+    for (const float h : samples.of[height]) {
         EXPECT_GE(h, water.lowest_m());
         EXPECT_LE(h, water.highest_m());
         sum += h;
@@ -130,22 +130,22 @@ TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
 TEST(Pond, MeanSquareSlopeDoesNotDependOnTheFootprint) {
     const PondWaves water(PondSea{.drag = 0});
     const Places places(20000, 500);
-    const auto mean_square_slope = [&](const Answers& said) {
+    const auto mean_square_slope = [&](const Samples& samples) {
         double sum = 0;
         for (std::size_t i = 0; i < places.x.size(); ++i)
-            sum += 1 / (double{said.of[normal_y][i]} * said.of[normal_y][i]) - 1;
+            sum += 1 / (double{samples.of[normal_y][i]} * samples.of[normal_y][i]) - 1;
         return sum / 20000;
     };
-    const double all = mean_square_slope(Answers(water, 5, places));
+    const double all = mean_square_slope(Samples(water, 5, places));
     double before = all;
     for (const float footprint_m : {0.02f, 0.1f, 0.4f, 1.f}) {
-        const Answers said(water, 5, places, std::vector<float>(20000, footprint_m));
-        const double shown = mean_square_slope(said);
+        const Samples samples(water, 5, places, std::vector<float>(20000, footprint_m));
+        const double shown = mean_square_slope(samples);
         EXPECT_LT(shown, before);
-        EXPECT_NEAR(shown + said.of[variance][0], all, 0.03 * all) << footprint_m;
+        EXPECT_NEAR(shown + samples.of[variance][0], all, 0.03 * all) << footprint_m;
         before = shown;
     }
-    const Answers flat(water, 5, places, std::vector<float>(20000, 1.f));
+    const Samples flat(water, 5, places, std::vector<float>(20000, 1.f));
     EXPECT_EQ(flat.of[normal_y][7], 1);
     EXPECT_EQ(flat.of[height][7], 0);
 }

@@ -69,21 +69,21 @@ pelagic_ocean* make_ocean(int sea, std::int32_t resolution, const pelagic_execut
 
 /// Queries a few buoys. The positions are the same for every ocean, so that results can be
 /// compared.
-struct Answers {
+struct Samples {
     std::array<float, 5> height{}, normal_y{};
-    bool operator==(const Answers&) const = default;
+    bool operator==(const Samples&) const = default;
 };
 
-Answers ask(const pelagic_ocean* ocean) {
+Samples samples_of(const pelagic_ocean* ocean) {
     const double x[5] = {0, 11, -300, 1e6, 77.7}, z[5] = {0, 5, 40, -1e6, 0.01};
-    Answers answers;
+    Samples results;
     auto points = sized<pelagic_points>();
     points.count = 5, points.x = x, points.z = z;
     auto samples = sized<pelagic_samples>();
-    samples.height_m = answers.height.data();
-    samples.normal_y = answers.normal_y.data();
+    samples.height_m = results.height.data();
+    samples.normal_y = results.normal_y.data();
     must(pelagic_ocean_query(ocean, &points, &samples));
-    return answers;
+    return results;
 }
 
 std::uint64_t hash_of(const pelagic_ocean* ocean) {
@@ -169,14 +169,14 @@ class Subject {
         has_frame_ = true;
         const pelagic_ocean* expected = replay_.at(scheduled_sea_, time_s_);
         if (frame.time_s != time_s_ || hash_of(ocean_) != hash_of(expected)) fail("a frame has wrong bits");
-        answers_ = ask(expected);
-        if (ask(ocean_) != answers_) fail("a query has wrong bits");
+        expected_ = samples_of(expected);
+        if (samples_of(ocean_) != expected_) fail("a query has wrong bits");
         if (random_() % 8 == 0) must_be_rejected(pelagic_ocean_complete(ocean_, &frame));
         return 1;
     }
 
     int ask_again() {
-        if (has_frame_ && ask(ocean_) != answers_) fail("a query of an older frame has wrong bits");
+        if (has_frame_ && samples_of(ocean_) != expected_) fail("a query of an older frame has wrong bits");
         return 0;
     }
 
@@ -236,7 +236,7 @@ class Subject {
     int sea_ = 0, scheduled_sea_ = 0, baked_sea_ = 0;
     bool in_flight_ = false, baking_ = false, has_frame_ = false;
     double time_s_ = 0;
-    Answers answers_;
+    Samples expected_;
     std::vector<std::uint16_t> halves_, expected_halves_;
 };
 

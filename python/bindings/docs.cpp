@@ -20,7 +20,7 @@ constexpr Doc docs[] = {
 const char* doc_of(const char* name) {
     for (const Doc& doc : docs)
         if (doc.name == name) return doc.text;
-    throw std::logic_error("_pelagic.pyi says nothing of " + std::string(name));
+    throw std::logic_error("_pelagic.pyi has no docstring of " + std::string(name));
 }
 
 }  // namespace pelagic::python

@@ -178,7 +178,7 @@ FrameClass add_frame(py::module_& module) {
     add(frame, "foam_hash", &checked_foam_hash);
     frame.def("measured_significant_wave_height_m", on_frame(&measured_significant_wave_height_m),
               doc_of("Frame.measured_significant_wave_height_m"));
-    add_questions(frame);
+    add_queries(frame);
     add_reference_points(frame);
     return frame;
 }

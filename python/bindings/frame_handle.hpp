@@ -39,9 +39,9 @@ pybind11::array view_of(const FrameHandle& handle, const pybind11::dtype& type, 
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
 
-/// Adds the classes Frame, Cascade and Bounds. add_questions() adds the queries of a frame.
+/// Adds the classes Frame, Cascade and Bounds. add_queries() adds the queries of a frame.
 FrameClass add_frame_classes(pybind11::module_& module);
-void add_questions(FrameClass& frame);
+void add_queries(FrameClass& frame);
 
 using OceanClass = pybind11::class_<SharedOcean, std::shared_ptr<SharedOcean>>;
 void add_series(OceanClass& ocean);

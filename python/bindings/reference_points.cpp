@@ -158,11 +158,11 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
                 sample_all(frame, cascades, at[0], at[1], out);
         }
     }
-    py::dict answers;
-    answers["displacement"] = displacement;
-    if (has_velocities) answers["velocity"] = velocity;
-    if (foam_is_there) answers["foam"] = foam;
-    return answers;
+    py::dict results;
+    results["displacement"] = displacement;
+    if (has_velocities) results["velocity"] = velocity;
+    if (foam_is_there) results["foam"] = foam;
+    return results;
 }
 
 }  // namespace

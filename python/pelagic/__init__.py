@@ -4,8 +4,8 @@
 
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
         frame = ocean.frame_at(12.5)
-        answers = frame.query([[3.0, 4.0], [100.0, -20.0]])
-        print(answers["height"], hex(frame.hash))
+        samples = frame.query([[3.0, 4.0], [100.0, -20.0]])
+        print(samples["height"], hex(frame.hash))
 
 Conventions: SI units, named in each field; right-handed, +y up, still water at y = 0; angles in
 radians; time in seconds.

@@ -18,12 +18,12 @@ Interpolation = Literal["linear", "cubic"]
 class StaleFrame(RuntimeError):
     """The frame's memory belongs to a later frame."""
 
-class Answers(TypedDict, total=False):
+class SurfaceSamples(TypedDict, total=False):
     """The results of a query, for each point."""
 
     height: NDArray[np.float32]  #: metres
     normal: NDArray[np.float32]  #: (..., 3), unit vectors
-    jacobian: NDArray[np.float32]  #: 1 undisplaced, small at sharp crests, < 0 if folded
+    jacobian: NDArray[np.float32]  #: 1 undisplaced, small at sharp crests, < 0 if overturned
     velocity: NDArray[np.float32]  #: (..., 3), m/s; requires Ocean(velocities=True)
     foam: NDArray[np.float32]  #: 0 to 1; requires Ocean(foam=True)
     converged: NDArray[np.bool_]  #: the error is within the tolerance
@@ -289,7 +289,7 @@ class Frame:
         fields: Optional[Iterable[Field]] = None,
         tolerance_m: float = 0.001,
         interpolation: Interpolation = "linear",
-    ) -> Answers:
+    ) -> SurfaceSamples:
         """Samples the displaced surface at points of the world: query(points) or query(x, z).
 
         `fields` names the requested results; the default is all that the ocean's options provide.
@@ -424,7 +424,7 @@ class Ocean:
         tolerance_m: float = 0.001,
         interpolation: Interpolation = "cubic",
         repeats: bool = False,
-    ) -> Answers:
+    ) -> SurfaceSamples:
         """Returns the results of frame_at(time).query(points) for each of n times, while other
         threads run: arrays of shape (n, ...), vectors of shape (n, ..., 3), for points of shape
         (..., 2). Earlier frames become stale.

@@ -203,13 +203,13 @@ void QueryCommand::run() {
     std::optional<EventPlayer> player;
     if (events) player.emplace(*events, executor, compute.isa);
     SurfaceQueryJobs jobs(executor);
-    Answers answers(foam_, shore.has_value());
-    RowWriter rows(executor, answers, interpolation, json_, times_.has_value());
+    SampleBuffers samples(foam_, shore.has_value());
+    RowWriter rows(executor, samples, interpolation, json_, times_.has_value());
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
     if (!json_) print_note("interpolation is " + std::string(name_of(interpolation)));
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
-        answers.resize(block.size());
+        samples.resize(block.size());
         span_note.extend(block);
         for (const double time_s : times_s) {
             if (!frame || times_s.size() > 1) {
@@ -217,9 +217,9 @@ void QueryCommand::run() {
                 if (player) frame = with_water(*frame, player->at(time_s));
             }
             jobs.sample(SurfaceQuery(*frame, {.interpolation = interpolation}), {block.x, block.z},
-                        answers.samples());
-            for (std::size_t i = 0; i < answers.depths().size(); ++i)
-                answers.depths()[i] =
+                        samples.samples());
+            for (std::size_t i = 0; i < samples.depths().size(); ++i)
+                samples.depths()[i] =
                     static_cast<float>(pelagic::sample(frame->shore, block.x[i], block.z[i]).depth_m);
             rows.write(block, time_s);
         }

@@ -18,7 +18,7 @@ constexpr std::size_t pieces = 32;
 
 /// Maximum length of a row without the file's columns. Memory is reserved in advance, because a job
 /// must not throw. A number has at most 25 characters, its JSON key 12.
-constexpr std::size_t max_answer_length = (Answers::max_values + 5) * (25 + 12);
+constexpr std::size_t max_row_length = (SampleBuffers::max_values + 5) * (25 + 12);
 /// Length of an escaped control character in JSON, \u001f.
 constexpr std::size_t max_escaped_length = 6;
 
@@ -67,7 +67,7 @@ void append_json_number(std::string& out, auto value) {
 
 }  // namespace
 
-Answers::Answers(bool has_foam, bool has_depth) {
+SampleBuffers::SampleBuffers(bool has_foam, bool has_depth) {
     for (std::size_t value = 0; value < max_values; ++value) {
         if ((value == foam_at && !has_foam) || (value == depth_at && !has_depth)) continue;
         columns_[values_there_] = value;
@@ -75,12 +75,12 @@ Answers::Answers(bool has_foam, bool has_depth) {
     }
 }
 
-void Answers::resize(std::size_t points) {
+void SampleBuffers::resize(std::size_t points) {
     for (const std::size_t value : std::span(columns_).first(values_there_)) values_[value].resize(points);
     converged_.resize(points);
 }
 
-SurfaceSamples Answers::samples() {
+SurfaceSamples SampleBuffers::samples() {
     auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam, depth] = values_;
     return {.height_m = height,
             .normal_x = nx,
@@ -95,9 +95,9 @@ SurfaceSamples Answers::samples() {
             .foam = foam};
 }
 
-RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, Interpolation interpolation,
+RowWriter::RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& samples, Interpolation interpolation,
                      bool as_json, bool has_times)
-    : answers_(answers),
+    : samples_(samples),
       interpolation_(interpolation),
       as_json_(as_json),
       has_times_(has_times),
@@ -111,7 +111,7 @@ RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers,
 
 void RowWriter::begin(const PointReader& reader) {
     reader_ = &reader;
-    std::set<std::string> taken(answers_.names().begin(), answers_.names().end());
+    std::set<std::string> taken(samples_.names().begin(), samples_.names().end());
     taken.insert("converged");
     if (as_json_) taken.insert("interpolation");
     if (has_times_) taken.insert("time");
@@ -121,11 +121,11 @@ void RowWriter::begin(const PointReader& reader) {
         const std::string name = cell_value(column);
         if (!taken.insert(name).second)
             throw InputError("the points' column " + name +
-                             " has the name of another one or of an answer, expected its own");
+                             " has the name of another column or of a result, expected its own");
         header += column + ",";
         append_json_cell(json_keys_.emplace_back(), column);
     }
-    for (const char* name : answers_.names()) header.append(name).append(",");
+    for (const char* name : samples_.names()) header.append(name).append(",");
     put(as_json_ ? "[" : header + "converged\n");
 }
 
@@ -135,11 +135,11 @@ void RowWriter::append_csv(std::string& text, std::size_t point) const {
         text += ',';
     }
     text += block_->row(point);
-    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
+    for (std::size_t column = 0; column < samples_.names().size(); ++column) {
         text += ',';
-        append_number(text, answers_.value(column, point));
+        append_number(text, samples_.value(column, point));
     }
-    text += answers_.converged(point) ? ",1\n" : ",0\n";
+    text += samples_.converged(point) ? ",1\n" : ",0\n";
 }
 
 void RowWriter::append_json(std::string& text, std::size_t point, std::vector<std::string_view>& cells) const {
@@ -160,13 +160,13 @@ void RowWriter::append_json(std::string& text, std::size_t point, std::vector<st
             append_json_cell(text, cells[column]);
         text += ',';
     }
-    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
-        text.append("\"").append(answers_.names()[column]).append("\":");
-        append_json_number(text, answers_.value(column, point));
+    for (std::size_t column = 0; column < samples_.names().size(); ++column) {
+        text.append("\"").append(samples_.names()[column]).append("\":");
+        append_json_number(text, samples_.value(column, point));
         text += ',';
     }
     text.append("\"interpolation\":\"").append(name_of(interpolation_));
-    text += answers_.converged(point) ? "\",\"converged\":true}" : "\",\"converged\":false}";
+    text += samples_.converged(point) ? "\",\"converged\":true}" : "\",\"converged\":false}";
 }
 
 void RowWriter::fill_piece(std::size_t piece) {
@@ -187,7 +187,7 @@ void RowWriter::write(const PointBlock& block, double time_s) {
             end == begin ? 0 : block.row_ends[end - 1] - (begin == 0 ? 0 : block.row_ends[begin - 1]);
         pieces_[piece].text.clear();
         pieces_[piece].text.reserve((end - begin) *
-                                        (max_answer_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
+                                        (max_row_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
                                     own * (as_json_ ? max_escaped_length : 1));
         pieces_[piece].cells.reserve(json_keys_.size());
     }

@@ -15,11 +15,11 @@
 namespace pelagic::tools {
 
 /// Results of the queries of a block of points.
-class Answers {
+class SampleBuffers {
    public:
     static constexpr std::size_t max_values = 11;
 
-    Answers(bool has_foam, bool has_depth);
+    SampleBuffers(bool has_foam, bool has_depth);
 
     /// Returns the names of the values in the order of the columns. The column `converged` follows
     /// them.
@@ -47,11 +47,11 @@ class Answers {
 /// Formats blocks as text, several pieces in parallel, and writes them to standard output in order.
 class RowWriter {
    public:
-    /// \param answers        results of the block that write() receives; must outlive the writer
+    /// \param samples        results of the block that write() receives; must outlive the writer
     /// \param interpolation  interpolation of the queries, which JSON rows contain
     /// \param has_times      true if rows begin with the time
-    RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, Interpolation interpolation, bool as_json,
-              bool has_times);
+    RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& samples, Interpolation interpolation,
+              bool as_json, bool has_times);
 
     /// Writes the header or the opening bracket.
     /// \throws InputError  if a column of the file has the name of a result or of another column
@@ -71,7 +71,7 @@ class RowWriter {
         std::vector<std::string_view> cells;
     };
 
-    const Answers& answers_;
+    const SampleBuffers& samples_;
     Interpolation interpolation_;
     bool as_json_, has_times_;
     const PointReader* reader_ = nullptr;

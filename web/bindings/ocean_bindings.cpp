@@ -140,7 +140,7 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 /// Arrays for the samples of a batch, of the size of the largest batch.
-class Answers {
+class SampleBuffers {
    public:
     void resize(std::size_t points) {
         for (std::vector<float>* numbers : {&height_, &normal_x_, &normal_y_, &normal_z_, &jacobian_, &error_,
@@ -306,9 +306,9 @@ class OceanBinding {
                 xs_[i] = pairs[2 * i];
                 zs_[i] = pairs[2 * i + 1];
             }
-            answers_.resize(count);
-            jobs_.sample(query, {xs_, zs_}, answers_.wanted_of(query));
-            return answers_.views(query);
+            samples_.resize(count);
+            jobs_.sample(query, {xs_, zs_}, samples_.wanted_of(query));
+            return samples_.views(query);
         });
     }
 
@@ -502,7 +502,7 @@ class OceanBinding {
     Frame frames_[2];
     int slot_ = 1;  ///< of the frame completed last
     std::vector<double> xs_, zs_;
-    Answers answers_;
+    SampleBuffers samples_;
 };
 
 val create_ocean(const val& options) {

@@ -313,7 +313,7 @@ export class Ocean {
   frameAt(timeS: number): Frame;
 
   /** Samples the frame completed last. */
-  query(points: Points, options?: QueryOptions): Answers;
+  query(points: Points, options?: QueryOptions): SurfaceSamples;
   /** Intersects a ray with the frame completed last. */
   firstHit(ray: Ray): Hit | null;
 
@@ -444,7 +444,7 @@ export class Frame implements FrameAbout {
   /** XXH3 of the accumulated foam. */
   foamHash(): string;
   /** Samples the surface at any points. Throws without OceanOptions.queries. */
-  query(points: Points, options?: QueryOptions): Answers;
+  query(points: Points, options?: QueryOptions): SurfaceSamples;
   /**
    * Returns the first intersection of a ray with the surface. Throws without OceanOptions.queries.
    */
@@ -610,7 +610,7 @@ export interface QueryOptions {
 }
 
 /** One element, or three, for each point; copies. */
-export interface Answers {
+export interface SurfaceSamples {
   heightM: Float32Array;
   /** x, y, z of the unit normal of the displaced surface. */
   normal: Float32Array;

@@ -1,7 +1,7 @@
 // Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
-  Answers, Bounds, CascadeAbout, CascadeMaps, Disturbance, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
-  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, WaveInput,
+  Bounds, CascadeAbout, CascadeMaps, Disturbance, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SurfaceSamples, WaveInput,
 } from './index.js';
 
 export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
@@ -31,7 +31,7 @@ export class RemoteOcean {
   schedule(timeS: number): void;
   complete(): Promise<RemoteFrame>;
   frameAt(timeS: number): Promise<RemoteFrame>;
-  query(points: Points, options?: QueryOptions): Promise<Answers>;
+  query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
   changeSea(options: SeaOptions): Promise<void>;
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): Promise<void>;
@@ -71,7 +71,7 @@ export class RemoteFrame implements FrameAbout {
   readonly shore: (ShoreSurface & {hash(): Promise<string>}) | null;
   hash(): Promise<string>;
   foamHash(): Promise<string>;
-  query(points: Points, options?: QueryOptions): Promise<Answers>;
+  query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
 }
 

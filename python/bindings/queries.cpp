@@ -146,21 +146,21 @@ class Fields {
 };
 
 /// Result arrays of one time or of several.
-class AnswerArrays {
+class SampleArrays {
    public:
     /// \param shape shape of results with one number a point and a time
     /// \param count number of points
-    AnswerArrays(const Fields& fields, const Shape& shape, std::size_t count, bool has_velocities, bool has_foam)
+    SampleArrays(const Fields& fields, const Shape& shape, std::size_t count, bool has_velocities, bool has_foam)
         : count_(count) {
         const auto add = [&](const char* name, std::span<float> SurfaceSamples::*span) {
             py::array_t<float> array(shape);
             numbers_.push_back({array.mutable_data(), span});
-            answers[name] = std::move(array);
+            results[name] = std::move(array);
         };
         const auto add_vectors = [&](const char* name, std::array<std::span<float> SurfaceSamples::*, 3> spans) {
             py::array_t<float> array(with(shape, 3));
             vectors_.push_back({array.mutable_data(), spans, Vectors(count)});
-            answers[name] = std::move(array);
+            results[name] = std::move(array);
         };
         if (fields.has("height")) add("height", &SurfaceSamples::height_m);
         if (fields.has("normal"))
@@ -173,7 +173,7 @@ class AnswerArrays {
         if (fields.has("converged")) {
             py::array_t<bool> array(shape);
             converged_ = reinterpret_cast<std::uint8_t*>(array.mutable_data());
-            answers["converged"] = std::move(array);
+            results["converged"] = std::move(array);
         }
         if (fields.has("error")) add("error", &SurfaceSamples::error_m);
     }
@@ -194,7 +194,7 @@ class AnswerArrays {
         for (const ThreeNumbers& three : vectors_) three.parts.write(three.data + 3 * moment * count_);
     }
 
-    py::dict answers;
+    py::dict results;
 
    private:
     struct Numbers {
@@ -244,7 +244,7 @@ py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::h
     const SurfaceQuery surface(handle.frame, options_of(tolerance_m, interpolation));
     const Places places = places_of(points, z);
     warn_of_span(places, handle.frame.cascades.front().grid.side_m);
-    AnswerArrays arrays(Fields(asked), places.shape, places.x.size(), surface.has_velocities(), surface.has_foam());
+    SampleArrays arrays(Fields(asked), places.shape, places.x.size(), surface.has_velocities(), surface.has_foam());
     const SurfaceSamples samples = arrays.samples(0);
     surface.check(samples);  // before other threads run
     {
@@ -252,7 +252,7 @@ py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::h
         handle.ocean->sample(surface, {places.x, places.z}, samples);
         arrays.write(0);
     }
-    return arrays.answers;
+    return arrays.results;
 }
 
 /// Throws std::invalid_argument if the times span more than the loop, and names a loop that fits.
@@ -290,7 +290,7 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
 
     Shape shape{static_cast<py::ssize_t>(times_s.size())};
     shape.insert(shape.end(), places.shape.begin(), places.shape.end());
-    AnswerArrays arrays(Fields(asked), shape, places.x.size(), facts.has_velocities, facts.has_foam);
+    SampleArrays arrays(Fields(asked), shape, places.x.size(), facts.has_velocities, facts.has_foam);
     {
         const py::gil_scoped_release others_run;
         ocean.frames_at(times_s, [&](std::size_t moment, const Frame& frame) {
@@ -300,7 +300,7 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         });
     }
-    return arrays.answers;
+    return arrays.results;
 }
 
 py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach,
@@ -344,13 +344,13 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
             }
         }
     }
-    py::dict answers;
-    answers["hit"] = hit;
-    answers["distance"] = distance;
-    answers["position"] = position;
-    answers["normal"] = normal;
-    answers["from_below"] = from_below;
-    return answers;
+    py::dict results;
+    results["hit"] = hit;
+    results["distance"] = distance;
+    results["position"] = position;
+    results["normal"] = normal;
+    results["from_below"] = from_below;
+    return results;
 }
 
 /// Returns the reference positions of points.
@@ -415,7 +415,7 @@ py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, 
 
 }  // namespace
 
-void add_questions(FrameClass& frame) {
+void add_queries(FrameClass& frame) {
     frame.def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(),
               py::arg("fields") = py::none(), py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m,
               py::arg("interpolation") = "linear", doc_of("Frame.query"));
