@@ -92,11 +92,11 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 
 /// Returns the sea state that a frame reports during a transition.
 ///
-/// Numbers are interpolated with the weight `part`, heights of swell by their energy. Directions
+/// Numbers are interpolated with `weight`, heights of swell by their energy. Directions
 /// rotate through the smaller angle (for a half turn from +x towards +z). Models are those of the
 /// sea with the larger weight. Values that only one of the seas has, such as a swell's period and
 /// direction or a given roughness, are taken from that sea. The waves themselves are the blend of
-/// both seas' energies, whose statistics are in SeaStatistics. \pre part in [0, 1]
+/// both seas' energies, whose statistics are in SeaStatistics. \pre weight in [0, 1]
 SeaState sea_between(const SeaState& before, const SeaState& after, double weight);
 
 }  // namespace pelagic

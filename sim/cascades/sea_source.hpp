@@ -22,8 +22,8 @@ struct SeaMoment {
     double time_s = 0;
     std::size_t before = 0, after = 0;
     double weight = 0;  ///< weight of `after`, below 1; 0 if both are one sea
-    /// Weight of each frequency band. Null if all waves have the weight `part`; otherwise `part` is
-    /// the weight of the waves at the swell's peak.
+    /// Weight of each frequency band. Null if all waves have one weight, `weight`. Otherwise
+    /// `weight` is that of the waves at the swell's peak.
     const Arrival* arrival = nullptr;
     double since_s = 0;  ///< time since the change began
 

@@ -61,9 +61,9 @@ struct DampJob {
     BorderDamping border;
 };
 
-/// One Verlet step, which replaces the previous rows: h' = h + left (h - h_before) + coupling lap
-/// h, where lap h is the sum of four neighbours minus four times h. A constant level is preserved
-/// exactly.
+/// One Verlet step, which replaces the previous rows: h' = h + damping (h - h_before) + coupling
+/// lap h, where lap h is the sum of four neighbours minus four times h. A constant level is
+/// preserved exactly.
 struct VerletRowsJob {
     const float* now;  ///< texel (0, 0); its margins repeat the other end of each row
     float* before;     ///< previous heights; overwritten by the next heights; aliases no input
@@ -88,8 +88,8 @@ struct DynamicFoamJob {
 };
 
 /// Computes the rows of a frame between two ticks, faded towards the edges of the grid. Heights are
-/// interpolated linearly from `before` to `now`. The vertical velocity at `part` is the derivative
-/// of the parabola through the height differences of the last two ticks.
+/// interpolated linearly from `before` to `now`. The vertical velocity at `fraction` is the
+/// derivative of the parabola through the height differences of the last two ticks.
 struct TickInterpolationJob {
     const float *before, *now;       ///< texel (0, 0)
     const float* difference_before;  ///< height difference of the previous tick, m

@@ -21,7 +21,7 @@ constexpr double radians_a_degree = std::numbers::pi / 180;
 
 enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode };
 
-/// A column, the numbers that it may hold, and how that is said.
+/// A column, the numbers that it may hold, and their description in errors.
 struct ColumnRule {
     Column column;
     std::string_view name;
