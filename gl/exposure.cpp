@@ -10,11 +10,17 @@ namespace {
 constexpr float middle_grey = 0.18f;
 constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
 constexpr float bright_fraction = 0.02f, shown_bright = 0.9f, max_protection_stops = 1.5f;
-constexpr float shown_median = 0.065f;
+constexpr float shown_median = 0.065f, shown_quarter = 0.035f, max_brightening_stops = 1;
 constexpr float darkest_cd_m2 = 1e-5f;
 
-// shaders/film.glsl: (v (v + a) - b) / (v (c v + d) + e).
+// shaders/film.glsl: v = y (1 + (lifted_below / y)^2)^(1/8), (v (v + a) - b) / (v (c v + d) + e).
+constexpr float lifted_below = 0.25f, darkest_lifted = 1e-5f;
 constexpr float a = 0.0245786f, b = 0.000090537f, c = 0.983729f, d = 0.4329510f, e = 0.238081f;
+
+float with_lifted_shadows(float scene) {
+    const float below = lifted_below / std::max(scene, darkest_lifted);
+    return scene * std::pow(1 + below * below, 0.125f);
+}
 
 float key_of(float luminance_cd_m2) { return 1.03f - 2 / (2 + std::log10(luminance_cd_m2 + 1)); }
 
@@ -28,12 +34,18 @@ float shown_log_average(float luminance_cd_m2) {
 }  // namespace
 
 float shown_by_film(float scene) {
-    return std::clamp((scene * (scene + a) - b) / (scene * (c * scene + d) + e), 0.f, 1.f);
+    const float v = with_lifted_shadows(scene);
+    return std::clamp((v * (v + a) - b) / (v * (c * v + d) + e), 0.f, 1.f);
 }
 
 float film_input_of(float shown) {
     const float square = 1 - c * shown, linear = a - d * shown;
-    return (-linear + std::sqrt(linear * linear + 4 * square * (b + e * shown))) / (2 * square);
+    const float lifted = (-linear + std::sqrt(linear * linear + 4 * square * (b + e * shown))) / (2 * square);
+    // In logarithms, the slope of with_lifted_shadows() is from 0.75 to 1: each step leaves at most
+    // a quarter of the error.
+    float scene = lifted;
+    for (int step = 0; step < 12; ++step) scene *= lifted / with_lifted_shadows(scene);
+    return scene;
 }
 
 float exposure_of_ev(float ev, float luminance_of_unit) {
@@ -67,14 +79,16 @@ float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
             means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_fraction));
         std::nth_element(means.begin(), bright, means.end());
         const float by_highlights = std::log2(film_input_of(shown_bright) / film_input_of(middle_grey)) - *bright;
-        const auto median = logarithms.begin() + static_cast<std::ptrdiff_t>(logarithms.size() / 2);
-        std::nth_element(logarithms.begin(), median, logarithms.end());
-        // The median is shown as at least 0.065 by day; night_darkening() reduces this limit at
-        // night.
-        const float by_median =
-            std::log2(night_darkening(luminance) * film_input_of(shown_median) / film_input_of(middle_grey)) -
-            *median;
-        stops = std::max({std::min(by_average, by_highlights), by_average - max_protection_stops, by_median});
+        std::sort(logarithms.begin(), logarithms.end());
+        // night_darkening() reduces these limits at night.
+        const auto stops_of = [&](float fraction, float shown) {
+            const float quantile =
+                logarithms[static_cast<std::size_t>(fraction * static_cast<float>(logarithms.size()))];
+            return std::log2(night_darkening(luminance) * film_input_of(shown) / film_input_of(middle_grey)) - quantile;
+        };
+        stops = std::max({std::min(by_average, by_highlights), by_average - max_protection_stops,
+                          stops_of(0.5f, shown_median)});
+        stops = std::clamp(stops_of(0.25f, shown_quarter), stops, stops + max_brightening_stops);
     }
     return std::clamp(std::log2(luminance_of_unit / calibration) - stops, min_ev, max_ev);
 }

@@ -45,7 +45,7 @@ struct MeteredCell {
     float log2_of_mean = 0;
 };
 
-/// Computes the exposure value of a view from three rules:
+/// Computes the exposure value of a view from four rules:
 ///
 ///   * The log average Y of the view is shown as middle grey (0.18; Reinhard et al. 2002,
 ///     "Photographic Tone Reproduction", eq. 1). Below 4000 cd/m^2 the image is darker, because
@@ -56,6 +56,8 @@ struct MeteredCell {
 ///     most 1.5 stops: no exposure suits both the view and a glitter path or the sun.
 ///   * Half of the view is shown as at least 0.065, multiplied at night by night_darkening(). This
 ///     rule limits how far a bright sky or a glitter path darkens the remaining view.
+///   * Three quarters of the view are shown as at least 0.035, multiplied likewise. This rule
+///     brightens the image by at most a stop: dark water stays readable below a bright sky.
 ///
 /// Cells that are not finite are ignored. The log average is at least 1e-5 cd/m^2.
 /// \param luminance_of_unit  luminance of a radiance of 1, cd/m^2

@@ -36,6 +36,23 @@ TEST(Film, CurveIsMonotonicAndInvertible) {
     }
 }
 
+/// Stephen Hill's fit of the Academy's curve for grey (2016), in double.
+double filmic_curve(double scene) {
+    return (scene * (scene + 0.0245786) - 0.000090537) / (scene * (0.983729 * scene + 0.4329510) + 0.238081);
+}
+
+// Far below 0.25 a luminance y is shown as the curve shows 0.25 (y / 0.25)^0.75, and far above
+// unchanged. The factor (1 + (0.25 / y)^2)^(1/8) between them is 1.001 too large at 0.023, and
+// 1.002 at 2.
+TEST(Film, LiftsShadowsOnly) {
+    for (const double scene : {1e-3, 5e-3, 0.023})
+        EXPECT_NEAR(gl::shown_by_film(static_cast<float>(scene)), filmic_curve(0.25 * std::pow(scene / 0.25, 0.75)),
+                    1e-4)
+            << scene;
+    for (const double scene : {2.0, 8.0})
+        EXPECT_NEAR(gl::shown_by_film(static_cast<float>(scene)), filmic_curve(scene), 1e-3) << scene;
+}
+
 // Published exposures, ISO 100 (ANSI PH2.7-1973): sunlit landscapes of about 4000 cd/m^2 are EV 15.
 TEST(Metering, UniformViewIsMiddleGreyAtThePublishedEv) {
     EXPECT_NEAR(gl::metered_ev(cells({{100, 4096}}), 1), 15, 1e-3);
@@ -63,8 +80,8 @@ TEST(Metering, ProtectsHighlights) {
     // The other cells stay visible: half of them at 0.065 or more, and all of them at most 1.5
     // stops below their average.
     EXPECT_NEAR(shown(5000, gl::metered_ev(cells({{95, 5000}, {5, 5e7}}), 1)), 0.065, 1e-3);
-    const double average = 0.6 * std::log2(20'000) + 0.35 * std::log2(1000) + 0.05 * std::log2(5e7);
-    EXPECT_NEAR(gl::metered_ev(cells({{60, 20'000}, {35, 1000}, {5, 5e7}}), 1), average + 3 + 1.5, 2e-3);
+    const double average = 0.71 * std::log2(20'000) + 0.24 * std::log2(1200) + 0.05 * std::log2(5e7);
+    EXPECT_NEAR(gl::metered_ev(cells({{71, 20'000}, {24, 1200}, {5, 5e7}}), 1), average + 3 + 1.5, 2e-3);
 }
 
 // A third of the view is bright sky over dark water; the average alone would show the water as
@@ -73,6 +90,19 @@ TEST(Metering, KeepsHalfOfTheViewVisible) {
     const auto view = cells({{60, 200}, {40, 40'000}});
     // slightly dim: 1600 cd/m^2 in the mean
     EXPECT_GE(shown(200, gl::metered_ev(view, 1)), 0.0649 * 0.9);
+}
+
+// Three tenths of the view are water in the shade of waves. They are shown as at least 0.035, unless
+// that takes more than a stop.
+TEST(Metering, KeepsDarkWaterReadable) {
+    for (const double dark : {1500.0, 1000.0, 50.0}) {
+        const float ev = gl::metered_ev(cells({{30, dark}, {30, 5000}, {40, 40'000}}), 1);
+        const double average = 0.3 * std::log2(dark) + 0.3 * std::log2(5000) + 0.4 * std::log2(40'000);
+        EXPECT_GE(ev, average + 3 - 1 - 1e-3) << dark;
+        if (dark >= 1000) {
+            EXPECT_GE(shown(dark, ev), 0.0349) << dark;
+        }
+    }
 }
 
 // Krawczyk et al. 2005 show the dark as 0.03; by day a camera shows middle grey. The transition is
