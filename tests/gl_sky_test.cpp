@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "pelagic/gl/sky/clear_sky.hpp"
+#include "pelagic/gl/sky/cube.hpp"
 #include "pelagic/gl/sky/light_presets.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
@@ -138,6 +139,61 @@ TEST(LightPresets, AreNamedSkies) {
     }
     EXPECT_EQ(gl::light_preset_named("dawn"), nullptr);
     EXPECT_TRUE(gl::ClearSky(gl::light_preset_named("moonlight")->sky).key_light().is_moon);
+}
+
+/// Returns the clouds' transmittance in the direction of a texel.
+float transmittance(const gl::Sky& sky, int face, int x, int y) {
+    return float_of(sky.face(0, face)[4 * static_cast<std::size_t>(y * sky.face_size + x) + 3]);
+}
+
+// An overcast is closed: the optical depth of its thinnest places is 4 or more. It is no uniform
+// veil either: the brightest texels above 30 degrees have 1.3 times the luminance of the darkest.
+TEST_F(SkyBake, OvercastIsOpaqueAndHasStructure) {
+    const gl::Cube directions(side);
+    for (const unsigned seed : {1u, 5u}) {
+        gl::SkyOptions overcast = gl::light_preset_named("overcast")->sky;
+        overcast.cloud_seed = seed;
+        const gl::Sky& sky = bake(overcast);
+        float min = 1e9f, max = 0;
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x) {
+                    const glm::vec3 direction = directions.direction(face, x, y);
+                    if (direction.y < std::sin(0.1745f)) continue;
+                    ASSERT_LE(transmittance(sky, face, x, y), 0.02f) << "seed " << seed << ", y " << direction.y;
+                    if (direction.y < 0.5f) continue;
+                    const float luminance =
+                        glm::dot(texel(sky, face, x, y), glm::vec3(0.2126f, 0.7152f, 0.0722f));
+                    min = std::min(min, luminance);
+                    max = std::max(max, luminance);
+                }
+        EXPECT_GT(max, 1.3f * min) << "seed " << seed;
+    }
+}
+
+// The water below the horizon reflects the sky above it, clouds included. Its reflectance does not
+// depend on the colour, is near 1 at the horizon and falls towards the nadir.
+TEST_F(SkyBake, LowerHalfReflectsTheCloudsAboveIt) {
+    const gl::Sky& sky = bake({.sun_elevation_rad = 0.6f, .cloud_cover = 0.6f});
+    const gl::Cube directions(side);
+    for (const int face : {0, 1, 4, 5}) {
+        for (int x = 0; x < side; ++x) {
+            float nearer_horizon = 1;
+            for (int y = side / 2; y < side; ++y) {
+                const glm::vec3 below = texel(sky, face, x, y), above = texel(sky, face, x, side - 1 - y);
+                const float reflectance = below.g / above.g;
+                // halves have steps of 1e-3
+                EXPECT_NEAR(below.r / above.r, reflectance, 3e-3f);
+                EXPECT_NEAR(below.b / above.b, reflectance, 3e-3f);
+                EXPECT_LE(reflectance, nearer_horizon + 3e-3f);
+                nearer_horizon = reflectance;
+                if (y == side / 2) {
+                    EXPECT_GT(reflectance, 0.8f);
+                }
+            }
+            EXPECT_LT(nearer_horizon, 0.3f);
+        }
+    }
 }
 
 // Half floats hold 6e-5 and more exactly: the light of a night must not underflow in them.

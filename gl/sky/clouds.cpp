@@ -87,6 +87,7 @@ CloudLayer::CloudLayer(const CloudOptions& options, const ClearSky& sky, const C
     : options_(options),
       sky_(sky),
       shape_(shape),
+      closed_(glm::smoothstep(0.9f, 1.f, options.cover)),
       key_(sky.key_light(options.base_m + options.thickness_m)),
       sky_light_(sky.irradiance() * (1 / std::numbers::pi_v<float>)) {}
 
@@ -99,13 +100,16 @@ float CloudLayer::threshold(glm::vec3 at) const {
 }
 
 /// Returns the relative density, [0, 1]. Clouds have flat bases and round tops, and become rarer
-/// with height.
+/// with height. From cover 0.9 to 1 the gaps between them fill with thin cloud, of optical depth
+/// 4.6 along a vertical ray.
 /// \param relative_height  height in the layer, 0 at the base, 1 at the top
 float CloudLayer::density(glm::vec3 at, float relative_height, float threshold) const {
     const float shape =
         shape_.at(at - glm::vec3(0, options_.base_m, 0)) - threshold - 0.34f * relative_height * relative_height;
-    if (shape <= 0) return 0;
-    return glm::smoothstep(0.f, 0.12f, relative_height) * std::min(1.f, shape * 7);
+    const float thin = 0.25f * closed_ * (1 - glm::smoothstep(0.5f, 1.f, relative_height));
+    const float density = std::max(std::min(1.f, shape * 7), thin);
+    if (density <= 0) return 0;
+    return glm::smoothstep(0.f, 0.12f, relative_height) * density;
 }
 
 float CloudLayer::depth_towards_sun(glm::vec3 at, float relative_height, float threshold) const {

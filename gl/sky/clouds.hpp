@@ -11,7 +11,7 @@
 namespace pelagic::gl {
 
 struct CloudOptions {
-    float cover = 0.4f;       ///< approximate fraction of the sky that clouds cover; [0, 1]
+    float cover = 0.4f;       ///< approximate fraction of the sky that clouds cover; [0, 1], 1 is overcast
     float base_m = 900;       ///< height of the flat bases; typical of fair-weather cumulus
     float thickness_m = 900;  ///< from the bases to the highest tops
     unsigned seed = 1;
@@ -61,6 +61,7 @@ class CloudLayer {
     CloudOptions options_;
     const ClearSky& sky_;
     const CloudShape& shape_;
+    float closed_;         ///< 0: gaps between clouds are clear; 1: thin cloud fills them
     KeyLight key_;         ///< light at the cloud tops, where the sun sets later
     glm::vec3 sky_light_;  ///< mean radiance of the sky that lights the clouds
 };

@@ -40,7 +40,8 @@ float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f)
 // Stages in order:
 //   * `sky air`: lines of the atmosphere tables;
 //   * `sky light` (sum of the tables) and `sky heaps` (cloud noise, once for each seed);
-//   * `sky faces`: level 0, rows of each face;
+//   * `sky faces`: level 0 above the horizon, rows of each face;
+//   * `sky below`: level 0 below the horizon, the sea's reflection of the faces;
 //   * `sky averages`: box mips, which the next stage samples;
 //   * `sky mirrors`: GGX levels;
 //   * `sky packing`: conversion to half floats.
@@ -78,7 +79,8 @@ struct SkyBaker::State {
                                              for (std::size_t row = begin; row < end; ++row)
                                                  bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);
                                          }});
-        const StageId box = graph.add({"sky averages", 1, 1, {faces}, [this](auto, auto) { average(); }});
+        const StageId below = graph.add({"sky below", 1, 1, {faces}, [this](auto, auto) { reflect_in_sea(); }});
+        const StageId box = graph.add({"sky averages", 1, 1, {below}, [this](auto, auto) { average(); }});
         std::size_t mirror_rows = 0;
         for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
         const StageId mirror =
@@ -116,22 +118,27 @@ struct SkyBaker::State {
         Cube& cube = mirrors[0];
         for (int x = 0; x < size; ++x) {
             const glm::vec3 d = cube.direction(face, x, y);
-            glm::vec3 radiance;
-            float& transmittance = cloud_transmittances[texel_number(face, x, y)];
-            if (d.y >= 0) {
-                const CloudLight cloud = clouds->along(d);
-                radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
-                transmittance = cloud.transmittance;
-            } else {
-                // Below the horizon, a mirror reflects other waves, which reflect the sky. The
-                // reflectance falls towards the nadir.
-                const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
-                const glm::vec3 up(d.x, -d.y, d.z);
-                transmittance = 0;
-                radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
-            }
+            if (d.y < 0) continue;
+            const CloudLight cloud = clouds->along(d);
+            const glm::vec3 radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
             cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
+            cloud_transmittances[texel_number(face, x, y)] = cloud.transmittance;
         }
+    }
+
+    /// Below the horizon, a mirror reflects other waves, which reflect the sky and its clouds. The
+    /// reflectance falls towards the nadir.
+    void reflect_in_sea() {
+        Cube& cube = mirrors[0];
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const glm::vec3 d = cube.direction(face, x, y);
+                    if (d.y >= 0) continue;
+                    const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
+                    cube.at(face, x, y) = cube.mirrored(face, x, y) * glm::mix(sea_albedo, 1.f, grazing);
+                    cloud_transmittances[texel_number(face, x, y)] = 0;
+                }
     }
 
     void average() {
