@@ -11,7 +11,7 @@
 namespace pelagic::gl {
 
 struct CloudOptions {
-    float cover = 0.4f;       ///< approximate fraction of the sky that clouds cover; [0, 1], 1 is overcast
+    float cover = 0.4f;       ///< approximate fraction of the sky under clouds; [0, 1], 1: overcast
     float base_m = 900;       ///< height of the flat bases; typical of fair-weather cumulus
     float thickness_m = 900;  ///< from the bases to the highest tops
     unsigned seed = 1;

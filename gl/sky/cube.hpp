@@ -18,7 +18,8 @@ struct Cube {
     const glm::vec3& at(int face, int x, int y) const { return const_cast<Cube*>(this)->at(face, x, y); }
     /// Returns the direction through the centre of a texel; a unit vector.
     glm::vec3 direction(int face, int x, int y) const;
-    /// Returns the texel whose direction is that of another texel, reflected at the horizontal plane.
+    /// Returns the texel whose direction is that of another texel, reflected at the horizontal
+    /// plane.
     const glm::vec3& mirrored(int face, int x, int y) const {
         const int top = 2, bottom = 3;
         return at(face == bottom ? top : face == top ? bottom : face, x, side - 1 - y);
