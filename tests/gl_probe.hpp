@@ -27,6 +27,7 @@ class GlProbe {
             "#define CASCADES 1\n#define SHADING 2\n#define BELOW 0\n#define SURFACE " +
             std::to_string(static_cast<int>(surface)) + "\n";
         std::string fragment = gl::shader_source("scene.glsl", defines);
+        fragment += "const float pi = 3.14159265;\n";
         for (const char* file : files) fragment += gl::shader_text(file);
         fragment += "out vec4 result;\nvoid main() {\n" + body + "\n}\n";
         program_ = gl_.CreateProgram();

@@ -155,6 +155,9 @@ layout(std140) uniform Scene {
     highp vec4 dynamic_waves_place;
     // xy: centre relative to the viewer; z: half the side that is drawn
     highp vec4 dynamic_waves_extent;
+    // the viewer's position in the grid of glints; xy: metres within a square of 64 m; zw: index of
+    // the square
+    highp vec4 glint_place;
 };
 
 const float ripple_noise_tiles = 13.0;

@@ -2,8 +2,8 @@
 //
 //   waves    normal and roughness of the surface in the pixel, or of small water; slopes of dynamic
 //            waves
-//   mirror   reflection of the sky, weighted by the projected area of the facets; glint of the sun;
-//            with MIRRORS_SCENE also the application's scene
+//   mirror   reflection of the sky, weighted by the projected area of the facets; glints of the
+//            sun, counted near the eye; with MIRRORS_SCENE also the application's scene
 //   water    light from below: absorption and backscattering, light through crests
 //   foam     white diffuse light; the cascades' maps give the coverage, a texture gives the
 //            structure
@@ -44,6 +44,7 @@ const float pi = 3.14159265;
 #include "small_surface.glsl"
 #endif
 #include "mirror.glsl"
+#include "glints.glsl"
 #ifdef MIRRORS_SCENE
 #include "scene_mirror.glsl"
 #endif
@@ -101,6 +102,9 @@ void main() {
     sample_shore(at.xz);
 #endif
     Waves surface = waves_at(resting, distance_m);
+#ifdef COUNTED_GLINTS
+    Footprint pixel = footprint_of(resting);  // before branches, which leave derivatives undefined
+#endif
 #ifdef DYNAMIC_WAVES
     vec4 waves = dynamic_waves(at.xz, footprint_of(resting).wide_m);
     surface.slopes -= waves.yz;
@@ -140,8 +144,13 @@ void main() {
 #ifdef MIRRORS_SCENE
     mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);
 #endif
+#ifdef COUNTED_GLINTS
+    float sun_glint = sparkling_glint(resting, pixel.dx, pixel.dy, normal, to_eye, surface.alpha2);
+#else
+    float sun_glint = glint(normal, to_eye, surface.alpha2);
+#endif
     vec3 radiance = mix(water_light, mirrored, mirrors) +
-                    sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
+                    sun_irradiance.rgb * sun_glint;
     radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
 #if BELOW
     radiance = soft_shore(radiance, at, distance_m, height, foam.cover);

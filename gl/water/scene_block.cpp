@@ -98,6 +98,13 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     block.gust_shift = {placed(viewer, periods_m.z), placed(swapped, periods_m.w)};
 }
 
+/// Sets the placement of glints. Indices of squares wrap where float no longer has all integers.
+void place_glints(SceneBlock& block, glm::dvec2 viewer) {
+    constexpr double square_m = 64, squares = 1 << 20;
+    const glm::dvec2 square = glm::floor(viewer / square_m);
+    block.glint_place = {viewer - square * square_m, square - glm::floor(square / squares) * squares};
+}
+
 /// Sets the placement of the dynamic-wave grid. World texel i lies at i texel_m and is stored in
 /// column i mod N. The outermost texels are 0, and their neighbours in the texture belong to the
 /// opposite side. They are excluded, as in sample() of dynamic_waves.cpp.
@@ -249,6 +256,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.waves = {std::max(0.05, facts.statistics.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_cascades(block, facts, viewer);
     place_details(block, facts, viewer);
+    place_glints(block, viewer);
     place_dynamic_waves(block, facts.dynamic_waves, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};

@@ -44,6 +44,7 @@ struct SceneBlock {
     glm::vec4 moon{}, stars{};
     glm::vec4 shore_place{}, shore_size{};
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
+    glm::vec4 glint_place{};
 };
 
 /// Parameters of a cascade that the renderer keeps after the upload.
