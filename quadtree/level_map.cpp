@@ -24,7 +24,7 @@ std::int32_t to_cell(double x, std::int32_t cells) {
 LevelMap::LevelMap(const QuadtreeOptions& options)
     : size_m_(options.size_m),
       lod_scale_(options.lod_scale),
-      deepest_(pelagic::deepest_level(options.size_m)),
+      deepest_(pelagic::deepest_level(options.size_m, options.finest_patch_m)),
       windows_(static_cast<std::size_t>(deepest_)) {
     // Allocates the largest window of each level: its own disc and the parents that the finer level
     // demands.

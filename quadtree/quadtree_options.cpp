@@ -26,14 +26,15 @@ constexpr std::array fields = {
     Field{"lod_scale", &QuadtreeOptions::lod_scale, 0.75, 8, "[0.75, 8]"},
     Field{"cull_scale", &QuadtreeOptions::cull_scale, 1, 4, "[1, 4]"},
     Field{"batch_limit", &QuadtreeOptions::batch_limit, 0, std::numeric_limits<int>::max(), "0 or more"},
+    Field{"finest_patch_m", &QuadtreeOptions::finest_patch_m, 16, 64, "[16, 64]"},
 };
 
 }  // namespace
 
 std::string check(const QuadtreeOptions& options) { return check_fields(options, fields); }
 
-int deepest_level(double size_m) {
-    return std::clamp(static_cast<int>(std::floor(std::log2(size_m / 64) + 0.5)), 2, 8);
+int deepest_level(double size_m, double finest_patch_m) {
+    return std::clamp(static_cast<int>(std::floor(std::log2(size_m / finest_patch_m) + 0.5)), 2, 8);
 }
 
 std::span<const QuadtreePreset> quadtree_presets() { return presets; }

@@ -16,15 +16,18 @@ struct QuadtreeOptions {
     /// beta: scales the boxes for culling, for applications that add displacement; [1, 4]
     double cull_scale = 1;
     int batch_limit = 0;  ///< maximum number of instances in one draw call; 0: no limit
+    /// Side of the smallest patches, about, for eyes near the water. The paper has 64 m (equation
+    /// 56), whose vertices are 1 m apart if V is 64; [16, 64]
+    double finest_patch_m = 64;
 };
 
 /// Returns an empty string if the options are valid, else a message about the first invalid field:
 /// "vertices is 7, expected an even number from 2 to 128".
 std::string check(const QuadtreeOptions& options);
 
-/// Returns the level of the smallest patches (equation 56), whose side is about 64 m. The root has
-/// level 0.
-int deepest_level(double size_m);
+/// Returns the level of the smallest patches (equation 56), whose side is about `finest_patch_m`.
+/// The level is at most 8, and the root has level 0.
+int deepest_level(double size_m, double finest_patch_m = 64);
 
 struct QuadtreePreset {
     std::string_view name;

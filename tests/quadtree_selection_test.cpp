@@ -15,7 +15,7 @@ namespace {
 /// Applies level_map.hpp's rule to every node of every level until nothing changes.
 class WholeTree {
    public:
-    WholeTree(const QuadtreeOptions& o, glm::dvec3 viewer_m) : deepest_(deepest_level(o.size_m)) {
+    WholeTree(const QuadtreeOptions& o, glm::dvec3 viewer_m) : deepest_(deepest_level(o.size_m, o.finest_patch_m)) {
         const auto cells = [](int level) { return 1 << level; };
         for (int level = 0; level < deepest_; ++level) {
             const double side = o.size_m / cells(level);
@@ -59,6 +59,9 @@ std::vector<QuadtreeOptions> all_options() {
     std::vector<QuadtreeOptions> all;
     for (const QuadtreePreset& preset : quadtree_presets())
         for (const double size : sizes_m) all.push_back(preset.options(size));
+    QuadtreeOptions near_water = quadtree_preset_named("low")->options(4096);
+    near_water.finest_patch_m = 16;
+    all.push_back(near_water);
     return all;
 }
 
@@ -115,6 +118,9 @@ TEST(Selection, DeepestLevelIsEquation56) {
     EXPECT_EQ(deepest_level(512), 3);
     EXPECT_EQ(deepest_level(1024), 4);
     EXPECT_EQ(deepest_level(8192), 7);
+    // Smaller patches than the paper's, for eyes near the water.
+    EXPECT_EQ(deepest_level(4096, 16), 8);
+    EXPECT_EQ(deepest_level(8192, 16), 8);
 }
 
 // The drawn patches cover the grid once, with the levels of the level map.
@@ -309,6 +315,7 @@ TEST(SelectionInput, NamesOptionsOutOfRange) {
     expect_rejected({.lod_scale = nan}, "lod_scale nan is out of range [0.75, 8]");
     expect_rejected({.cull_scale = 0.9}, "cull_scale 0.9 is out of range [1, 4]");
     expect_rejected({.batch_limit = -1}, "batch_limit is -1, expected 0 or more");
+    expect_rejected({.finest_patch_m = 8}, "finest_patch_m 8 is out of range [16, 64]");
 }
 
 TEST(SelectionInput, RejectsInvalidFramesAndKeepsTheList) {
