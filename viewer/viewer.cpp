@@ -324,6 +324,7 @@ class Viewer {
     void choose_mesh(int vertices) {
         QuadtreeOptions quadtree = preset_named(quality_).options(settings_.size_m);
         quadtree.vertices = vertices;
+        quadtree.finest_patch_m = settings_.finest_patch_m;
         selection_.emplace(quadtree);
         if (renderer_) renderer_->set_patch_vertices(vertices);
         ++changes_;
