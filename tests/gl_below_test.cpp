@@ -3,8 +3,10 @@
 // known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <glm/gtc/packing.hpp>
 #include <numbers>
 #include <random>
@@ -158,6 +160,57 @@ TEST(UnderWater, SnellsWindowHasTheCriticalAngleAndNoSkyIsOutsideIt) {
     const double straight_up = 100 * water_index * water_index * (1 - 0.0204) * std::exp(-k * depth_m);
     // Half floats of radiance and of the sky have a precision of 1e-3.
     EXPECT_NEAR(scene.middle(pixels), straight_up, 0.005 * straight_up);
+}
+
+/// Greens of an image, and of one with more pixels a side that is averaged to the same size.
+struct Supersampled {
+    int width = 0, height = 0;
+    std::vector<double> once, often;
+};
+
+Supersampled window_of(const std::string& preset, const Camera& camera, double time_s, int times) {
+    Supersampled pair{96, 72, {}, {}};
+    for (const int scale : {1, times}) {
+        BelowScene scene(preset, pair.width * scale, pair.height * scale);
+        scene.renderer.set_sky(even_sky(1));
+        const Frame& frame = scene.frame_at(time_s);
+        const auto pixels = scene.image(camera, frame, gl::CameraWaterPlane{});
+        std::vector<double>& means = scale == 1 ? pair.once : pair.often;
+        means.assign(static_cast<std::size_t>(pair.width * pair.height), 0);
+        for (int y = 0; y < scene.height(); ++y)
+            for (int x = 0; x < scene.width(); ++x)
+                means[static_cast<std::size_t>(y / scale * pair.width + x / scale)] +=
+                    scene.green(pixels, x, y) / (scale * scale);
+    }
+    return pair;
+}
+
+// The edge of Snell's window is sharp, and waves bend it. An image with one sample a pixel is as
+// smooth as the mean of 16 samples a pixel: it has no steps of a few brightnesses and no squares of
+// 2 x 2 pixels, as derivatives between pixels would draw.
+TEST(UnderWater, SnellsWindowHasSmoothEdges) {
+    for (const char* preset : {"calm", "moderate"}) {
+        const Supersampled window = window_of(preset, {{0, -4, 0}, {4, -0.6, 3}, 1.2}, 3, 4);
+        double difference = 0, mean = 0, jumps = 0, expected_jumps = 0;
+        std::array<double, 2> by_parity{};
+        for (int y = 0; y < window.height; ++y)
+            for (int x = 0; x + 1 < window.width; ++x) {
+                const auto i = static_cast<std::size_t>(y * window.width + x);
+                const double jump = std::abs(window.once[i + 1] - window.once[i]);
+                jumps += jump;
+                by_parity[static_cast<std::size_t>(x % 2)] += jump;
+                expected_jumps += std::abs(window.often[i + 1] - window.often[i]);
+                difference += std::abs(window.once[i] - window.often[i]);
+                mean += window.often[i];
+            }
+        std::printf("%s: differs by %.3f of the mean, jumps %.2f of those of 16 samples, between squares %.2f\n",
+                    preset, difference / mean, jumps / expected_jumps, by_parity[1] / by_parity[0]);
+        // Samples of the transmittance at three facets of a pixel differ by 0.06 of the mean.
+        EXPECT_LT(difference, 0.05 * mean) << preset;
+        EXPECT_LT(jumps, 1.3 * expected_jumps) << preset;
+        EXPECT_GT(jumps, 0.7 * expected_jumps) << preset << ": blurred";
+        EXPECT_NEAR(by_parity[1] / by_parity[0], 1, 0.08) << preset;
+    }
 }
 
 // Sunlight is attenuated by exp(-k d) on its path down and again on its path up. The difference

@@ -121,20 +121,18 @@ void main() {
     normal = seen_normal(normal, facet, to_eye, surface.alpha2, distance_m);
 #endif
 
-    Foam foam = foam_at(resting, distance_m, surface.crests, to_eye);
 #if BELOW
-    // From below the edge of Snell's window is sharp, so the change of the normal between pixels is
-    // added to roughness.
-    float turns = fwidth(dot(normal, to_eye));
+    // From below the relief of foam is hidden, so the foam is not offset.
     float above_lens = lens_above_water(from_eye);
+    Foam foam = foam_at(resting, distance_m, surface.crests, above_lens < 0.0 ? vec3(0.0, 1.0, 0.0) : to_eye);
     if (above_lens < 0.0) {
-        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m,
-                                        min(surface.alpha2 + turns * turns, 1.0), foam, distance_m);
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, foam, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
         return;
     }
     vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
 #else
+    Foam foam = foam_at(resting, distance_m, surface.crests, to_eye);
     vec3 water_light = upwelling(normal, to_eye);
 #endif
 
