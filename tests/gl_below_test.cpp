@@ -255,6 +255,87 @@ TEST(UnderWater, FloorIsAttenuatedOnThePathDownAndUp) {
     }
 }
 
+/// Returns the caustics on a level floor, relative to their mean, as seen straight down from high
+/// above through level water. Pixels are `pixel_m` wide.
+std::vector<double> light_on_floor(BelowScene& scene, const gl::Caustics& caustics, double pixel_m) {
+    const double height_m = 600, half_m = 0.5 * pixel_m * scene.width();
+    const Frame& frame = scene.level_frame(caustics.options.depth_m);
+    gl::CausticsBaker baker(make_serial_executor());
+    baker.schedule(frame, caustics.options);
+    const gl::Caustics uniform = baker.complete();
+    std::array<std::vector<double>, 3> images;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        scene.renderer.set_floor({.is_sand = false, .albedo = glm::vec3(i == 0 ? 0 : 1)});
+        scene.renderer.set_caustics(i == 2 ? caustics : uniform);
+        const auto pixels =
+            scene.image({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)}, frame, std::nullopt, false);
+        for (int y = 0; y < scene.height(); ++y)
+            for (int x = 0; x < scene.width(); ++x) images[i].push_back(scene.green(pixels, x, y));
+    }
+    std::vector<double> light;
+    for (std::size_t i = 0; i < images[0].size(); ++i)
+        light.push_back((images[2][i] - images[0][i]) / (images[1][i] - images[0][i]));
+    return light;
+}
+
+// The texture of the caustics has the period of a cascade. A floor of ten periods shows no period,
+// and its light has the mean and the variance of the texture.
+TEST(UnderWater, CausticsOnAFloorDoNotRepeat) {
+    constexpr int pixels = 160, per_period = 16;
+    BelowScene scene("moderate", pixels, pixels);
+    scene.renderer.set_sky(only_sun());
+    gl::CausticsBaker baker(make_default_executor());
+    baker.schedule(scene.frame_at(0), {.depth_m = 5});
+    const gl::Caustics caustics = baker.complete();
+    const std::vector<double> light = light_on_floor(scene, caustics, caustics.grid.side_m / per_period);
+
+    double mean = 0, variance = 0;
+    for (const double value : light) mean += value / static_cast<double>(light.size());
+    for (const double value : light) variance += (value - mean) * (value - mean) / static_cast<double>(light.size());
+    // Variance of level 4 of the texture, 16 x 16 texels, interpolated between texels.
+    std::size_t first = 0;
+    for (int level = 0; level < 4; ++level)
+        first += std::size_t(gl::Caustics::side >> level) * (gl::Caustics::side >> level);
+    const auto texel = [&](int i, int j) {
+        return static_cast<double>(
+                   glm::unpackHalf1x16(caustics.halves[first + static_cast<std::size_t>(j % 16 * 16 + i % 16)])) -
+               1;
+    };
+    double expected = 0;
+    constexpr int steps = 8;
+    for (int j = 0; j < 16 * steps; ++j)
+        for (int i = 0; i < 16 * steps; ++i) {
+            const int x = i / steps, y = j / steps;
+            const double u = i % steps / double{steps}, v = j % steps / double{steps};
+            expected += std::pow(std::lerp(std::lerp(texel(x, y), texel(x + 1, y), u),
+                                           std::lerp(texel(x, y + 1), texel(x + 1, y + 1), u), v),
+                                 2);
+        }
+    expected /= std::pow(16 * steps, 2);
+
+    double highest = 0;
+    for (int j = 0; j <= per_period * 3 / 2; ++j)
+        for (int i = -per_period * 3 / 2; i <= per_period * 3 / 2; ++i) {
+            const double periods = std::hypot(i, j) / per_period;
+            if (periods < 0.8 || periods > 1.45) continue;
+            double sum = 0;
+            int count = 0;
+            for (int y = 0; y + j < pixels; ++y)
+                for (int x = std::max(0, -i); x < pixels - std::max(0, i); ++x, ++count)
+                    sum += (light[static_cast<std::size_t>(y * pixels + x)] - mean) *
+                           (light[static_cast<std::size_t>((y + j) * pixels + x + i)] - mean);
+            highest = std::max(highest, sum / count / variance);
+        }
+    std::printf("mean %.4f, variance %.4f of %.4f, highest autocorrelation about a period %.3f\n", mean, variance,
+                expected, highest);
+    EXPECT_NEAR(mean, 1, 0.02);
+    // The roughness of the surface widens the pixel, which lowers the variance to 0.65. So it does
+    // for a single copy.
+    EXPECT_GT(variance, 0.5 * expected);
+    EXPECT_LT(variance, 1.25 * expected);
+    EXPECT_LT(highest, 0.3);
+}
+
 // From below, a level surface reflects totally at a slant, so all light there comes from the water
 // and decreases with depth.
 TEST(UnderWater, RadianceFallsWithDepthAndRisesUpwards) {

@@ -48,6 +48,17 @@ float path_to_floor(vec3 start, vec3 ray) {
     return path;
 }
 
+// Returns the caustics on the floor. `at` is where the sun's ray enters flat water.
+float caustics_on_floor(vec2 at, float depth, float pixel_m) {
+#if SHADING != HEADSET
+    if (has_baked_caustics()) {
+        float noise = textureLod(detail, noise_of_caustics(at), 5.0).z;
+        return caustics_of_copies(at, depth, pixel_m, 32.0 * (noise - 0.5));
+    }
+#endif
+    return caustics_seen(rows_in_pixel(at, pixel_m), depth);
+}
+
 // Returns the width of a pixel on the floor at a distance.
 float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
 
@@ -108,7 +119,7 @@ vec3 floor_light(vec3 at, float pixel_m) {
     }
     vec3 k = attenuation_of_water();
     vec3 to_sun = sun_in_water();
-    float gathered = caustics_at(at.xz + to_sun.xz / to_sun.y * depth, depth, pixel_m);
+    float gathered = caustics_on_floor(at.xz + to_sun.xz / to_sun.y * depth, depth, pixel_m);
     vec3 from_sun = sunlight_below() / to_sun.y * exp(-k * depth / to_sun.y) * max(dot(rippled, to_sun), 0.0) * gathered;
     return albedo / pi * (from_sun + skylight_below() * exp(-k * depth) * (0.5 + 0.5 * normal.y));
 }

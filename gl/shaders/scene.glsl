@@ -112,6 +112,9 @@ layout(std140) uniform Scene {
     highp vec4 floor_albedo;
     // like cascade_place, for the caustics' texture; zw: 0 without caustics
     highp vec4 caustic_place;
+    // xy: the viewer's position in the noise that selects copies of the caustics; z: side of the
+    // caustics over that of the noise
+    highp vec4 caustic_copies;
     // xy: radians per metre; z: phase at the viewer; w of the first row: focal depth
     highp vec4 caustic_row[3];
     // near and far streaks, along and across the wind; xy: 1/m; zw: the viewer's position; they

@@ -17,6 +17,9 @@ using std::numbers::pi;
 constexpr double deepest_seen_m = 150;
 /// Period of the patterns on sand.
 constexpr double sand_tile_m = 64;
+/// Period, in sides of the caustics, of the noise that selects their copies. The noise changes by
+/// two or three copies a side. The value is far from every integer.
+constexpr double noise_sides = 7.317;
 
 /// Returns w of the near plane, which is its distance ahead of the eye. The projection determines
 /// which end of the depth range is near.
@@ -98,6 +101,11 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
         const auto fraction = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
         block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,
                                grid.sine / grid.side_m};
+        const auto in_noise = [&](double value) {
+            const double sides = value / (noise_sides * grid.side_m);
+            return sides - std::floor(sides);
+        };
+        block.caustic_copies = {in_noise(at.along), in_noise(at.across), 1 / noise_sides, 0};
     }
 }
 

@@ -32,6 +32,7 @@ struct SceneBlock {
     glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{};
     // Values for rendering below the surface.
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
+    glm::vec4 caustic_copies{};
     std::array<glm::vec4, 3> caustic_row{};
     std::array<glm::vec4, 2> foam_streaks{};
     glm::vec4 foam_kind{};
