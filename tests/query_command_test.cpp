@@ -132,6 +132,10 @@ TEST(QueryCommand, ReportsPointsThatSpanMoreThanAPeriod) {
     const std::string note = "note: the points span 250.5 m, but the longest waves repeat after 250 m\n";
     EXPECT_NE(notes("100,2\n3,4\n100,252.5\n").find(note), std::string::npos);
     EXPECT_EQ(notes("100,2\n3,4\n100,252\n").find("span"), std::string::npos);
+    // In double the side, six times 1.2 m, is 7.199999999999999.
+    EXPECT_NE(
+        query("0,0\n20,0\n", {"--preset", "pond"}).err.find("span 20 m, but the longest waves repeat after 7.2 m\n"),
+        std::string::npos);
 }
 
 TEST(QueryCommand, ReadsPointsWithoutAHeaderAndWithAByteOrderMark) {

@@ -189,7 +189,7 @@ void print_summary(const Json& json) {
                        number(waves.at("tm01_s").at("expected")) + " s, Tm02 and zero crossings " +
                        number(waves.at("tm02_s").at("expected")) + " s");
     const std::string loop = "after " + number_text(sea.at("loop_period_s").get<double>()) + " s and after " +
-                             number_text(json.at("repeats_after_m").get<double>()) + " m";
+                             rounded_text(json.at("repeats_after_m").get<double>(), 6) + " m";
     row("Repeats", cascades == 1 ? loop
                                  : loop + ", the side of the coarsest of " + number_text(cascades) +
                                        " cascades: its long waves, not the finer ones");

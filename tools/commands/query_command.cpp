@@ -64,8 +64,8 @@ class SpanNote {
         z_.extend(block.z);
         const double span_m = std::max(x_.length(), z_.length());
         if (!(span_m > repeat_m_)) return;
-        print_note("the points span " + number_text(span_m) + " m, but the longest waves repeat after " +
-                   number_text(repeat_m_) + " m");
+        print_note("the points span " + rounded_text(span_m, 9) + " m, but the longest waves repeat after " +
+                   rounded_text(repeat_m_, 9) + " m");
         is_printed_ = true;
     }
 
