@@ -92,8 +92,8 @@ TEST(Metering, KeepsHalfOfTheViewVisible) {
     EXPECT_GE(shown(200, gl::metered_ev(view, 1)), 0.0649 * 0.9);
 }
 
-// Three tenths of the view are water in the shade of waves. They are shown as at least 0.035, unless
-// that takes more than a stop.
+// Three tenths of the view are water in the shade of waves. They are shown as at least 0.035,
+// unless that takes more than a stop.
 TEST(Metering, KeepsDarkWaterReadable) {
     for (const double dark : {1500.0, 1000.0, 50.0}) {
         const float ev = gl::metered_ev(cells({{30, dark}, {30, 5000}, {40, 40'000}}), 1);

@@ -45,8 +45,8 @@ Moments moments_of(const std::vector<float>& values, std::size_t channel) {
     return {sum / count, squares / count - sum / count * (sum / count)};
 }
 
-// Sixteen facets reflect with the probability p = mean / 16 each: the count is binomial. Relative to
-// its mean its variance is (1 - p) / mean; for many glints it is Poisson's, 1 / mean.
+// Sixteen facets reflect with the probability p = mean / 16 each: the count is binomial. Relative
+// to its mean its variance is (1 - p) / mean; for many glints it is Poisson's, 1 / mean.
 TEST_F(GlGlints, HaveTheMeanAndTheVarianceOfACount) {
     for (const double mean : {0.2, 0.5, 1.0, 2.0, 4.0, 12.0, 50.0}) {
         const std::vector<float> values = counted("    float a = counted_glints(at, vec2(0.013, 0.0), vec2(0.0, 0.04), " +

@@ -55,8 +55,8 @@ float counted_glints(vec2 at, vec2 dx, vec2 dy, float mean) {
     return mix(few, many, smoothstep(5.0, 10.0, mean));
 }
 
-// Returns glint() with counted glints. `at` is the undisplaced position, and dx and dy are the sides
-// of the footprint. With many glints in a pixel the smooth distribution remains.
+// Returns glint() with counted glints. `at` is the undisplaced position; dx and dy are the sides of
+// the footprint. With many glints in a pixel the smooth distribution remains.
 float sparkling_glint(vec2 at, vec2 dx, vec2 dy, vec3 normal, vec3 to_eye, float alpha2) {
     float smooth_glint = glint(normal, to_eye, alpha2);
     float most = glints_a_m2 * abs(dx.x * dy.y - dx.y * dy.x);
