@@ -14,8 +14,8 @@ namespace {
 // values, so patches are rarely split because of a neighbour. A cull scale of 1 suffices, because
 // the boxes contain the frame's extremes.
 constexpr QuadtreePreset presets[] = {
-    {"low", 16, 1.8, 1.0},        {"medium", 32, 2.0, 1.0},      {"high", 64, 2.2, 1.0},
-    {"ultra", 128, 2.4, 1.0},     {"paper_low", 16, 2.0, 1.2},   {"paper_medium", 32, 1.5, 1.5},
+    {"low", 16, 1.8, 1.0},        {"medium", 32, 2.0, 1.0},      {"high", 64, 2.2, 1.0, 16},
+    {"ultra", 128, 2.4, 1.0, 16}, {"paper_low", 16, 2.0, 1.2},   {"paper_medium", 32, 1.5, 1.5},
     {"paper_high", 64, 1.2, 1.8}, {"paper_ultra", 64, 1.0, 2.0},
 };
 

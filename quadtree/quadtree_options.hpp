@@ -34,9 +34,17 @@ struct QuadtreePreset {
     int vertices;
     double lod_scale;
     double cull_scale;
+    double finest_patch_near_water_m = 64;
 
     /// Returns options for a square of this side in metres.
     QuadtreeOptions options(double size_m) const { return {size_m, vertices, lod_scale, cull_scale}; }
+    /// Returns options for eyes near an open sea, where waves of 1 to 3 m hide others: `high` and
+    /// `ultra` then have patches of 16 m.
+    QuadtreeOptions options_near_water(double size_m) const {
+        QuadtreeOptions near_water = options(size_m);
+        near_water.finest_patch_m = finest_patch_near_water_m;
+        return near_water;
+    }
 };
 
 /// Returns the presets: low, medium, high, ultra, in increasing number of triangles and detail;

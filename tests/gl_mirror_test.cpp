@@ -133,8 +133,8 @@ TEST_F(GlMirror, IsReciprocal) {
 }
 
 // A calm sea, an eye 2 to 30 degrees above it, normals that lean up to 20 degrees to and fro: under
-// a uniform sky the reflected light changes by less than half a stop in 0.6 degrees. A
-// larger change would draw an edge across each wave.
+// a uniform sky the reflected light changes by less than half a stop in 0.6 degrees. A larger
+// change would draw an edge across each wave.
 TEST_F(GlMirror, ReflectedLightChangesSmoothlyWithTheNormal) {
     const std::vector<float> values = computed(R"(
     float lean = radians(-20.0 + 40.0 * pixel.x / 64.0), eye_height = radians(2.0 + 28.0 * pixel.y / 32.0);

@@ -121,6 +121,11 @@ TEST(Selection, DeepestLevelIsEquation56) {
     // Smaller patches than the paper's, for eyes near the water.
     EXPECT_EQ(deepest_level(4096, 16), 8);
     EXPECT_EQ(deepest_level(8192, 16), 8);
+    // The presets of the paper's table keep the paper's patches.
+    for (const QuadtreePreset& preset : quadtree_presets())
+        EXPECT_EQ(preset.options_near_water(4096).finest_patch_m,
+                  preset.name == "high" || preset.name == "ultra" ? 16 : 64)
+            << preset.name;
 }
 
 // The drawn patches cover the grid once, with the levels of the level map.

@@ -31,7 +31,6 @@ struct ViewSettings {
     std::optional<gl::FlowMap> flow;  ///< flow of a river; if empty, a winding channel
     std::string quality = "high";
     double size_m = 2048;
-    double finest_patch_m = 64;
     bool scale_is_automatic = true;
     float fixed_scale = 1;  ///< size of the drawn image relative to the window's; [0.25, 1]
     bool wireframe = false;

@@ -322,9 +322,10 @@ class Viewer {
     }
 
     void choose_mesh(int vertices) {
-        QuadtreeOptions quadtree = preset_named(quality_).options(settings_.size_m);
+        const QuadtreePreset& preset = preset_named(quality_);
+        QuadtreeOptions quadtree = surface_ == gl::Surface::open ? preset.options_near_water(settings_.size_m)
+                                                                 : preset.options(settings_.size_m);
         quadtree.vertices = vertices;
-        quadtree.finest_patch_m = settings_.finest_patch_m;
         selection_.emplace(quadtree);
         if (renderer_) renderer_->set_patch_vertices(vertices);
         ++changes_;

@@ -131,15 +131,16 @@ struct MeanMirror {
     float lit;        // share of the reflected rays that reach the sky without meeting a wave
 };
 
-// Returns the mirror of a wave that a reflected ray meets: its facets are those that the ray sees.
-// A ray that rises meets the faces of crests, whose mean cosine is negative on the level sea.
-MeanMirror mirror_of_waves(vec3 towards, float alpha_of_all) {
+// Returns the reflection of a ray at a wave that it meets, whose facets are those that the ray
+// sees. xyz: direction of the sky that is reflected; w: reflectance. A ray that rises meets the
+// faces of crests, whose mean cosine is negative on the level sea.
+vec4 reflection_at_wave(vec3 towards, float alpha_of_all) {
     float s = alpha_of_all * sqrt(0.5);
     SeenFacets seen = seen_facets(-towards.y, s);
     vec2 ahead = towards.xz / max(length(towards.xz), 1e-4);
     vec3 out_of = reflect(towards, normalize(vec3(-ahead.x * seen.slope, 1.0, -ahead.y * seen.slope)));
-    return MeanMirror(vec3(out_of.x, max(out_of.y, 0.02), out_of.z), 0.0,
-                      fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0)), 1.0);
+    return vec4(out_of.x, max(out_of.y, 0.02), out_of.z,
+                fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0)));
 }
 
 // Around a cosine c the Fresnel curve falls off as exp(-6 (1 - c^2) c), which weights the slopes.
@@ -162,9 +163,9 @@ MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_al
     // The factor is fitted to the integral.
     float x = max(mu, 0.0) / sqrt(alpha2);
     float lit = lit_fraction(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
-    MeanMirror other = mirror_of_waves(towards, alpha_of_all);
-    return MeanMirror(mix(other.towards, towards, lit), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
-                      mix(other.sky_share, 1.0, lit), lit);
+    vec4 second = reflection_at_wave(towards, alpha_of_all);
+    return MeanMirror(mix(second.xyz, towards, lit), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
+                      mix(second.w, 1.0, lit), lit);
 }
 
 // Returns the reflected light of a pixel. `water_light` is the radiance of other waves without

@@ -106,9 +106,9 @@ void main() {
     Footprint pixel = footprint_of(resting);  // before branches, which leave derivatives undefined
 #endif
 #ifdef DYNAMIC_WAVES
-    vec4 waves = dynamic_waves(at.xz, footprint_of(resting).wide_m);
-    surface.slopes -= waves.yz;
-    surface.crests = max(surface.crests, waves.w);
+    vec4 added = dynamic_waves(at.xz, footprint_of(resting).wide_m);  // `waves` is a uniform
+    surface.slopes -= added.yz;
+    surface.crests = max(surface.crests, added.w);
 #endif
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
 #if !defined(SKIRT) && SHADING != HEADSET

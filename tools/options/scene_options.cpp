@@ -60,11 +60,8 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     const double size_m = options.surface != gl::Surface::open ? 512
                           : options.camera.position_m.y > 100  ? 8192
                                                                : 4096;
-    options.quadtree = preset->options(size_m);
-    // Near the eye, waves of 1 to 3 m hide others, so the finer presets resolve them.
-    constexpr int fine_vertices = 64;
-    if (options.surface == gl::Surface::open && preset->vertices >= fine_vertices)
-        options.quadtree.finest_patch_m = 16;
+    options.quadtree =
+        options.surface == gl::Surface::open ? preset->options_near_water(size_m) : preset->options(size_m);
 }
 
 gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::optional<std::string>& chlorophyll) {
