@@ -3,8 +3,8 @@
 //
 //   taskset -c 1 build/release/bin/pelagic_foam_bench [instruction set]
 //
-// A frame after a tick of foam (0.1 s) also computes that tick; other frames only apply the decay.
-// A jump in time computes 29 ticks. Prints medians of times, and means over all frames, which
+// A frame after a tick of foam (0.19 s) also computes that tick; other frames only apply the decay.
+// A jump in time computes 16 ticks. Prints medians of times, and means over all frames, which
 // include the ticks.
 #include <algorithm>
 #include <chrono>

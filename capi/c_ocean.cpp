@@ -154,6 +154,8 @@ pelagic_frame c_frame_of(const Frame& frame) {
     out.roughness = static_cast<float>(frame.statistics.roughness);
     out.foam_drift_x_mps = frame.statistics.foam_drift_x_mps;
     out.foam_drift_z_mps = frame.statistics.foam_drift_z_mps;
+    out.foam_level = frame.foam.level;
+    std::copy(frame.foam.age.begin(), frame.foam.age.end(), out.foam_age);
     return out;
 }
 
@@ -173,6 +175,14 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
     out.whitecap_jacobian = cascade.whitecap_jacobian;
     out.foam_r8 = cascade.foam_r8.data();
     out.whitecap_ramp = cascade.whitecap_ramp;
+    out.compression_r8 = cascade.compression_r8.data();
+    for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
+        out.snapshots_rgba8[image] = cascade.snapshots_rgba8[image].data();
+        out.snapshots_version[image] = cascade.snapshots_version[image];
+    }
+    out.drift_columns = cascade.drift_columns;
+    out.drift_rows = cascade.drift_rows;
+    out.compression_scale = cascade.compression_scale;
     return out;
 }
 
@@ -382,21 +392,6 @@ pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* has
         need_frame(needed(ocean, "ocean"));
         if (!ocean->contents.foam) reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->shown);
-    });
-}
-
-pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
-    return guarded([&] {
-        need_no_frame_in_flight(needed(ocean, "ocean"));
-        write_saved(ocean->ocean.saved_history(), bytes, room, count);
-    });
-}
-
-pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
-    return guarded([&] {
-        need_no_frame_in_flight(needed(ocean, "ocean"));
-        if (count > 0) needed(bytes, "bytes");
-        ocean->ocean.restore_history({bytes, count});
     });
 }
 

@@ -371,10 +371,10 @@ typedef struct pelagic_ocean_options {
     int32_t slopes;
     /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
     int32_t gradients;
-    /* Nonzero enables foam accumulation: foam of breaking waves drifts and fades over 2.9 seconds.
-     * A frame then takes 10 to 20 % longer, and a frame with a tick (ten a second) a further 50 %
-     * or more. A jump in time computes 29 ticks, which take as long as ten to twenty frames. 5 N^2
-     * bytes for each cascade. With 0 the half floats hold only the foam of waves that break at the
+    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame then
+     * takes 13 to 17 % longer, and a frame with a tick (five a second) as long again. A jump in
+     * time computes 16 ticks, which take as long as ten to twenty frames. 55 N^2 bytes for each
+     * cascade. With 0 the half floats hold only the foam of waves that break at the
      * frame's time. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
@@ -478,6 +478,11 @@ typedef struct pelagic_frame {
     float roughness;
     /* Drift velocity of foam in the world's axes, by wind and waves. */
     double foam_drift_x_mps, foam_drift_z_mps;
+    /* Foam of several cascades, see pelagic_cascade. The level is 1000 if the sea has no whitecaps,
+     * and without pelagic_ocean_options.foam. */
+    float foam_level;
+    float foam_age[16]; /* 1 and more: the snapshot has no effect */
+    uint32_t reserved_2;
 } pelagic_frame;
 
 /* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The
@@ -515,7 +520,18 @@ typedef struct pelagic_frame {
  *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,
  *   n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
- * The foam of a frame at a position is the largest foam of its cascades there. */
+ * Foam of one cascade is foam_r8. Several cascades break where their sum does. A byte b of
+ * compression is q = -3 + 8 b / 255: b = compression_r8[texel] now, and b = byte s % 4 (from the
+ * lowest) of a texel of snapshots_rgba8[s / 4] for snapshot s of 16. Let S_s be the sum over the
+ * cascades of the q of snapshot s, and S that of the q now. The foam at a position is the largest
+ * of
+ *
+ *   clamp(1/2 + (S - foam_level) / 0.3, 0, 1)  and
+ *   clamp(1/2 + (S_s - foam_level) / 0.3, 0, 1) - foam_age[s],
+ *
+ * where foam_level and foam_age are members of pelagic_frame. Snapshots drift: water at texel
+ * (i, j) has those of texel (i - drift_columns, j - drift_rows). Images 0 and 1 hold every second
+ * snapshot, and a cheap reader may use these alone. */
 typedef struct pelagic_cascade {
     uint32_t struct_size;
     int32_t resolution; /* N */
@@ -544,6 +560,18 @@ typedef struct pelagic_cascade {
     const uint8_t* foam_r8;
     float whitecap_ramp; /* above 0 */
     uint32_t reserved_1;
+    /* N^2 bytes in tight rows, and four chains of `levels` levels. NULL without
+     * pelagic_ocean_options.foam, and for a cascade that makes no foam. compression_r8 is also NULL
+     * in a frame of one cascade. */
+    const uint8_t* compression_r8;
+    const uint32_t* snapshots_rgba8[4];
+    /* Differs whenever an image of snapshots differs, in all oceans of the process. About five
+     * times a second one image changes. */
+    uint64_t snapshots_version[4];
+    double drift_columns, drift_rows; /* texels, [0, N) */
+    /* q over -(D_xx + D_zz) of this cascade: the compression of slopes_rgba8. */
+    float compression_scale;
+    uint32_t reserved_2;
 } pelagic_cascade;
 
 /* Starts a frame and returns immediately.
@@ -675,30 +703,6 @@ PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64
  *   the first frame.
  * Threads: one thread per ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
-
-/* Saves the foam history of an ocean, so that another one can continue without the warm-up of a
- * jump in time.
- *
- * bytes: receives the history; NULL to obtain only the count.
- * room: size of `bytes`.
- * count: receives the number of bytes: slightly more than N^2 for each cascade. 0 before the first
- *   frame and without pelagic_ocean_options.foam.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small; PELAGIC_WRONG_ORDER if a frame is in
- *   flight.
- * Threads: one thread per ocean. */
-PELAGIC_API pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
-                                                      size_t* count);
-
-/* Restores a foam history of an ocean with an equal sea, from any machine of equal byte order.
- * Frames are bit-identical to those of an ocean that did not restore.
- *
- * count: 0 discards the history of the ocean.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if no such ocean can have saved the bytes; PELAGIC_WRONG_ORDER
- *   if a frame is in flight.
- * Threads: one thread per ocean. */
-PELAGIC_API pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Another sea ----------------------------------------------------------------------------- */
 

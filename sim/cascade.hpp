@@ -2,6 +2,7 @@
 // The displacements of a frame are the sums over its cascades.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <span>
 
 #include "pelagic/sim/slope_sum.hpp"
+#include "pelagic/sim/snapshot_foam.hpp"
 
 namespace pelagic {
 
@@ -126,9 +128,25 @@ struct Cascade {
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
     /// A chain of mip_levels() levels of foam with one byte a texel, 0 none to 255 full: foam of
-    /// waves that break at the frame's time and the remainder of earlier foam. Empty unless
-    /// OceanOptions::foam is set. The fourth half float of displacement_rgba16f is this byte / 255.
+    /// waves of this cascade that break at the frame's time, and the remainder of earlier foam.
+    /// Waves of several cascades break where their sum does, which the snapshots below resolve.
+    /// Empty unless OceanOptions::foam is set. The fourth half float of displacement_rgba16f is
+    /// this byte / 255.
     std::span<const std::uint8_t> foam_r8;
+    /// Compression as bytes (snapshot_foam.hpp): resolution^2 bytes now, in tight rows, and four
+    /// chains of mip_levels() levels with the snapshots. Empty unless OceanOptions::foam is set,
+    /// and for a cascade whose compression has no weight. compression_r8 is also empty in a frame
+    /// of one cascade.
+    std::span<const std::uint8_t> compression_r8;
+    std::array<std::span<const std::uint32_t>, SnapshotFoam::images> snapshots_rgba8;
+    /// Differs whenever an image of snapshots differs, in all oceans of the process.
+    std::array<std::uint64_t, SnapshotFoam::images> snapshots_version{};
+    /// Offset of the snapshots, in texels along the cascade's axes, [0, resolution): snapshots are
+    /// in the frame of drifting foam. Water at texel (i, j) has the compression of texel
+    /// (i - drift_columns, j - drift_rows).
+    double drift_columns = 0, drift_rows = 0;
+    /// -q over Dx,x + Dz,z of this cascade (snapshot_foam.hpp).
+    float compression_scale = 0;
     /// Variance of h_x plus variance of h_z over the whole cascade, as in the last level of the
     /// chains; 0 without slopes. It is also set if the chains are in memory of the application
     /// (texture_targets.hpp).

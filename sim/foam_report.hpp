@@ -17,7 +17,7 @@ struct CascadeFoam {
 
 struct FoamReport {
     double tick_s;      ///< interval of foam ticks, a whole number of them in a loop
-    int ticks_a_loop;   ///< about 10 a second
+    int ticks_a_loop;   ///< about 5 a second
     int warm_up_ticks;  ///< ticks after which all foam has faded, computed after a jump in time
     /// Speed and direction of the drift before rounding, from +x towards +z.
     double drift_mps, drift_direction_rad;

@@ -1,6 +1,7 @@
 // A frame: views of cascades, dynamic waves and a shore, which the ocean owns.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -9,6 +10,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
+#include "pelagic/sim/snapshot_foam.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -28,6 +30,12 @@ struct SeaStatistics {
     /// Drift velocity of foam in the world's axes, m/s: by the wind and by the waves (Stokes'
     /// drift).
     double foam_drift_x_mps = 0, foam_drift_z_mps = 0;
+    /// Standard deviation of the weighted compression of all cascades (snapshot_foam.hpp), and the
+    /// number of deviations at which half of the water is white. The level is no_foam_level if the
+    /// sea has no whitecaps.
+    double compression_deviation = 0, foam_level = no_foam_level;
+    static constexpr double no_foam_level = 1000;
+    std::array<FoamFilter, FoamFilter::widths> foam_filters;
 };
 
 /// One frame, with all data about the sea that rendering and queries need.
@@ -48,6 +56,8 @@ struct Frame {
     DynamicWavesView dynamic_waves;
     /// Waves over a sea floor, with OceanOptions::shore; the bounds include them.
     ShoreSurface shore;
+    /// Foam of the sum of the cascades, with OceanOptions::foam.
+    SnapshotFoam foam;
 };
 
 /// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
@@ -59,7 +69,8 @@ struct Frame {
 /// It also leaves out textures written to memory of the application (texture_targets.hpp).
 std::uint64_t hash_of(const Frame& frame);
 
-/// Returns the XXH3 of the cascades' chains of foam, which OceanOptions::foam enables. Foam is a
+/// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the
+/// chain of foam, the bytes of compression and the chains of snapshots, in this order. Foam is a
 /// function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
 

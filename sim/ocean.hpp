@@ -47,11 +47,11 @@ struct OceanOptions {
     bool gradients = false;
     /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several have them always.
     bool slopes = false;
-    /// Enables foam accumulation: foam of breaking waves drifts and fades over 2.9 seconds
-    /// (foam/history.hpp). 5 N^2 bytes a cascade.
+    /// Enables foam: foam of breaking waves drifts and fades over 2.8 seconds (foam/snapshots.hpp).
+    /// 55 N^2 bytes a cascade.
     ///
-    /// A frame then takes 10 to 20 % longer, and a frame with a tick (ten a second) a further 50 %
-    /// or more. A jump in time computes 29 ticks, which take as long as ten to twenty frames.
+    /// A frame then takes 13 to 17 % longer, and a frame with a tick (five a second) as long again.
+    /// A jump in time computes 16 ticks, which take as long as ten to twenty frames.
     /// Without the option the half floats hold only the foam of waves that break at the frame's
     /// time.
     bool foam = false;
@@ -158,13 +158,6 @@ class Ocean {
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
         schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
     }
-
-    /// Returns the foam history up to the frame completed last, from which an ocean continues
-    /// without a warm-up. Empty without OceanOptions::foam. \pre no frame is in flight
-    std::vector<std::uint8_t> saved_history() const;
-    /// Restores a saved history of an ocean with an equal sea; an empty one discards the history.
-    /// Throws std::invalid_argument if no such ocean can have saved it. \pre no frame is in flight
-    void restore_history(std::span<const std::uint8_t> saved);
 
     /// Returns the dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's
     /// frames. Frames of equal times with equal commands between them have bit-identical waves.

@@ -1,4 +1,4 @@
-// Foam through the C interface: it is optional, and its history can be saved and restored.
+// Foam through the C interface, which is optional.
 #include <algorithm>
 #include <string>
 
@@ -35,14 +35,6 @@ class CInterfaceFoam : public testing::Test {
         std::uint64_t hash = 0;
         EXPECT_EQ(pelagic_ocean_foam_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
         return hash;
-    }
-    static std::vector<std::uint8_t> saved(const COcean& ocean) {
-        std::size_t count = 0;
-        EXPECT_EQ(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_OK) << pelagic_last_error();
-        std::vector<std::uint8_t> bytes(count);
-        EXPECT_EQ(pelagic_ocean_save_history(ocean.get(), bytes.data(), bytes.size(), &count), PELAGIC_OK);
-        EXPECT_EQ(count, bytes.size());
-        return bytes;
     }
 };
 
@@ -95,52 +87,6 @@ TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
     expect_rejected(pelagic_ocean_foam_hash(without_foam.get(), &hash), PELAGIC_INVALID_ARGUMENT,
                     "the ocean has no foam: it was created without pelagic_ocean_options.foam");
     EXPECT_EQ(hash, 7u);
-    EXPECT_TRUE(saved(without_foam).empty());
-}
-
-TEST_F(CInterfaceFoam, HistoryIsSavedAndRestored) {
-    const COcean first = gale(true), second = gale(true);
-    EXPECT_TRUE(saved(first).empty()) << "before the first frame";
-    complete(first, 7);
-    std::vector<std::uint8_t> history = saved(first);
-    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
-    complete(first, 7.3);
-    complete(second, 7.3);
-    EXPECT_EQ(foam_hash(first), foam_hash(second));
-
-    // The next frame starts from the restored history, here with more foam than the sea produces.
-    std::fill(history.begin() + 8, history.end(), std::uint8_t{255});
-    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
-    complete(second, 7.3);
-    EXPECT_NE(foam_hash(first), foam_hash(second));
-    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), nullptr, 0), PELAGIC_OK) << "clears the history";
-    complete(second, 7.3);
-    EXPECT_EQ(foam_hash(first), foam_hash(second));
-}
-
-TEST_F(CInterfaceFoam, InvalidHistoryIsRejected) {
-    const COcean ocean = gale(true);
-    complete(ocean, 1);
-    std::vector<std::uint8_t> history = saved(ocean);
-    EXPECT_EQ(history.size(), 2 * 32 * 32 + 8u);
-    std::size_t count = 77;
-    expect_rejected(pelagic_ocean_save_history(ocean.get(), history.data(), 100, &count), PELAGIC_INVALID_ARGUMENT,
-                    "room is 100, expected 2056 or more");
-    EXPECT_EQ(count, 77u);
-    expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, nullptr), PELAGIC_INVALID_ARGUMENT,
-                    "count is NULL, expected a pointer");
-    expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 9), PELAGIC_INVALID_ARGUMENT,
-                    "bytes is NULL, expected a pointer");
-    expect_rejected(pelagic_ocean_restore_history(ocean.get(), history.data(), 2055), PELAGIC_INVALID_ARGUMENT,
-                    "history is 2055 bytes, expected none or 2056");
-    std::fill_n(history.begin(), 8, std::uint8_t{0x7F});
-    EXPECT_EQ(pelagic_ocean_restore_history(ocean.get(), history.data(), history.size()), PELAGIC_INVALID_ARGUMENT);
-
-    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    expect_rejected(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_WRONG_ORDER,
-                    "a frame is in flight; call pelagic_ocean_complete first");
-    expect_rejected(pelagic_ocean_restore_history(ocean.get(), nullptr, 0), PELAGIC_WRONG_ORDER,
-                    "a frame is in flight; call pelagic_ocean_complete first");
 }
 
 }  // namespace

@@ -178,9 +178,9 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
 
     Library library;
     const Frame& frame = library.frame_at(0);
-    EXPECT_EQ(recorded["tick_s"], 0.1);
-    EXPECT_EQ(recorded["ticks_a_loop"], 80);
-    EXPECT_EQ(recorded["warm_up_ticks"], 29);
+    EXPECT_EQ(recorded["tick_s"], 0.25);  // of a loop of 8 s
+    EXPECT_EQ(recorded["ticks_a_loop"], 32);
+    EXPECT_EQ(recorded["warm_up_ticks"], 16);
     EXPECT_NEAR(recorded["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
     const double x = frame.statistics.foam_drift_x_mps, z = frame.statistics.foam_drift_z_mps;
     EXPECT_NEAR(recorded["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);

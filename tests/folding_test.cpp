@@ -18,7 +18,7 @@ FoldMoments spread_sea(double mean_square_slope) {
     for (const double direction : {-1.2, -0.5, -0.1, 0.2, 0.6, 0.9}) {
         const double x = 0.4 * std::cos(direction), z = 0.4 * std::sin(direction);
         for (int wave = 0; wave < 100; ++wave)
-            moments.add_wave(mean_square_slope / 16, 4 * mean_square_slope / 16, x, z, x, z);
+            moments.add_wave(mean_square_slope / 16, 4 * mean_square_slope / 16, x, z, x, z, 1);
     }
     return moments;
 }
@@ -55,7 +55,7 @@ TEST(FoldDistribution, QuantilesOfFewWavesAreSmaller) {
     constexpr int waves = 8, draws = 200'000;
     constexpr double amplitude = 0.02, wave_number = 1;
     FoldMoments m;
-    for (int wave = 0; wave < waves; ++wave) m.add_wave(amplitude * amplitude / 2, 1, wave_number, 0, wave_number, 0);
+    for (int wave = 0; wave < waves; ++wave) m.add_wave(amplitude * amplitude / 2, 1, wave_number, 0, wave_number, 0, 1);
     const FoldDistribution jacobians(m, 1);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> phase(0, 6.283185307179586);

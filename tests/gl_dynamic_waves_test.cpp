@@ -314,11 +314,15 @@ class FlatScene : public GlScene {
             0x80800000u | static_cast<std::uint32_t>(128 + slope.y) << 8 | static_cast<std::uint32_t>(128 + slope.x);
         const std::vector<std::uint32_t> slopes(cascade.slopes_rgba8.size(), word),
             moments(cascade.moments_rgba8.size(), 0x00000080u);
-        const std::vector<std::uint8_t> foams(cascade.foam_r8.size(), foam);
+        // The whole sea broke, at the time after which this foam is left.
+        const std::vector<std::uint32_t> broken(cascade.snapshots_rgba8[0].size(), 0xFFFFFFFF);
+        frame.foam.level = 2;
+        frame.foam.age.fill(1 - static_cast<float>(foam) / 255);
         cascade.displacement_rgba16f = zeros_;
         cascade.slopes_rgba8 = slopes;
         cascade.moments_rgba8 = moments;
-        cascade.foam_r8 = foams;
+        cascade.compression_scale = 0;
+        cascade.snapshots_rgba8.fill(broken);
         frame.cascades = {&cascade, 1};
         frame.dynamic_waves = dynamic_waves;
         return light_from_above(frame, pixels, side_m);

@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <optional>
 
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -24,7 +25,7 @@ gl::Sky white_sky() {
     return sky;
 }
 
-/// A square of sea under the white sky, with the foam of the maps.
+/// A square of sea under the white sky, with any foam.
 class FoamScene : public GlScene {
    public:
     explicit FoamScene(std::string_view preset)
@@ -40,55 +41,44 @@ class FoamScene : public GlScene {
 
     const Frame& frame() { return ocean.frame_at(3); }
 
-    /// Renders with this byte in every texel of the coarsest cascade's foam map and zero in the
-    /// others; without a byte, with no foam maps.
-    Frame frame_with(std::optional<std::uint8_t> foam) {
+    /// Returns the frame with this foam everywhere: the whole sea broke some time ago. Without a
+    /// value, the frame has no snapshots.
+    Frame frame_with(std::optional<float> foam) {
         Frame changed = frame();
         cascades_.assign(changed.cascades.begin(), changed.cascades.end());
-        none_.assign(cascades_[0].foam_r8.size(), 0);
-        bytes_.assign(cascades_[0].foam_r8.size(), foam.value_or(0));
-        for (Cascade& cascade : cascades_) cascade.foam_r8 = {};
-        if (foam)
-            for (Cascade& cascade : cascades_) cascade.foam_r8 = &cascade == cascades_.data() ? bytes_ : none_;
+        broken_.assign(cascades_[0].snapshots_rgba8[0].size(), 0xFFFFFFFF);
+        still_.assign(broken_.size(), 0x60606060);  // 96 is nearly no compression
+        for (Cascade& cascade : cascades_) {
+            cascade.compression_scale = 0;
+            for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
+                std::span<const std::uint32_t>& chain = cascade.snapshots_rgba8[image];
+                if (!foam)
+                    chain = {};
+                else if (!chain.empty())
+                    chain = &cascade == cascades_.data() ? broken_ : still_;
+                cascade.snapshots_version[image] = ++version_;
+            }
+        }
+        changed.foam.level = 2;
+        changed.foam.age.fill(1 - foam.value_or(0));
         changed.cascades = cascades_;
         return changed;
     }
 
    private:
     std::vector<Cascade> cascades_;
-    std::vector<std::uint8_t> bytes_, none_;
+    std::vector<std::uint32_t> broken_, still_;
+    std::uint64_t version_ = std::uint64_t{1} << 63;  ///< unlike those of an ocean
 };
 
-/// Returns one cascade's foam at a reference point, bilinear, in [0, 1].
-double foam_at(const Cascade& cascade, double x_m, double z_m) {
-    const int n = cascade.resolution();
-    const CascadeGrid::Place at = cascade.grid.in_cascade(x_m, z_m);
-    const double u = at.along / cascade.texel_m(), v = at.across / cascade.texel_m();
-    const double i = std::floor(u), j = std::floor(v);
-    const auto texel = [&](double column, double row) {
-        const auto wrapped = [&](double index) {
-            return static_cast<std::size_t>(static_cast<long>(index) & (n - 1));
-        };
-        return static_cast<double>(cascade.foam_r8[wrapped(row) * static_cast<std::size_t>(n) + wrapped(column)]);
-    };
-    const double upper = std::lerp(texel(i, j), texel(i + 1, j), u - i);
-    const double lower = std::lerp(texel(i, j + 1), texel(i + 1, j + 1), u - i);
-    return std::lerp(upper, lower, v - j) / 255;
-}
-
-/// Returns the mean, over a square of reference points around the origin, of the cascades' largest
-/// foam.
-double cover_by_maps(const Frame& frame, double side_m) {
+/// Returns the mean foam over a square of reference points around the origin.
+double cover_by_queries(const Frame& frame, double side_m) {
     constexpr int points = 700;
+    const FoamSampler foam(frame);
     double sum = 0;
     for (int row = 0; row < points; ++row)
-        for (int column = 0; column < points; ++column) {
-            double largest = 0;
-            for (const Cascade& cascade : frame.cascades)
-                largest = std::max(largest, foam_at(cascade, ((column + 0.5) / points - 0.5) * side_m,
-                                                    ((row + 0.5) / points - 0.5) * side_m));
-            sum += largest;
-        }
+        for (int column = 0; column < points; ++column)
+            sum += double{foam.at(((column + 0.5) / points - 0.5) * side_m, ((row + 0.5) / points - 0.5) * side_m)};
     return sum / (points * points);
 }
 
@@ -110,44 +100,44 @@ float brighter_than(std::vector<float> light, double part) {
 TEST(GlFoam, IsAsBrightAsFoamUnderAWhiteSky) {
     constexpr int pixels = 256;
     FoamScene rough("rough");
-    const std::vector<float> thick = rough.light_from_above(rough.frame_with(255), pixels, 60);
+    const std::vector<float> thick = rough.light_from_above(rough.frame_with(1.f), pixels, 60);
     std::printf("thick foam: %.3f, the brightest pixel %.3f\n", brighter_than(thick, 0.5), brighter_than(thick, 0));
     EXPECT_GT(brighter_than(thick, 0.5), 0.5);
     EXPECT_LE(brighter_than(thick, 0), 0.72);
 
     // A coverage of 0.25 everywhere, the rest of foam from breaking 2.1 s ago.
-    const std::vector<float> thin = rough.light_from_above(rough.frame_with(64), pixels, 60);
+    const std::vector<float> thin = rough.light_from_above(rough.frame_with(0.25f), pixels, 60);
     std::printf("thin foam: %.3f, water %.3f\n", brighter_than(thin, 0.05), brighter_than(thin, 0.95));
     EXPECT_GT(brighter_than(thin, 0.05), 0.2);
     EXPECT_LT(brighter_than(thin, 0.05), 0.5);
     EXPECT_LT(brighter_than(thin, 0.95), 0.15);
 }
 
-TEST(GlFoam, IsAbsentWithoutFoamMaps) {
+TEST(GlFoam, IsAbsentWithoutSnapshots) {
     FoamScene rough("rough");
     EXPECT_EQ(rough.light_from_above(rough.frame_with({}), 64, 100),
-              rough.light_from_above(rough.frame_with(0), 64, 100));
+              rough.light_from_above(rough.frame_with(0.f), 64, 100));
 }
 
-// Where the maps cover a fraction of the surface, the foam structure covers that fraction: pixels
-// of a decimetre at least half as bright as foam.
-TEST(GlFoam, CoversTheFractionOfTheMaps) {
+// Where snapshots give a fraction of the surface, lace covers that fraction: pixels of a decimetre
+// at least half as bright as foam.
+TEST(GlFoam, CoversTheFractionOfTheSnapshots) {
     constexpr int pixels = 512;
     FoamScene rough("rough");
-    for (const std::uint8_t byte : {std::uint8_t{77}, std::uint8_t{128}, std::uint8_t{179}}) {
+    for (const float wanted : {0.2f, 0.4f, 0.6f}) {
         const std::vector<float> none = rough.light_from_above(rough.frame_with({}), pixels, 50);
-        const std::vector<float> some = rough.light_from_above(rough.frame_with(byte), pixels, 50);
+        const std::vector<float> some = rough.light_from_above(rough.frame_with(wanted), pixels, 50);
         const float foam = brighter_than(some, 0.05);
         int covered = 0;
         for (std::size_t i = 0; i < some.size(); ++i) covered += some[i] > 0.5f * (foam + none[i]);
         const double cover = static_cast<double>(covered) / static_cast<double>(some.size());
-        std::printf("maps of %.2f: %.3f of the pixels are covered\n", byte / 255.0, cover);
-        EXPECT_NEAR(cover, byte / 255.0, 0.05);
+        std::printf("foam of %.2f: %.3f of the pixels are covered\n", double{wanted}, cover);
+        EXPECT_NEAR(cover, double{wanted}, 0.05);
     }
 }
 
-// The light that whitecaps add, per unit of coverage in the maps. From far away, a pixel holds many
-// whitecaps and uses the cascades' means. The light there equals that from near, where each
+// The light that whitecaps add, per unit of foam that queries return. From far away, a pixel holds
+// many whitecaps and uses the foam filter. The light there equals that from near, where each
 // whitecap is resolved.
 TEST(GlFoam, CoverageIsEqualFromNearAndFar) {
     for (const char* preset : {"rough", "storm"}) {
@@ -155,7 +145,7 @@ TEST(GlFoam, CoverageIsEqualFromNearAndFar) {
         const auto light_of_cover = [&](int pixels, double side_m) {
             const double all = mean(scene.light_from_above(scene.frame(), pixels, side_m));
             const double water = mean(scene.light_from_above(scene.frame_with({}), pixels, side_m));
-            const double cover = cover_by_maps(scene.frame(), side_m);
+            const double cover = cover_by_queries(scene.frame(), side_m);
             std::printf("%s, %g m: foam covers %.4f and adds %.4f to the mean radiance\n", preset, side_m, cover,
                         all - water);
             EXPECT_GT(cover, 0.005);

@@ -151,7 +151,8 @@ TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     const auto statistics = nlohmann::json::parse(run.out).at("statistics");
     EXPECT_EQ(statistics.at("views"), 2);
     EXPECT_LE(statistics.at("sea_draw_calls_a_view"), 17);
-    EXPECT_EQ(statistics.at("uploaded_bytes"), 4 * (64 * 64 * 8 + (2 * 4 + 1) * (4 * 64 * 64 - 1) / 3));
+    const int texels = (4 * 64 * 64 - 1) / 3, without_snapshots = 4 * (64 * 64 * 8 + 2 * 4 * texels);
+    EXPECT_EQ((statistics.at("uploaded_bytes").get<int>() - without_snapshots) % (3 * 4 * texels), 0);
     EXPECT_GT(statistics.at("triangles"), 0);
     EXPECT_TRUE(statistics.at("median_ms").contains("draw_in_driver"));
     EXPECT_EQ(read_pixels(folder / "sea_0000.png").spec().width, 64);

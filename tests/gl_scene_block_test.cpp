@@ -81,27 +81,27 @@ TEST(SceneBlock, MovesTheFoamStructureWithTheFoam) {
     }
 }
 
-// Cascades finer than those that make whitecaps follow them in the list, and a frame without foam
-// has none.
-TEST(SceneBlock, CountsTheCascadesThatMakeFoam) {
-    Ocean ocean({.cascades = 4, .resolution = 128, .wind_speed_mps = 14},
+// The finest cascade makes no foam, and a frame without foam has a level that no wave reaches.
+TEST(SceneBlock, DescribesTheSnapshotsOfAFrame) {
+    Ocean ocean({.cascades = 4, .resolution = 32, .wind_speed_mps = 14},
                 {.executor = make_serial_executor(), .foam = true});
     DrawList list;
-    const Frame& frame = ocean.frame_at(0);
+    const Frame& frame = ocean.frame_at(11.1);
     gl::SeaFacts facts = gl::facts_of(frame);
     for (const bool has_foam : {true, false}) {
         facts.has_foam = has_foam;
         const gl::SceneBlock block = gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {});
-        EXPECT_EQ(block.foam_kind.x, has_foam ? 3 : 0);
-        for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
-            double sum = 0;
-            const auto texels = frame.cascades[i].level_of(frame.cascades[i].foam_r8, 0);
-            for (const std::uint8_t texel : texels) sum += texel;
-            // Each level of bytes is rounded, by an eighth of a step in the mean.
-            EXPECT_NEAR(block.cascade_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0,
-                        0.5 / 255)
-                << i;
+        EXPECT_EQ(block.foam_kind.x, has_foam ? frame.foam.level : 1000);
+        for (std::size_t i = 0; i < block.foam_cascade.size(); ++i) {
+            const Cascade& cascade = frame.cascades[i];
+            EXPECT_EQ(block.foam_cascade[i].w, 1);
+            EXPECT_EQ(block.foam_cascade[i].z, cascade.compression_scale);
+            EXPECT_NEAR(block.foam_cascade[i].x, cascade.drift_columns / 32, 1e-6);
+            EXPECT_NEAR(block.foam_cascade[i].y, cascade.drift_rows / 32, 1e-6);
         }
+        EXPECT_TRUE(frame.cascades[3].snapshots_rgba8[0].empty());
+        for (std::size_t slot = 0; slot < 16; ++slot)
+            EXPECT_EQ(block.foam_age[slot / 4][static_cast<int>(slot % 4)], frame.foam.age[slot]);
     }
 }
 

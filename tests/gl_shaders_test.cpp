@@ -133,8 +133,9 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     return cost;
 }
 
-// A pixel of the open sea; docs/rendering.md has the same table. On a headset it takes one
-// texture sample for each of three cascades, the ripples, the foam, the reflected sky and the haze.
+// A pixel of the open sea; docs/rendering.md has the same table. On a headset it takes one texture
+// sample for each of three cascades, two for their snapshots, and one each for the ripples, the
+// structure of foam, the reflected sky and the haze.
 // No loop remains that a driver might not unroll.
 TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
     using gl::Shading;
@@ -144,7 +145,7 @@ TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
         int operations;  // with four cascades, approximately
     };
     for (const Row& row :
-         {Row{Shading::headset, 5, 7, 800}, Row{Shading::medium, 11, 18, 1161}, Row{Shading::high, 28, 42, 1642}}) {
+         {Row{Shading::headset, 7, 13, 1001}, Row{Shading::medium, 14, 28, 1376}, Row{Shading::high, 33, 55, 1837}}) {
         for (const std::size_t cascades : {1, 4}) {
             const PixelCost cost = cost_of(gl::sea_program_files({.cascades = cascades, .shading = row.shading})[0]);
             std::printf("%s, %zu cascades: %d look-ups, %d operations\n", std::string(name_of(row.shading)).c_str(),
@@ -161,7 +162,7 @@ TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
             // Its position, four products, and the union of its foam with the cascades'.
             EXPECT_LE(with_window.operations, cost.operations + 45);
             if (row.shading == Shading::headset) {
-                EXPECT_LE(cost.looks, 8);
+                EXPECT_LE(cost.looks, 13);
             }
             // The count differs by some operations between versions of the optimiser.
             if (cascades == 4) {
@@ -173,7 +174,7 @@ TEST(Shaders, StayWithinTheirTiersCostPerPixel) {
 
 // At a shore a pixel takes one texture sample of the cascades' weights and one of the waves, except
 // that headsets take another for the waves' foam. This is about 80 operations: with four cascades a
-// headset takes 9 texture samples there and nowhere else.
+// headset takes 15 texture samples there and nowhere else.
 TEST(Shaders, TakeThreeMoreTextureSamplesAtAShore) {
     using gl::Shading;
     for (const Shading shading : {Shading::headset, Shading::medium, Shading::high}) {

@@ -323,13 +323,13 @@ class WithoutCascade {
           cascades_(of.cascades.begin(), of.cascades.end()),
           halves_(of.cascades[0].displacement_rgba16f.size()),
           slopes_(of.cascades[0].slopes_rgba8.size(), 0x80808080u),
-          moments_(slopes_.size(), 0x80000080u),
-          foam_(of.cascades[0].foam_r8.size()) {
+          moments_(slopes_.size(), 0x80000080u) {
         Cascade& cascade = cascades_[missing];
         cascade.displacement_rgba16f = halves_;
         cascade.slopes_rgba8 = slopes_;
         cascade.moments_rgba8 = moments_;
-        cascade.foam_r8 = foam_;
+        cascade.compression_scale = 0;
+        cascade.snapshots_rgba8 = {};
         cascade.slope_variance = 0;
         frame.cascades = cascades_;
     }
@@ -339,7 +339,6 @@ class WithoutCascade {
     std::vector<Cascade> cascades_;
     std::vector<std::uint16_t> halves_;
     std::vector<std::uint32_t> slopes_, moments_;
-    std::vector<std::uint8_t> foam_;
 };
 
 int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {

@@ -62,20 +62,22 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
                     read_level<std::uint8_t>(scene.gl(), texture, layer, level, 64 >> level, GL_UNSIGNED_BYTE);
                 return 0 == std::memcmp(bytes.data(), cascade.level_of(chain, level).data(), bytes.size());
             };
-            const auto is_foam = [&](int level) {
-                const auto read = read_level<std::uint8_t>(scene.gl(), textures.foam(), layer, level, 64 >> level,
-                                                           GL_UNSIGNED_BYTE);
-                const auto wanted = cascade.level_of(cascade.foam_r8, level);
-                for (std::size_t texel = 0; texel < wanted.size(); ++texel)
-                    if (read[4 * texel] != wanted[texel]) return false;
-                return true;
+            const auto is_snapshot = [&](std::size_t image, int level) {
+                if (cascade.snapshots_rgba8[image].empty()) return true;
+                const int at = static_cast<int>(image * textures.foam_cascades()) + layer;
+                const auto bytes = read_level<std::uint8_t>(scene.gl(), textures.snapshots(), at, level, 64 >> level,
+                                                            GL_UNSIGNED_BYTE);
+                const auto wanted = cascade.level_of(cascade.snapshots_rgba8[image], level);
+                return 0 == std::memcmp(bytes.data(), wanted.data(), bytes.size());
             };
             for (int level = 0; level < mip_levels(64); ++level) {
                 ASSERT_TRUE(is_in(textures.slopes(), cascade.slopes_rgba8, level))
                     << "frame " << i << ", cascade " << layer << ", level " << level;
                 ASSERT_TRUE(is_in(textures.moments(), cascade.moments_rgba8, level))
                     << "frame " << i << ", cascade " << layer << ", level " << level;
-                ASSERT_TRUE(is_foam(level)) << "frame " << i << ", cascade " << layer << ", level " << level;
+                for (std::size_t image = 0; image < SnapshotFoam::images; ++image)
+                    ASSERT_TRUE(is_snapshot(image, level))
+                        << "frame " << i << ", cascade " << layer << ", level " << level << ", image " << image;
             }
             // Every half is exactly a float, so the conversion through floats is lossless.
             const auto floats = read_level<float>(scene.gl(), textures.displacement(), layer, 0, 64, GL_FLOAT);

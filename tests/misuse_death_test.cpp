@@ -36,11 +36,6 @@ TEST_F(MisuseDeathTest, SchedulingAFrameForANonFiniteTime) {
     EXPECT_DEATH(ocean_.schedule(-std::numeric_limits<double>::infinity()), "isfinite\\(time_s\\)");
 }
 
-TEST_F(MisuseDeathTest, SavingOrRestoringHistoryWhileAFrameIsInFlight) {
-    EXPECT_DEATH((ocean_.schedule(0), ocean_.saved_history()), "complete\\(\\) the frame in flight first");
-    EXPECT_DEATH((ocean_.schedule(0), ocean_.restore_history({})), "complete\\(\\) the frame in flight first");
-}
-
 TEST_F(MisuseDeathTest, CompletingAFrameBeforeTheFirst) {
     EXPECT_DEATH(ocean_.complete(), "schedule\\(\\) a frame first");
 }

@@ -1,7 +1,6 @@
 // Accumulated foam covers the measured fraction of the sea.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -9,6 +8,7 @@
 
 #include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
 
@@ -18,26 +18,7 @@ namespace {
 /// Foam persists for three seconds; frames are mostly between ticks.
 constexpr double seconds_between = 0.57;
 
-/// Returns the foam of a cascade at a reference point, bilinear between texels, as a covered
-/// fraction.
-double foam_at(const Cascade& cascade, double reference_x_m, double reference_z_m) {
-    if (!cascade.makes_whitecaps()) return 0;
-    const int n = cascade.resolution();
-    const CascadeGrid::Place place = cascade.grid.in_cascade(reference_x_m, reference_z_m);
-    const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
-    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
-    const double s = u - i, t = v - j;
-    const auto texel = [&](int a, int b) {
-        const auto row = static_cast<std::size_t>(b & (n - 1)), column = static_cast<std::size_t>(a & (n - 1));
-        return static_cast<double>(cascade.foam_r8[row * static_cast<std::size_t>(n) + column]);
-    };
-    return ((1 - t) * ((1 - s) * texel(i, j) + s * texel(i + 1, j)) +
-            t * ((1 - s) * texel(i, j + 1) + s * texel(i + 1, j + 1))) /
-           255;
-}
-
-/// Returns the mean of the maximum foam of the cascades, over seeds, frames of each seed, and
-/// reference points.
+/// Returns the mean foam over seeds, frames of each seed, and reference points.
 double mean_cover(SeaState sea, int seeds, int frames) {
     // Points that fill a square evenly (Roberts 2018), different in each frame.
     constexpr int places = 10'000;
@@ -48,13 +29,11 @@ double mean_cover(SeaState sea, int seeds, int frames) {
         sea.seed = static_cast<std::uint32_t>(seed);
         Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
         for (int number = 0; number < frames; ++number) {
-            const Frame& frame = ocean.frame_at(number * seconds_between);
+            const FoamSampler foam(ocean.frame_at(number * seconds_between));
             for (int place = number * places; place < (number + 1) * places; ++place) {
                 const double x_m = square_m * part_of(place * 0.7548776662466927);
                 const double z_m = square_m * part_of(place * 0.5698402909980532);
-                double max = 0;
-                for (const Cascade& cascade : frame.cascades) max = std::max(max, foam_at(cascade, x_m, z_m));
-                sum += max;
+                sum += double{foam.at(x_m, z_m)};
             }
         }
     }

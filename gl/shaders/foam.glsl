@@ -1,10 +1,10 @@
 // Coverage, thickness and light of foam in a pixel.
 //
-// The cascades' maps give the amount of foam (foam_maps.glsl), and a texture gives its structure at
-// three scales (gl/water/foam_image.hpp). Each scale redistributes its amount to the next finer
-// scale without a change of the mean, so the mean coverage equals that of the maps at any distance.
-// A value of a map is also an age: foam of value 1 is breaking now. Foam of value 0.5 broke 1.4 s
-// ago and opens into threads.
+// Snapshots of the cascades give the amount of foam (snapshot_foam.glsl), and a texture gives its
+// structure at three scales (gl/water/foam_image.hpp). Each scale redistributes its amount to the
+// next finer scale without a change of the mean, so the mean coverage is the same at any distance.
+// The amount is also an age: foam of amount 1 is breaking now. Foam of amount 0.5 broke 1.4 s ago
+// and opens into threads.
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength
 // for remote sensing of ocean aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
@@ -66,9 +66,8 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
 // one half.
 float breaking_fraction(float cover, float mean) { return mix(smoothstep(0.4, 1.0, cover), 0.5, mean); }
 
-// Returns the foam of a pixel. `crests` is the fraction that foam of small water or of dynamic
-// waves covers.
-Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
+// Returns the foam of a pixel.
+Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     Footprint pixel = footprint_of(at);
     float pixel_m = max(length(pixel.dx), length(pixel.dy));
     vec2 ragged = vec2(0.0);
@@ -77,13 +76,17 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     ragged = 0.5 * streaks.yz;
 #endif
 #if SURFACE == OPEN
-    FoamOfCascades there = foam_of_maps(at, ragged, distance_m, pixel);
+    FoamOfWaves there = foam_of_snapshots(at, distance_m, surface.compression, pixel.wide_m);
+#ifdef SHORE
+    there = with_foam_of_shore(there, ragged);
+#endif
 #ifdef DYNAMIC_WAVES
-    there = with_foam_of(there, crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
+    there = with_foam_of(there, surface.crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif
     float amount = there.cover, freshness = breaking_fraction(there.cover, there.mean), thickest = there.thick;
+    float dense = smoothstep(0.6, 0.8, amount) * (1.0 - there.mean);
 #else
-    float amount = crests, freshness = 1.0, thickest = 1.0;
+    float amount = surface.crests, freshness = 1.0, thickest = 1.0, dense = 0.0;
 #endif
     float fresh = amount * freshness, plume = amount;
     // Fresh foam is raised, so the view ray meets it at an offset towards the eye.
@@ -105,7 +108,8 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
 #endif
 
     vec4 lace = structure(lace_layer, lace_uv, pixel_m * noise_scale.y);
-    float cover = gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5);
+    // The edges of breaking crests are ragged already, so lace opens old foam only.
+    float cover = mix(gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5), amount, dense);
     float thickness = thickest * (freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount));
     float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
     vec2 relief = lace.yz * (0.55 * near);

@@ -22,14 +22,11 @@
 #define COAST 2
 #define RIVER 3
 #define POND 4
-// Number of coarsest cascades whose foam is sampled per vertex. The foam of the others is sampled
-// per pixel.
-#if SURFACE != OPEN || SHADING == HIGH
-#define FOAM_OF_VERTICES 0
-#elif SHADING == MEDIUM
-#define FOAM_OF_VERTICES (CASCADES / 2)
+// Number of coarsest cascades whose compression makes foam.
+#if CASCADES > 3
+#define FOAM_CASCADES 3
 #else
-#define FOAM_OF_VERTICES CASCADES
+#define FOAM_CASCADES CASCADES
 #endif
 // Vertices output the slopes of the mesh, because slopes of triangles are discontinuous, and folds
 // contain slivers.
@@ -53,7 +50,7 @@ layout(std140) uniform Scene {
     // x: texels per metre; y: the mip that resolves no wave of the cascade; z: side
     highp vec4 cascade_scale[4];
     // x, y: scale of slopes and of variances; z: slope variance of all waves, summed over both
-    // axes; w: mean fraction of the sea that the cascade's foam covers
+    // axes
     highp vec4 cascade_slope[4];
     // xy: the viewer's position in the noise that varies the copies of the cascade; z: side of the
     // cascade over that of the noise
@@ -117,10 +114,17 @@ layout(std140) uniform Scene {
     highp vec4 caustic_copies;
     // xy: radians per metre; z: phase at the viewer; w of the first row: focal depth
     highp vec4 caustic_row[3];
+    // xy: drift of the snapshots, texture coordinates; z: compression of a slope of 1, in standard
+    // deviations; w: 1 if the cascade has snapshots
+    highp vec4 foam_cascade[3];
+    // foam that has decayed since each snapshot; 1 and more: no effect
+    highp vec4 foam_age[4];
+    // x: standard deviation of what a square leaves out; yzw: a, b, c (sim/snapshot_foam.hpp)
+    highp vec4 foam_filter[12];
     // near and far streaks, along and across the wind; xy: 1/m; zw: the viewer's position; they
     // drift
     highp vec4 foam_streaks[2];
-    // x: number of cascades, from the coarsest, that make foam; y: softness with which streaks
+    // x: compression at which half of the water is white; y: softness with which streaks
     // gather old foam; z: height of fresh foam, m; w: weight of far windrows
     highp vec4 foam_kind;
     // octaves of small water; xy: cosine and sine of the rotation; z: cells per metre; w: height

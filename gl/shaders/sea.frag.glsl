@@ -27,9 +27,6 @@ in vec4 coarsest;
 #elif MESH_SLOPES
 in vec2 mesh_slopes;
 #endif
-#if FOAM_OF_VERTICES > 0
-in vec3 foam_of_vertices;
-#endif
 #endif
 out vec4 colour;
 
@@ -51,8 +48,7 @@ const float pi = 3.14159265;
 #include "water_light.glsl"
 #include "water.glsl"
 #if SURFACE == OPEN
-#include "foam_of_cascades.glsl"
-#include "foam_maps.glsl"
+#include "snapshot_foam.glsl"
 #endif
 #ifdef DYNAMIC_WAVES
 #include "dynamic_waves.glsl"
@@ -124,7 +120,7 @@ void main() {
 #if BELOW
     // From below the relief of foam is hidden, so the foam is not offset.
     float above_lens = lens_above_water(from_eye);
-    Foam foam = foam_at(resting, distance_m, surface.crests, above_lens < 0.0 ? vec3(0.0, 1.0, 0.0) : to_eye);
+    Foam foam = foam_at(resting, distance_m, surface, above_lens < 0.0 ? vec3(0.0, 1.0, 0.0) : to_eye);
     if (above_lens < 0.0) {
         vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, foam, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
@@ -132,7 +128,7 @@ void main() {
     }
     vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
 #else
-    Foam foam = foam_at(resting, distance_m, surface.crests, to_eye);
+    Foam foam = foam_at(resting, distance_m, surface, to_eye);
     vec3 water_light = upwelling(normal, to_eye);
 #endif
 

@@ -23,11 +23,6 @@ uniform highp sampler2DArray slopes;
 out vec2 mesh_slopes;  // slopes of the height of the waves that the mesh resolves
 #endif
 
-#if FOAM_OF_VERTICES > 0
-#include "foam_of_cascades.glsl"
-out vec3 foam_of_vertices;  // cover, mean and thick of FoamOfCascades
-#endif
-
 out vec4 place;  // relative to the viewer; w is 1 (0 at the horizon of the skirt)
 out vec2 rest;   // undisplaced position
 flat out int patch_level;
@@ -58,10 +53,9 @@ vec4 shore_weights_where_drawn(vec2 at, vec2 displacements[CASCADES]) {
 #include "dynamic_waves.glsl"
 #endif
 
-// Displacement of a vertex, its foam, and the slopes of dynamic waves.
+// Displacement of a vertex, and the slopes of dynamic waves.
 struct Moved {
     vec3 displacement;
-    vec3 foam;
     vec2 slopes;
 };
 
@@ -75,7 +69,6 @@ Moved displaced(ivec2 index) {
     float fade_weight = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
-    vec3 foam = vec3(0.0, 0.0, 1.0);
 #if SURFACE != OPEN
     moved.y = small_height(at, spacing);
 #else
@@ -97,13 +90,6 @@ Moved displaced(ivec2 index) {
 #endif
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
         moved += at_shore[cascade] * weights[cascade] * texels[cascade].xyz;
-#if FOAM_OF_VERTICES > 0
-        if (cascade < FOAM_OF_VERTICES && float(cascade) < foam_kind.x) {
-            float cover = at_shore[cascade] * mix(cascade_slope[cascade].w, texels[cascade].w, weights[cascade] * fade_weight);
-            FoamOfCascades all = with_cascade(FoamOfCascades(foam.x, foam.y, foam.z), cascade, cover, mips[cascade]);
-            foam = vec3(all.cover, all.mean, all.thick);
-        }
-#endif
     }
 #ifdef SHORE
     moved.y += shore_height_at(at + fade_weight * moved.xz, shore_mip(spacing));
@@ -117,11 +103,11 @@ Moved displaced(ivec2 index) {
     moved.y += dynamic.x;
     slopes = dynamic.yz;
 #endif
-    return Moved(moved, foam, slopes);
+    return Moved(moved, slopes);
 }
 
 Moved mixed(Moved a, Moved b, float weight) {
-    return Moved(mix(a.displacement, b.displacement, weight), mix(a.foam, b.foam, weight), mix(a.slopes, b.slopes, weight));
+    return Moved(mix(a.displacement, b.displacement, weight), mix(a.slopes, b.slopes, weight));
 }
 
 #if BELOW
@@ -178,9 +164,6 @@ void main() {
         vec2 texel = textureLod(slopes, vec3(place_in_cascade(cascade, rest), cascade), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
         mesh_slopes += texel * (at_shore[cascade] * cascade_slope[cascade].x * weight_of_cascade(cascade, mip));
     }
-#endif
-#if FOAM_OF_VERTICES > 0
-    foam_of_vertices = moved.foam;
 #endif
     vec3 at = vec3(rest.x + moved.displacement.x, moved.displacement.y - viewer.z, rest.y + moved.displacement.z);
 #if BELOW

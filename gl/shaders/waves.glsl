@@ -156,9 +156,9 @@ vec2 normal_slopes(Slopes sum) {
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // alpha^2: mean square of the slopes that the pixel does not resolve
-    // Fraction of the pixel that foam of small water or of dynamic waves covers. Foam of the
-    // cascades has maps of its own (foam_maps.glsl).
+    // Fraction of the pixel that foam of small water or of dynamic waves covers.
     float crests;
+    float compression;  // of the cascades, in standard deviations (snapshot_foam.glsl)
 };
 
 #if VERTEX_CASCADES > 0
@@ -174,6 +174,7 @@ Slopes slopes_of_vertices() {
 
 Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
+    float compression = 0.0;
     for (int cascade = 0; cascade < CASCADES; ++cascade) {
 #if VERTEX_CASCADES > 0
         Slopes seen;  // WebGL does not support ?: on structures
@@ -188,12 +189,13 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
         seen = held_back(seen, shore.weights[cascade]);
 #endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
+        if (cascade < FOAM_CASCADES) compression -= foam_cascade[cascade].z * (seen.d.x + seen.d.y);
     }
     vec2 slopes_of_all = normal_slopes(sum);
 #ifdef SHORE
     slopes_of_all -= shore.water.yz;
 #endif
-    return Waves(slopes_of_all, sum.variance, 0.0);
+    return Waves(slopes_of_all, sum.variance, 0.0, compression);
 }
 
 // Returns a layer of ripples: slopes in xy, and in w the fraction of their mean square that the

@@ -15,10 +15,10 @@ namespace {
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
-Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei cascades, int levels) {
+Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei layers, int levels) {
     Texture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, cascades);
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, layers);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -27,8 +27,8 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei casca
 }
 
 bool shows_foam(const Frame& frame) {
-    const auto has_no_foam = [](const Cascade& cascade) { return cascade.foam_r8.empty(); };
-    return std::none_of(frame.cascades.begin(), frame.cascades.end(), has_no_foam);
+    return std::any_of(frame.cascades.begin(), frame.cascades.end(),
+                       [](const Cascade& cascade) { return !cascade.snapshots_rgba8[0].empty(); });
 }
 
 /// Returns an empty string if the frame can be uploaded, else the reason.
@@ -54,14 +54,18 @@ std::string invalid_value_of(const Frame& frame, int resolution, std::size_t cas
 }  // namespace
 
 FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t cascades)
-    : gl_(gl), resolution_(resolution), cascades_(cascades), pixels_(gl, foam_offset() + foam_bytes()) {
+    : gl_(gl),
+      resolution_(resolution),
+      cascades_(cascades),
+      pixels_(gl, foam_offset() + SnapshotFoam::images * image_bytes()) {
     const GlStateGuard keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
         set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
         set.slopes = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
         set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
-        set.foam = make_texture(gl, GL_R8, resolution, layers(), levels);
+        set.snapshots = make_texture(gl, GL_RGBA8, resolution,
+                                     static_cast<GLsizei>(SnapshotFoam::images * foam_cascades()), levels);
     }
 }
 
@@ -73,36 +77,48 @@ std::size_t FrameTextures::chain_bytes() const {
     return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * cascades_;
 }
 
-/// Copies chains level by level, so that one GL call uploads a level of all cascades.
-template <class Texel>
-void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Cascade::*map) const {
+/// Copies chains level by level, so that one GL call uploads a level of all cascades. A cascade
+/// without the chain leaves its layer unchanged in memory. Returns the end of the copies.
+/// \param chain  function from a cascade to its chain
+template <class Chain>
+std::byte* FrameTextures::fill_chains(std::byte* to, std::span<const Cascade> cascades, Chain chain) const {
     for (int level = 0; level < mip_levels(resolution_); ++level)
-        for (const Cascade& cascade : frame.cascades) {
-            const std::span<const Texel> texels = cascade.level_of(cascade.*map, level);
-            std::memcpy(to, texels.data(), texels.size_bytes());
-            to += texels.size_bytes();
+        for (const Cascade& cascade : cascades) {
+            const std::span<const std::uint32_t> texels = chain(cascade);
+            const auto side = static_cast<std::size_t>(resolution_ >> level);
+            if (!texels.empty())
+                std::memcpy(to, cascade.level_of(texels, level).data(), side * side * sizeof(std::uint32_t));
+            to += side * side * sizeof(std::uint32_t);
         }
+    return to;
 }
 
 /// Copies the displacement of all cascades, then their slopes, then their moments.
 void FrameTextures::fill(std::byte* to, const Frame& frame) const {
-    fill_chains(to + displacement_bytes(), frame, &Cascade::slopes_rgba8);
-    fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Cascade::moments_rgba8);
+    fill_chains(to + displacement_bytes(), frame.cascades, [](const Cascade& of) { return of.slopes_rgba8; });
+    fill_chains(to + displacement_bytes() + chain_bytes(), frame.cascades,
+                [](const Cascade& of) { return of.moments_rgba8; });
     for (const Cascade& cascade : frame.cascades) {
         std::memcpy(to, cascade.displacement_rgba16f.data(), cascade.displacement_rgba16f.size_bytes());
         to += cascade.displacement_rgba16f.size_bytes();
     }
 }
 
-void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes,
+void FrameTextures::upload_chain(GLuint texture, std::size_t first_layer, std::size_t layers,
                                  std::uintptr_t address) const {
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
     for (int level = 0; level < mip_levels(resolution_); ++level) {
         const int side = resolution_ >> level;
-        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), format, GL_UNSIGNED_BYTE,
-                          texels_at(address));
-        address += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * cascades_;
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, static_cast<GLint>(first_layer), side, side,
+                          static_cast<GLsizei>(layers), GL_RGBA, GL_UNSIGNED_BYTE, texels_at(address));
+        address += sizeof(std::uint32_t) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * layers;
     }
+}
+
+bool FrameTextures::has_changed(const Set& set, const Frame& frame, std::size_t image) const {
+    for (std::size_t cascade = 0; cascade < foam_cascades(); ++cascade)
+        if (set.versions[cascade][image] != frame.cascades[cascade].snapshots_version[image]) return true;
+    return false;
 }
 
 std::span<const TextureTargets> FrameTextures::map() {
@@ -133,21 +149,31 @@ void FrameTextures::upload(const Frame& frame) {
     std::byte* const start = pixels_.map();
     if (!is_there) fill(start, frame);
     has_foam_ = shows_foam(frame);
-    if (has_foam_) fill_chains(start + foam_offset(), frame, &Cascade::foam_r8);
-    const std::uintptr_t texels = pixels_.hand_over();
     set_ = 1 - set_;
+    Set& set = sets_[set_];
+    std::array<bool, SnapshotFoam::images> is_new{};
+    std::byte* end = start + foam_offset();
+    for (std::size_t image = 0; has_foam_ && image < SnapshotFoam::images; ++image)
+        if ((is_new[image] = has_changed(set, frame, image)))
+            end = fill_chains(end, frame.cascades.first(foam_cascades()),
+                              [image](const Cascade& of) { return of.snapshots_rgba8[image]; });
+    uploaded_bytes_ = static_cast<std::size_t>(end - start);
+    const std::uintptr_t texels = pixels_.hand_over();
 
     const Stopwatch driver;
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
     gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
                       texels_at(texels));
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    upload_chain(slopes(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes());
-    upload_chain(moments(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes() + chain_bytes());
-    if (has_foam_) {
-        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        upload_chain(foam(), GL_RED, 1, texels + foam_offset());
-        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    upload_chain(slopes(), 0, cascades_, texels + displacement_bytes());
+    upload_chain(moments(), 0, cascades_, texels + displacement_bytes() + chain_bytes());
+    std::uintptr_t snapshots_at = texels + foam_offset();
+    for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
+        if (!is_new[image]) continue;
+        upload_chain(snapshots(), image * foam_cascades(), foam_cascades(), snapshots_at);
+        snapshots_at += image_bytes();
+        for (std::size_t cascade = 0; cascade < foam_cascades(); ++cascade)
+            set.versions[cascade][image] = frame.cascades[cascade].snapshots_version[image];
     }
     pixels_.release();
     driver_ms_ = driver.milliseconds();

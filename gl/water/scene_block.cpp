@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
-#include <numeric>
 
 #include "pelagic/gl/water/foam_image.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
@@ -66,8 +65,7 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
         // Texels of the last mip are as long as the longest waves.
         const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
         block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};
-        block.cascade_slope[i] = {cascade.ranges.slope, cascade.ranges.variance, cascade.slope_variance,
-                                  facts.has_foam ? cascade.foam_cover : 0};
+        block.cascade_slope[i] = {cascade.ranges.slope, cascade.ranges.variance, cascade.slope_variance, 0};
     }
 }
 
@@ -161,13 +159,22 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
         block.foam_streaks[i] = {1 / along_m, 1 / across_m, drift.place(viewer, {c, s}, along_m),
                                  drift.place(viewer, {-s, c}, across_m)};
     }
-    std::size_t cascades = 0;
-    for (std::size_t i = 0; i < facts.cascades.size(); ++i)
-        if (facts.has_foam && facts.cascades[i].makes_foam) cascades = i + 1;
+    for (std::size_t i = 0; i < std::min(facts.cascades.size(), block.foam_cascade.size()); ++i) {
+        const CascadeFacts& cascade = facts.cascades[i];
+        block.foam_cascade[i] = {glm::vec2(cascade.foam_drift), cascade.compression_scale,
+                                 cascade.has_snapshots ? 1 : 0};
+    }
+    for (std::size_t slot = 0; slot < SnapshotFoam::slots; ++slot)
+        block.foam_age[slot / 4][static_cast<int>(slot % 4)] = facts.foam.age[slot];
+    for (std::size_t width = 0; width < FoamFilter::widths; ++width) {
+        const FoamFilter& filter = facts.statistics.foam_filters[width];
+        block.foam_filter[width] = {filter.deviation, filter.a, filter.b, filter.c};
+    }
+    const double level = facts.has_foam ? double{facts.foam.level} : SeaStatistics::no_foam_level;
     // Windrows form at wind speeds above 3 m/s and are narrow in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
     constexpr double fresh_foam_m = 0.12;
-    block.foam_kind = {cascades, 0.5 - 0.2 * order, fresh_foam_m, order};
+    block.foam_kind = {level, 0.5 - 0.2 * order, fresh_foam_m, order};
 }
 
 /// Sets the placement of the shore. Samples lie at corner_m + (i, j) texel_m; the centres of the
@@ -180,15 +187,6 @@ void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm:
                         has_mips ? mip_levels(std::max(shore.columns, shore.rows)) - 1 : 0};
 }
 
-/// Returns the mean of a cascade's foam, from a level with enough texels to resolve a thousandth.
-float cover_of(const Cascade& cascade) {
-    if (cascade.foam_r8.empty()) return 0;
-    const std::span<const std::uint8_t> bytes =
-        cascade.level_of(cascade.foam_r8, std::max(mip_levels(cascade.resolution()) - 5, 0));
-    return static_cast<float>(std::accumulate(bytes.begin(), bytes.end(), 0)) /
-           (255 * static_cast<float>(bytes.size()));
-}
-
 }  // namespace
 
 SeaFacts facts_of(const Frame& frame) {
@@ -197,6 +195,7 @@ SeaFacts facts_of(const Frame& frame) {
                    .resolution = frame.cascades[0].resolution(),
                    .cascades = {},
                    .time_s = frame.time_s,
+                   .foam = frame.foam,
                    .dynamic_waves = {.resolution = frame.dynamic_waves.resolution,
                                      .texel_m = frame.dynamic_waves.texel_m,
                                      .first_x = frame.dynamic_waves.first_x,
@@ -212,8 +211,10 @@ SeaFacts facts_of(const Frame& frame) {
                                   .ranges = cascade.slope_ranges,
                                   .longest_wave_m = longest_wave_m,
                                   .slope_variance = static_cast<float>(cascade.slope_variance),
-                                  .foam_cover = cover_of(cascade),
-                                  .makes_foam = cascade.makes_whitecaps()});
+                                  .compression_scale = cascade.compression_scale,
+                                  .has_snapshots = !cascade.snapshots_rgba8[0].empty(),
+                                  .foam_drift = glm::dvec2(cascade.drift_columns, cascade.drift_rows) /
+                                                static_cast<double>(cascade.resolution())});
         longest_wave_m = 3 * cascade.texel_m();
     }
     if (const ShoreSurface& shore = frame.shore)

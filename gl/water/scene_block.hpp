@@ -34,6 +34,9 @@ struct SceneBlock {
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     glm::vec4 caustic_copies{};
     std::array<glm::vec4, 3> caustic_row{};
+    std::array<glm::vec4, 3> foam_cascade{};
+    std::array<glm::vec4, 4> foam_age{};
+    std::array<glm::vec4, FoamFilter::widths> foam_filter{};
     std::array<glm::vec4, 2> foam_streaks{};
     glm::vec4 foam_kind{};
     std::array<glm::vec4, 8> bump_grid{}, bump_place{};
@@ -56,9 +59,9 @@ struct CascadeFacts {
     /// Slope variance of all its waves, summed over both axes. The last mip has averaged away all
     /// of it.
     float slope_variance = 0;
-    /// Mean fraction of the sea that its foam covers; 0 if the frame has no foam.
-    float foam_cover = 0;
-    bool makes_foam = false;
+    float compression_scale = 0;  ///< Cascade::compression_scale
+    bool has_snapshots = false;
+    glm::dvec2 foam_drift{};  ///< of the snapshots, sides of the cascade
 };
 
 /// Parameters of a frame's shore that the renderer keeps after the upload.
@@ -82,6 +85,7 @@ struct SeaFacts {
     int resolution = 0;
     std::vector<CascadeFacts> cascades;
     double time_s = 0;
+    SnapshotFoam foam;
     bool has_displacement_mips = false;
     bool has_foam = false;
     bool framebuffer_is_srgb = false;

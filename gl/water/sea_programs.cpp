@@ -35,7 +35,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
     gl.Uniform1i(program.uniform("caustics"), caustics_unit);
     gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
-    gl.Uniform1i(program.uniform("foam_maps"), foam_maps_unit);
+    gl.Uniform1i(program.uniform("snapshots"), snapshots_unit);
     gl.Uniform1i(program.uniform("flow"), flow_unit);
     gl.Uniform1i(program.uniform("scene_radiance"), scene_radiance_unit);
     gl.Uniform1i(program.uniform("scene_depth"), scene_depth_unit);

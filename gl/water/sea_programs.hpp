@@ -20,7 +20,7 @@ enum Unit : GLint {
     floor_unit,
     caustics_unit,
     foam_unit,
-    foam_maps_unit,
+    snapshots_unit,
     flow_unit,
     scene_radiance_unit,
     scene_depth_unit,

@@ -101,7 +101,7 @@ struct SeaRenderer::State {
         bind(floor_unit, GL_TEXTURE_2D, floor.name());
         bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
         bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
-        bind(foam_maps_unit, GL_TEXTURE_2D_ARRAY, textures.foam());
+        bind(snapshots_unit, GL_TEXTURE_2D_ARRAY, textures.snapshots());
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
         bind(scene_radiance_unit, GL_TEXTURE_2D, application.radiance);
         bind(scene_depth_unit, GL_TEXTURE_2D, application.depth);

@@ -7,14 +7,15 @@
 #include <span>
 
 #include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/query/shore_weights.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 
 namespace pelagic::python {
 
 struct DrawnWater {
-    Displacement displacement;                 ///< of the cascades, dynamic waves and the shore
-    std::array<double, max_cascades> weights;  ///< weights of the cascades
+    Displacement displacement;  ///< of the cascades, dynamic waves and the shore
+    FoamWeights weights;        ///< weights of the cascades
 };
 
 /// Returns the water that has the reference position (x_m, z_m), in metres.
@@ -30,15 +31,16 @@ inline DrawnWater drawn_water(const Frame& frame, double x_m, double z_m, std::s
     const auto sum = [&] {
         Displacement all;
         for (std::size_t t = 0; t < of_cascades.size(); ++t) {
-            all.dx += drawn.weights[t] * of_cascades[t].dx;
-            all.height += drawn.weights[t] * of_cascades[t].height;
-            all.dz += drawn.weights[t] * of_cascades[t].dz;
+            const double weight = drawn.weights[t];
+            all.dx += weight * of_cascades[t].dx;
+            all.height += weight * of_cascades[t].height;
+            all.dz += weight * of_cascades[t].dz;
         }
         return all;
     };
     const auto weigh = [&](double x, double z) {
         const ShoreAt at(frame.shore, x, z);
-        for (std::size_t t = 0; t < of_cascades.size(); ++t) drawn.weights[t] = at.weight(t);
+        for (std::size_t t = 0; t < of_cascades.size(); ++t) drawn.weights[t] = static_cast<float>(at.weight(t));
     };
     if (frame.shore) weigh(x_m, z_m);
     Displacement& d = drawn.displacement;
@@ -57,7 +59,7 @@ inline DrawnWater drawn_water(const Frame& frame, double x_m, double z_m, std::s
 
 /// Returns whether the frame has foam: of its cascades, of dynamic waves or of a shore.
 inline bool has_foam(const Frame& frame) {
-    return !frame.cascades.front().foam_r8.empty() || frame.dynamic_waves || frame.shore;
+    return FoamSampler(frame).has_foam() || frame.dynamic_waves || frame.shore;
 }
 
 /// Returns the foam of dynamic waves and of the shore at a drawn position, in [0, 1].

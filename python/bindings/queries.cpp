@@ -17,7 +17,7 @@
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
-#include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
@@ -388,18 +388,11 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
 }
 
 /// Returns the foam of the water that has the reference position (x, z), as a query does.
-float foam_at_rest(const Frame& frame, double x_m, double z_m) {
+float foam_at_rest(const Frame& frame, const FoamSampler& foam, double x_m, double z_m) {
     const DrawnWater drawn = drawn_at(frame, x_m, z_m);
-    double max = foam_of_place(frame, x_m + drawn.displacement.dx, z_m + drawn.displacement.dz);
-    for (std::size_t t = 0; t < frame.cascades.size() && !frame.cascades[t].foam_r8.empty(); ++t) {
-        const Cascade& cascade = frame.cascades[t];
-        const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
-        const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
-        const double column = std::floor(x), row = std::floor(z);
-        max = std::max(max, drawn.weights[t] * foam_at(cascade, static_cast<std::int64_t>(column),
-                                                       static_cast<std::int64_t>(row), x - column, z - row));
-    }
-    return static_cast<float>(max);
+    const auto of_place =
+        static_cast<float>(foam_of_place(frame, x_m + drawn.displacement.dx, z_m + drawn.displacement.dz));
+    return foam.has_foam() ? std::max(of_place, foam.at(x_m, z_m, &drawn.weights)) : of_place;
 }
 
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {
@@ -409,7 +402,9 @@ py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, 
     py::array_t<float> array(places.shape);
     float* const out = array.mutable_data();
     const py::gil_scoped_release others_run;
-    for (std::size_t i = 0; i < places.x.size(); ++i) out[i] = foam_at_rest(handle.frame, places.x[i], places.z[i]);
+    const FoamSampler foam(handle.frame);
+    for (std::size_t i = 0; i < places.x.size(); ++i)
+        out[i] = foam_at_rest(handle.frame, foam, places.x[i], places.z[i]);
     return array;
 }
 

@@ -13,7 +13,7 @@
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
-#include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 
 namespace py = pybind11;
 
@@ -38,7 +38,6 @@ class ReferenceCascade {
 
     struct Cell {
         std::ptrdiff_t upper_left, upper_right, lower_left, lower_right;  ///< in floats of a plane
-        std::int64_t x, z;
         double u, v;  ///< position in the cell, [0, 1]
     };
 
@@ -53,7 +52,7 @@ class ReferenceCascade {
         const std::ptrdiff_t right = columns_[static_cast<std::size_t>((i + 1) & mask)];
         const std::ptrdiff_t upper = (j & mask) * cascade_.height.row_stride;
         const std::ptrdiff_t lower = ((j + 1) & mask) * cascade_.height.row_stride;
-        return {upper + left, upper + right, lower + left, lower + right, i, j, x - column, z - row};
+        return {upper + left, upper + right, lower + left, lower + right, x - column, z - row};
     }
 
     /// Adds planes, bilinear between texels, in double, as surface/cascade_sum.hpp does.
@@ -67,8 +66,6 @@ class ReferenceCascade {
             sum[part] += upper + cell.v * (lower - upper);
         }
     }
-
-    double foam(const Cell& cell) const { return foam_at(cascade_, cell.x, cell.z, cell.u, cell.v); }
 
    private:
     const Cascade& cascade_;
@@ -84,34 +81,32 @@ struct Outputs {
 };
 
 /// Samples a sea without dynamic waves and without a shore.
-void sample_cascades(const std::vector<ReferenceCascade>& cascades, double x_m, double z_m, Outputs& out) {
-    double sum[3] = {}, speed[3] = {}, max_foam = 0;
+void sample_cascades(const std::vector<ReferenceCascade>& cascades, const FoamSampler& foam, double x_m, double z_m,
+                     Outputs& out) {
+    double sum[3] = {}, speed[3] = {};
     for (const ReferenceCascade& cascade : cascades) {
         const ReferenceCascade::Cell cell = cascade.cell_at(x_m, z_m);
         cascade.add(displacements, cell, sum);
         if (out.velocity) cascade.add(velocities, cell, speed);
-        if (out.foam) max_foam = std::max(max_foam, cascade.foam(cell));
     }
     for (const double part : sum) *out.displacement++ = static_cast<float>(part);
     if (out.velocity)
         for (const double part : speed) *out.velocity++ = static_cast<float>(part);
-    if (out.foam) *out.foam++ = static_cast<float>(max_foam);
+    if (out.foam) *out.foam++ = foam.at(x_m, z_m);
 }
 
 /// Samples a sea with dynamic waves or a shore. Velocities and foam are those of a query at the
 /// drawn position.
-void sample_all(const Frame& frame, const std::vector<ReferenceCascade>& cascades, double x_m, double z_m,
-                Outputs& out) {
+void sample_all(const Frame& frame, const std::vector<ReferenceCascade>& cascades, const FoamSampler& foam,
+                double x_m, double z_m, Outputs& out) {
     std::array<Displacement, max_cascades> of_cascades;
     std::array<std::array<double, 3>, max_cascades> speeds{};
-    std::array<double, max_cascades> foams{};
     for (std::size_t t = 0; t < cascades.size(); ++t) {
         const ReferenceCascade::Cell cell = cascades[t].cell_at(x_m, z_m);
         double one[3] = {};
         cascades[t].add(displacements, cell, one);
         of_cascades[t] = {one[0], one[1], one[2]};
         if (out.velocity) cascades[t].add(velocities, cell, speeds[t].data());
-        if (out.foam && !frame.cascades[t].foam_r8.empty()) foams[t] = cascades[t].foam(cell);
     }
     const DrawnWater drawn = drawn_water(frame, x_m, z_m, {of_cascades.data(), cascades.size()});
     const Displacement& d = drawn.displacement;
@@ -120,13 +115,12 @@ void sample_all(const Frame& frame, const std::vector<ReferenceCascade>& cascade
     if (out.velocity) {
         std::array<double, 3> sum = velocity_of_place(frame, x, z);
         for (std::size_t t = 0; t < cascades.size(); ++t)
-            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += drawn.weights[t] * speeds[t][axis];
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += double{drawn.weights[t]} * speeds[t][axis];
         for (const double part : sum) *out.velocity++ = static_cast<float>(part);
     }
     if (out.foam) {
-        double max = foam_of_place(frame, x, z);
-        for (std::size_t t = 0; t < cascades.size(); ++t) max = std::max(max, drawn.weights[t] * foams[t]);
-        *out.foam++ = static_cast<float>(max);
+        const auto of_place = static_cast<float>(foam_of_place(frame, x, z));
+        *out.foam++ = foam.has_foam() ? std::max(of_place, foam.at(x_m, z_m, &drawn.weights)) : of_place;
     }
 }
 
@@ -146,6 +140,7 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
     {
         const py::gil_scoped_release others_run;
         const std::vector<ReferenceCascade> cascades(frame.cascades.begin(), frame.cascades.end());
+        const FoamSampler foam_sampler(frame);
         const bool has_cascades_only = !frame.dynamic_waves && !frame.shore;
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
@@ -153,9 +148,9 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
                                                                   number_text(at[0]) + ", " + number_text(at[1]),
                                                                   "metres in [-1e9, 1e9]"));
             if (has_cascades_only)
-                sample_cascades(cascades, at[0], at[1], out);
+                sample_cascades(cascades, foam_sampler, at[0], at[1], out);
             else
-                sample_all(frame, cascades, at[0], at[1], out);
+                sample_all(frame, cascades, foam_sampler, at[0], at[1], out);
         }
     }
     py::dict results;

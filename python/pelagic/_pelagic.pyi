@@ -113,7 +113,10 @@ class Cascade:
         """Mip level `level` of moments, 0 to levels - 1."""
     @property
     def foam(self) -> NDArray[np.uint8]:
-        """(N, N), a view: 0 (no foam) to 255 (covered). Requires Ocean(foam=True)."""
+        """(N, N), a view: foam of this cascade alone, 0 (none) to 255 (covered).
+
+        Requires Ocean(foam=True). Several cascades break where their sum does: see
+        Frame.displaced_foam."""
     def foam_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of foam, 0 to levels - 1."""
     @property
@@ -385,7 +388,7 @@ class Ocean:
 
         queries     allow query() and rays() on frames
         velocities  compute velocities; about twice the work
-        foam        compute foam accumulation, which depends on the last 2.9 seconds
+        foam        compute foam, which depends on the last 2.8 seconds
         gradients   normals of each cascade in frames of several; always there in frames of one
         slopes      slopes in frames of one cascade; always there in frames of several
         threads     maximum threads of a frame, including the calling thread; 0: one per core

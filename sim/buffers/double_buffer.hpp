@@ -12,6 +12,8 @@ class DoubleBuffer {
    public:
     T& back() { return values_[back_]; }
     const T& back() const { return values_[back_]; }
+    /// Returns the value that is not written.
+    const T& front() const { return values_[1 - back_]; }
     /// Swaps the values: for the next frame, or to discard the last frame without overwriting the
     /// one before it.
     void swap() { back_ = 1 - back_; }

@@ -44,6 +44,8 @@ struct CascadeBuffers {
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameExtras::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameExtras::slopes
     AlignedBuffer<std::uint8_t> foam;              ///< mip chain, if FrameExtras::foam
+    /// N^2 bytes, if FrameExtras::foam and several cascades.
+    AlignedBuffer<std::uint8_t> compression;
 };
 
 /// The foam of a cascade at the last tick, and its decay since then.
@@ -65,6 +67,8 @@ class FrameSlots {
 
     CascadeBuffers& buffers(std::size_t cascade) { return slots_.back().buffers[cascade]; }
     Cascade& cascade(std::size_t cascade) { return slots_.back().cascades[cascade]; }
+    /// Returns the cascade of the frame before, which the application may use.
+    const Cascade& front_cascade(std::size_t cascade) const { return slots_.front().cascades[cascade]; }
     /// Returns the targets of all textures of the cascade: its own buffers or the application's
     /// memory.
     const TextureTargets& textures(std::size_t cascade) const { return slots_.back().textures[cascade]; }

@@ -153,7 +153,8 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                                                 (square_rate(opposites.along, frequency - drifted) +
                                                  square_rate(opposites.against, frequency + drifted)) *
                                                 orbit_square,
-                                            signed_m * spacing, n * spacing, sign * fold_x, fold_z);
+                                            signed_m * spacing, n * spacing, sign * fold_x, fold_z,
+                                            shown_x.filter * shown_z.filter);
                 statistics.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                            sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;

@@ -139,7 +139,7 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     cascade.whitecap_jacobian = ranges.whitecaps.jacobian;
     cascade.whitecap_ramp = ranges.whitecaps.ramp;
     cascade.slope_ranges = ranges.slope_ranges;
-    shown.is_idle = pass == Pass::tick && !cascade.makes_whitecaps();
+    shown.is_idle = pass == Pass::tick && foam_weight_ == 0 && !cascade.makes_whitecaps();
 }
 
 FrameBounds SpectralCascade::end_frame() {
@@ -172,6 +172,7 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t p
     const SeaState& sea = bake_->sea;
     grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;
+    foam_weight_ = sea.waves == WaveModel::spectrum ? bake_->plan.foam_weight() : 0;
     const TextureRanges ranges = texture_ranges_of(all, sea.choppiness, bake_->whitecap_cover);
     seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,
                                std::move(by_band), ranges});

@@ -84,6 +84,7 @@ class SpectralCascade final : public SeaSource {
     std::array<std::optional<Waves>, SpectrumCache::places> seas_;
     CascadeGrid grid_;          ///< of the next frames; a pass in flight has a copy in its Cascade
     double loop_period_s_ = 1;  ///< of the next frames
+    double foam_weight_ = 0;    ///< CascadePlan::foam_weight(), 0 without whitecaps
 
     /// Inputs of a pass.
     struct Shown {

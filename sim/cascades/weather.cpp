@@ -5,8 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "pelagic/sim/foam/accumulation.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
+#include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
@@ -14,6 +20,11 @@ namespace {
 /// Time before its first use at which baking a sea starts. It spans hundreds of frames, in whose
 /// idle time the sea is baked.
 constexpr double bake_ahead_s = 10;
+
+/// Foam needs larger deviations: the bytes of slopes would be too coarse.
+constexpr double min_compression_deviation = 1e-4;
+/// Smaller deviations from the mean over a square do not change its foam.
+constexpr double min_left_out = 0.1;
 
 /// Changes kept by add(): their seas cover a frame in flight and the ticks before it.
 constexpr std::size_t remembered_changes = 2;
@@ -100,6 +111,13 @@ Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
     slopes += other.slopes;
     drift_x_mps += other.drift_x_mps;
     drift_z_mps += other.drift_z_mps;
+    const auto add = [](Compression& to, const Compression& more) {
+        to.square += more.square;
+        to.rate_square += more.rate_square;
+    };
+    add(compression, other.compression);
+    for (std::size_t width = 0; width < compression_of_width.size(); ++width)
+        add(compression_of_width[width], other.compression_of_width[width]);
     return *this;
 }
 
@@ -110,14 +128,47 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
     Sums sums{.height_variance = blend(&Sums::height_variance),
               .slopes = before.slopes * (1 - weight),
               .drift_x_mps = blend(&Sums::drift_x_mps),
-              .drift_z_mps = blend(&Sums::drift_z_mps)};
+              .drift_z_mps = blend(&Sums::drift_z_mps),
+              .compression = {},
+              .compression_of_width = {}};
+    const auto between_both = [&](const Compression& a, const Compression& b) {
+        return Compression{(1 - weight) * a.square + weight * b.square,
+                           (1 - weight) * a.rate_square + weight * b.rate_square};
+    };
+    sums.compression = between_both(before.compression, after.compression);
+    for (std::size_t width = 0; width < FoamFilter::widths; ++width)
+        sums.compression_of_width[width] =
+            between_both(before.compression_of_width[width], after.compression_of_width[width]);
     sums.slopes += after.slopes * weight;
     return sums;
 }
 
 Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeGrid& grid) {
     const CascadeGrid::Place stokes = grid.in_world(statistics.stokes_x, statistics.stokes_z);
-    return {statistics.height_variance, statistics.slopes.in_world(grid), stokes.along, stokes.across};
+    return {.height_variance = statistics.height_variance,
+            .slopes = statistics.slopes.in_world(grid),
+            .drift_x_mps = stokes.along,
+            .drift_z_mps = stokes.across,
+            .compression = {},
+            .compression_of_width = {}};
+}
+
+/// Adds the compression of a frequency band. The mean over a square of width w, interpolated
+/// between such squares, attenuates waves as a Gaussian does: their mean square by exp(-k^2 w^2 /
+/// 3) (measured; a box alone gives 1/12). The finest squares are the texels, whose filter the
+/// statistics include.
+void Weather::Sums::add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps) {
+    const double square = plan.foam_weight() * plan.foam_weight();
+    const Compression all{square * band.folding.trace_square, square * band.folding.trace_rate_square};
+    const double k = frequency_radps * frequency_radps / gravity_mps2, texel_m = plan.grid.side_m / plan.resolution;
+    compression.square += all.square;
+    compression.rate_square += all.rate_square;
+    for (std::size_t width = 0; width < FoamFilter::widths; ++width) {
+        const double width_m = std::ldexp(FoamFilter::first_width_m, static_cast<int>(width));
+        const double kept = det::exp(-k * k * std::max(width_m * width_m - texel_m * texel_m, 0.0) / 3);
+        compression_of_width[width].square += kept * all.square;
+        compression_of_width[width].rate_square += kept * all.rate_square;
+    }
 }
 
 /// Blends each band with its own weight, and the wind with the weight of the swell's peak (as
@@ -131,6 +182,31 @@ Weather::Sums Weather::arriving(const Baked& before, const Baked& after, const S
     return sums;
 }
 
+void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStatistics& statistics) {
+    const auto& [all, all_rates] = sums.compression;
+    const double cover = whitecap_cover(sea), tick_s = TickClock(sea.loop_period_s).tick_s();
+    statistics.compression_deviation = sea.choppiness * std::sqrt(all);
+    if (!(cover > 0 && statistics.compression_deviation >= min_compression_deviation)) return;
+    statistics.foam_level = FoamAccumulation(std::sqrt(all_rates / all), tick_s).level_of(cover);
+    // Narrow squares leave out little, and take the parabola of a wider one.
+    for (std::size_t width = FoamFilter::widths; width-- > 0;) {
+        const auto& [kept, kept_rates] = sums.compression_of_width[width];
+        FoamFilter& filter = statistics.foam_filters[width];
+        if (width + 1 < FoamFilter::widths) filter = statistics.foam_filters[width + 1];
+        const double rest = std::max(all - kept, 0.0), deviation = std::sqrt(rest / all);
+        filter.deviation = static_cast<float>(deviation);
+        if (deviation < min_left_out) continue;
+        const FoamAccumulation foam(std::sqrt(std::max(all_rates - kept_rates, 0.0) / rest), tick_s,
+                                    FoamAccumulation::ramp_deviations / deviation);
+        const auto log_count = [&](double x) { return det::log(-det::log(1 - foam.cover(x))); };
+        const double y_0 = log_count(0.5), y_1 = log_count(2), y_2 = log_count(3.5);
+        const double slope = (y_2 - y_0) / 3, bend = (y_2 - 2 * y_1 + y_0) / 4.5;
+        filter.a = static_cast<float>(y_1 - 2 * slope + 4 * bend);
+        filter.b = static_cast<float>(slope - 4 * bend);
+        filter.c = static_cast<float>(bend);
+    }
+}
+
 SeaStatistics Weather::statistics_of(const SeaState& sea, const Sums& sums) {
     SeaStatistics statistics;
     statistics.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
@@ -139,6 +215,7 @@ SeaStatistics Weather::statistics_of(const SeaState& sea, const Sums& sums) {
     statistics.roughness = roughness_of(sea, statistics.unresolved_slopes);
     statistics.foam_drift_x_mps = sums.drift_x_mps;
     statistics.foam_drift_z_mps = sums.drift_z_mps;
+    add_foam_statistics(sea, sums, statistics);
     return statistics;
 }
 
@@ -160,8 +237,7 @@ void Weather::begin(const SeaState& sea, const std::vector<CascadePlan>& plans, 
 }
 
 void Weather::begin(std::size_t number, Sources sources) {
-    const Outlook& outlook = outlook_of(number);
-    begin(outlook.sea(number), outlook.plans[number - outlook.first_number], sources);
+    begin(sea(number), plans(number), sources);
     baked_number_ = number;
 }
 
@@ -170,19 +246,29 @@ void Weather::adopt(Sources sources) {
     const std::size_t place = cache_.put(baked_number_);
     Sums sums;
     std::vector<Sums> by_band;
-    for (const auto& source : sources) {
-        const LineStatistics added = source->adopt_spectrum(baked_number_, place);
-        sums += Sums::of(added, source->grid());
-        const StatisticsByBand* const bands = source->statistics_by_band(place);
+    for (std::size_t cascade = 0; cascade < sources.size(); ++cascade) {
+        SeaSource& source = *sources[cascade];
+        const CascadePlan& plan = plans(baked_number_)[cascade];
+        const LineStatistics added = source.adopt_spectrum(baked_number_, place);
+        sums += Sums::of(added, source.grid());
+        const StatisticsByBand* const bands = source.statistics_by_band(place);
         if (!bands) continue;
         by_band.resize(std::max(by_band.size(), bands->end()));
-        for (std::size_t band = bands->first(); band < bands->end(); ++band)
-            by_band[band] += Sums::of(bands->at(band), source->grid());
+        for (std::size_t band = bands->first(); band < bands->end(); ++band) {
+            const double frequency = two_pi / baked.loop_period_s * middle_harmonic(band);
+            Sums foam;
+            foam.add_foam_of(bands->at(band), plan, frequency);
+            sums += foam;
+            by_band[band] += Sums::of(bands->at(band), source.grid());
+            by_band[band] += foam;
+        }
     }
     const WindDrift wind = wind_drift(baked);
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
-    const Sums by_wind{0, {}, wind.x_mps, wind.z_mps};
+    Sums by_wind;
+    by_wind.drift_x_mps = wind.x_mps;
+    by_wind.drift_z_mps = wind.z_mps;
     baked_[place] = {sums, by_wind, std::move(by_band), statistics_of(baked, sums)};
 }
 

@@ -47,6 +47,12 @@ class Weather {
     /// \pre has() is true for both seas of the moment
     SeaStatistics statistics_at(const SeaMoment& moment) const;
 
+    /// Returns CascadePlan::foam_weight() of a cascade, or 0 if no sea of the forecast has
+    /// whitecaps.
+    double foam_weight(std::size_t cascade) const {
+        return now().forecast.first.waves == WaveModel::spectrum ? now().plans.front()[cascade].foam_weight() : 0;
+    }
+
     /// Marks the moment's seas as needed by the next run of the pass.
     void need(Pass pass, const SeaMoment& moment) { cache_.need(pass, moment.before, moment.after); }
     /// Releases the seas and the forecast of the last frame. \pre no frame is in flight
@@ -76,7 +82,14 @@ class Weather {
         double height_variance = 0;
         SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
+        /// Mean squares of the weighted compression at choppiness 1, and of its rate of change.
+        struct Compression {
+            double square = 0, rate_square = 0;
+        } compression;
+        /// Mean squares of their means over squares of FoamFilter's widths.
+        std::array<Compression, FoamFilter::widths> compression_of_width;
 
+        void add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps);
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double weight);
         /// Returns the sums of one cascade, with the Stokes drift as the drift.
@@ -112,7 +125,11 @@ class Weather {
     /// Returns an outlook that contains the sea.
     const Outlook& outlook_of(std::size_t number) const { return number < next_.first_number ? now() : next_; }
     const SeaState& sea(std::size_t number) const { return outlook_of(number).sea(number); }
+    const std::vector<CascadePlan>& plans(std::size_t number) const {
+        return outlook_of(number).plans[number - outlook_of(number).first_number];
+    }
     static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
+    static void add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStatistics& statistics);
     static SeaStatistics statistics_of(const SeaState& sea, const Sums& sums);
     void begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources);
 

@@ -35,19 +35,19 @@ double rarity(double cover) { return std::sqrt(-2 * det::log(cover)); }
 
 }  // namespace
 
-FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s)
-    : half_turn_of_tick_(frequency_radps * tick_s / 2) {
-    const double fall = ramp_deviations / (fading_ticks * tick_s * frequency_radps);
+FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s, double ramp)
+    : ramp_(ramp), half_turn_of_tick_(frequency_radps * tick_s / 2) {
+    const double fall = ramp / (fading_ticks * tick_s * frequency_radps);
     crossings_ = density(fall) / fall + (1 - tail_probability(fall));
 }
 
 double FoamAccumulation::cover(double level) const {
     const double r = level * half_turn_of_tick_;
     const double seen = r < 1e-3 ? 1 : 2.50662827463100050242 * (0.5 - tail_probability(r)) / r;
-    const double all_white = tail_probability(level + ramp_deviations / 2);
+    const double all_white = tail_probability(level + ramp_ / 2);
     double cover = 0;
     for (const Node& node : nodes) {
-        const double white = tail_probability(level + ramp_deviations * (node.foam - 0.5));
+        const double white = tail_probability(level + ramp_ * (node.foam - 0.5));
         const double crossings = seen * crossings_ * (white - all_white);
         cover += node.weight * (1 - (1 - all_white) * det::exp(-crossings / (1 - all_white)));
     }

@@ -35,11 +35,12 @@ class FoamAccumulation {
     /// (z = 3.6), and 60 % in a storm (z = 1.7). The edges of the other crests are no sharper.
     static constexpr double ramp_deviations = 0.3;
     /// F, in ticks.
-    static constexpr double fading_ticks = 255.0 / 9;
+    static constexpr double fading_ticks = 15;
 
     /// \param frequency_radps  w, rad/s, above 0
     /// \param tick_s           d, seconds, above 0
-    FoamAccumulation(double frequency_radps, double tick_s);
+    /// \param ramp             s, deviations, above 0
+    FoamAccumulation(double frequency_radps, double tick_s, double ramp = ramp_deviations);
 
     /// Returns the mean fraction of the sea under foam. \param level  z_w, in [0, 9]
     double cover(double level) const;
@@ -48,6 +49,7 @@ class FoamAccumulation {
     double level_of(double cover) const;
 
    private:
+    double ramp_;
     double half_turn_of_tick_;
     double crossings_;  ///< n(y) / (P(b_y) - P(b_1))
 };

@@ -1,7 +1,6 @@
 #include "pelagic/sim/foam/history.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/foam/foam_source.hpp"
@@ -82,28 +81,6 @@ void FoamHistory::forget() {
 }
 
 void FoamHistory::advance() { newest_ = 1 - newest_; }
-
-std::size_t FoamHistory::saved_bytes() const {
-    return cascades_.empty() ? 0 : cascades_.size() * cascades_.front().maps[0].size();
-}
-
-void FoamHistory::save(std::span<std::uint8_t> bytes) const {
-    assert(bytes.size() == saved_bytes());
-    for (const CascadeMemory& cascade : cascades_) {
-        std::copy_n(cascade.maps[newest_].data(), cascade.maps[newest_].size(), bytes.data());
-        bytes = bytes.subspan(cascade.maps[newest_].size());
-    }
-}
-
-void FoamHistory::restore(std::span<const std::uint8_t> bytes) {
-    assert(bytes.size() == saved_bytes());
-    for (CascadeMemory& cascade : cascades_) {
-        AlignedBuffer<std::uint8_t>& map = cascade.maps[newest_];
-        std::copy_n(bytes.data(), map.size(), map.data());
-        cascade.ticks_to_fade = ticks_to_empty;
-        bytes = bytes.subspan(map.size());
-    }
-}
 
 std::size_t FoamHistory::bytes() const {
     std::size_t bytes = 0;

@@ -1,10 +1,10 @@
 // Foam accumulation and decay, for each cascade:
 //
-//   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 9
+//   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 17
 //
 // A texel is an undisplaced position, so orbital motion needs no advection. Drift moves foam by
-// whole texels at ticks. After W = ceil(255 / F) = 29 ticks a full byte has decayed to 0, so older
-// ticks have no effect.
+// whole texels at ticks. After 255 / F = 15 ticks a full byte has decayed to 0, so older ticks have
+// no effect.
 #pragma once
 
 #include <array>
@@ -25,9 +25,6 @@ class FoamHistory {
     FoamHistory(const FoamHistory&) = delete;  // stages point into it
     FoamHistory& operator=(const FoamHistory&) = delete;
 
-    /// Ticks after which foam has decayed to 0: a frame depends on no earlier ticks.
-    static constexpr int warm_up_ticks = (255 + FoamTickJob::fade - 1) / FoamTickJob::fade;
-
     /// Adds the stages of one tick. Returns the stages after which the tick is stored, by cascade.
     /// \param surfaces_done  the stages that compute the tick's displacement, by cascade
     std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done);
@@ -36,11 +33,6 @@ class FoamHistory {
     /// Moves to the next tick, which the next run of the stages computes. \pre no run is in flight
     void advance();
 
-    /// Save and restore the foam as bytes, which are identical on every machine.
-    /// \pre `bytes` has saved_bytes() elements
-    std::size_t saved_bytes() const;
-    void save(std::span<std::uint8_t> bytes) const;
-    void restore(std::span<const std::uint8_t> bytes);
     std::size_t bytes() const;
 
     /// Returns the cascade's description at the next tick: its grid and whitecap threshold.
@@ -54,7 +46,7 @@ class FoamHistory {
     const std::uint8_t* remembered(std::size_t cascade) const { return cascades_[cascade].maps[newest_].data(); }
 
    private:
-    static constexpr int ticks_to_empty = warm_up_ticks + 1;
+    static constexpr int ticks_to_empty = 255 / FoamTickJob::fade + 1;
     void tick_rows(std::size_t cascade, std::size_t job);
 
     struct CascadeMemory {

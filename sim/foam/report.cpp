@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "pelagic/sim/foam/drift.hpp"
-#include "pelagic/sim/foam/history.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
 
@@ -19,7 +18,7 @@ FoamReport report_on_foam(const Frame& frame) {
     const SeaStatistics& statistics = frame.statistics;
     FoamReport report{.tick_s = clock.tick_s(),
                       .ticks_a_loop = clock.ticks_a_loop(),
-                      .warm_up_ticks = FoamHistory::warm_up_ticks,
+                      .warm_up_ticks = TickClock::kept_ticks,
                       .drift_mps = length(statistics.foam_drift_x_mps, statistics.foam_drift_z_mps),
                       .drift_direction_rad = std::atan2(statistics.foam_drift_z_mps, statistics.foam_drift_x_mps),
                       .whitecap_cover = whitecap_cover(frame.sea),

@@ -7,13 +7,14 @@
 
 namespace pelagic {
 namespace {
-constexpr double ticks_a_second = 10;
+/// Foam fades in 15 ticks, about 2.8 s. Longer intervals lose crests that pass between two ticks.
+constexpr double min_tick_s = 0.185;
 constexpr double max_loops = 0x1p40;
 }  // namespace
 
 TickClock::TickClock(double loop_period_s)
     : loop_period_s_(loop_period_s),
-      ticks_(std::max(1, static_cast<int>(std::floor(ticks_a_second * loop_period_s + 0.5)))) {}
+      ticks_(kept_ticks * std::max(1, static_cast<int>(loop_period_s / (kept_ticks * min_tick_s)))) {}
 
 // A tick's fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added
 // before truncation.

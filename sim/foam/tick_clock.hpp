@@ -1,4 +1,4 @@
-// Times of foam ticks: about ten a second, and a whole number of them in a loop.
+// Times of foam ticks: about five a second, and a multiple of 16 of them in a loop.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,15 @@ struct TickPlace {
     std::uint32_t fraction = 0;  ///< fraction of a tick since then, in units of 2^-32
 };
 
-/// Tick n is at n T / round(10 T), where T is the loop period, so that a loop has a whole number of
-/// ticks.
+/// Tick n is at n d. A loop has a multiple of 16 ticks, so that snapshots, which are kept in rings
+/// of 16 (snapshots.hpp), have the same place in the ring in every loop. The interval d is at least
+/// 0.185 s, if the loop has time for 16 such ticks, and at most twice that; from loops of 30 s on
+/// it is at most 0.206 s.
 class TickClock {
    public:
+    /// Ticks that a frame depends on: foam has faded after 15.
+    static constexpr int kept_ticks = 16;
+
     explicit TickClock(double loop_period_s);
 
     int ticks_a_loop() const { return ticks_; }

@@ -1,11 +1,8 @@
 #include "pelagic/sim/frames/frame_assembly.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <stdexcept>
 #include <utility>
 
-#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/cascades/pond.hpp"
 #include "pelagic/sim/cascades/spectral_cascade.hpp"
 #include "pelagic/sim/foam/drift.hpp"
@@ -13,9 +10,6 @@
 
 namespace pelagic {
 namespace {
-
-// Upper bound of tick numbers: 2^40 loops of less than 2^20 ticks.
-constexpr std::int64_t max_ticks = std::int64_t{1} << 60;
 
 std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
@@ -39,7 +33,9 @@ FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtra
         sources_.push_back(source_of(forecast.first.waves, cascade));
         surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, cascade, kernels_for(isa), extras_));
     }
-    if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
+    if (!extras_.foam) return;
+    foam_.emplace(slots_, kernels_for(isa), extras_.memory);
+    snapshots_.emplace(slots_, kernels_for(isa), extras_.memory);
 }
 
 void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> after) {
@@ -60,7 +56,8 @@ std::vector<StageId> FrameAssembly::add_tick_stages(JobGraph& graph) {
         const FilledBy filled = sources_[cascade]->add_stages(graph, Pass::tick, {});
         surfaces_done.push_back(inputs_.add_stage(graph, Pass::tick, cascade, filled));
     }
-    return foam_->add_tick_stages(graph, surfaces_done);
+    const std::vector<StageId> foam_done = foam_->add_tick_stages(graph, surfaces_done);
+    return snapshots_ ? snapshots_->add_tick_stages(graph, foam_done) : foam_done;
 }
 
 void FrameAssembly::add_spectrum_stages(JobGraph& graph) {
@@ -76,10 +73,12 @@ void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> t
     frame.sea = weather_.sea_at(moment);
     frame.statistics = weather_.statistics_at(moment);
     frame.isa = isa_;
-    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade)
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
         sources_[cascade]->begin(Pass::frame, moment, slots_.cascade(cascade));
+        slots_.cascade(cascade).compression_scale = compression_scale(cascade, frame.statistics);
+    }
     begin_inputs(Pass::frame, time_s, time_s);
-    if (foam_) plan_ticks(time_s);
+    if (foam_) plan_ticks(moment);
 }
 
 double FrameAssembly::next_tick_s() const { return clock().time_s(frame_tick_.number - ticks_due_ + 1); }
@@ -95,6 +94,8 @@ void FrameAssembly::begin_tick() {
         sources_[cascade]->begin(Pass::tick, moment, at_tick);
         const DriftTexels drift = drift_of(statistics, at_tick.grid, resolution(), clock(), number);
         foam_->set_drift(cascade, drift.x, drift.z);
+        at_tick.compression_scale = compression_scale(cascade, statistics);
+        if (snapshots_) snapshots_->begin_tick(cascade, at_tick.grid, at_tick.compression_scale, clock(), number);
     }
     begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);
     newest_tick_ = number;
@@ -130,34 +131,12 @@ void FrameAssembly::keep_foam_of(const SeaChange& next) {
     const bool has_ticks_due = ticks_due_ > 0;  // of a frame in flight
     if (!has_ticks_due && !newest_tick_) return;
     const std::int64_t newest = has_ticks_due ? frame_tick_.number : *newest_tick_;
-    const double oldest_s = clock().time_s(newest - FoamHistory::warm_up_ticks);
+    const double oldest_s = clock().time_s(newest - TickClock::kept_ticks);
     if (clock().time_s(newest) <= next.from_s && oldest_s >= weather_.end_of_forgotten_by_next()) return;
     if (has_ticks_due)
         foam_ends_with_frame_ = true;
     else
         forget();
-}
-
-std::vector<std::uint8_t> FrameAssembly::saved_history() const {
-    if (!foam_ || !newest_tick_) return {};
-    std::vector<std::uint8_t> saved(sizeof *newest_tick_ + foam_->saved_bytes());
-    std::memcpy(saved.data(), &*newest_tick_, sizeof *newest_tick_);
-    foam_->save(std::span(saved).subspan(sizeof *newest_tick_));
-    return saved;
-}
-
-void FrameAssembly::restore_history(std::span<const std::uint8_t> saved) {
-    if (saved.empty()) return forget();
-    const std::size_t needed = foam_ ? sizeof *newest_tick_ + foam_->saved_bytes() : 0;
-    if (saved.size() != needed)
-        throw std::invalid_argument(
-            invalid_value_message("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
-    std::int64_t number;
-    std::memcpy(&number, saved.data(), sizeof number);
-    if (number < -max_ticks || number > max_ticks)
-        throw std::invalid_argument(invalid_value_message("the saved tick", number, "[-2^60, 2^60]"));
-    newest_tick_ = number;
-    foam_->restore(saved.subspan(sizeof *newest_tick_));
 }
 
 void FrameAssembly::begin_sea(std::size_t number) {
@@ -198,6 +177,7 @@ std::size_t FrameAssembly::bytes() const {
     for (const auto& source : sources_) bytes += source->bytes();
     for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
     if (foam_) bytes += foam_->bytes();
+    if (snapshots_) bytes += snapshots_->bytes();
     return bytes;
 }
 
@@ -226,11 +206,31 @@ SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
     return moment;
 }
 
-/// Determines the ticks that the frame of a time needs beyond the foam history. A constant sea has
-/// equal foam in every loop, unless it has wave inputs, which need not repeat with the loop.
-void FrameAssembly::plan_ticks(double time_s) {
-    frame_tick_ = clock().at(time_s);
-    const std::int64_t all = FoamHistory::warm_up_ticks;
+/// Returns Cascade::compression_scale at a moment.
+float FrameAssembly::compression_scale(std::size_t cascade, const SeaStatistics& statistics) const {
+    if (statistics.foam_level == SeaStatistics::no_foam_level) return 0;
+    return static_cast<float>(weather_.foam_weight(cascade) / statistics.compression_deviation);
+}
+
+/// Sets the drift of the snapshots, which is constant while all of them are computed with it: that
+/// of the sea with the larger weight. Snapshots of another drift are discarded.
+void FrameAssembly::set_foam_drift(const SeaMoment& moment) {
+    const std::size_t sea = moment.weight < 0.5 ? moment.before : moment.after;
+    if (drift_sea_ == sea) return;
+    const SeaStatistics statistics = weather_.statistics_at({.before = sea, .after = sea});
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade)
+        snapshots_->set_sea(cascade, weather_.foam_weight(cascade),
+                            drift_a_loop(statistics, sources_[cascade]->grid(), resolution(), clock()));
+    drift_sea_ = sea;
+    forget();
+}
+
+/// Determines the ticks that the frame of a moment needs beyond the foam history. A constant sea
+/// has equal foam in every loop, unless it has wave inputs, which need not repeat with the loop.
+void FrameAssembly::plan_ticks(const SeaMoment& moment) {
+    if (snapshots_) set_foam_drift(moment);
+    frame_tick_ = clock().at(moment.time_s);
+    const std::int64_t all = TickClock::kept_ticks;
     std::int64_t ahead = all;
     if (newest_tick_) {
         ahead = frame_tick_.number - *newest_tick_;
@@ -246,6 +246,9 @@ void FrameAssembly::show_foam() {
     const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.fraction >> 32);
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)
         slots_.remembered_foam(cascade) = {foam_->remembered(cascade), fade};
+    if (!snapshots_) return;
+    slots_.frame().foam.level = static_cast<float>(slots_.frame().statistics.foam_level);
+    snapshots_->show(clock(), frame_tick_);
 }
 
 }  // namespace pelagic

@@ -15,6 +15,7 @@
 #include "pelagic/sim/cascades/wave_inputs.hpp"
 #include "pelagic/sim/cascades/weather.hpp"
 #include "pelagic/sim/foam/history.hpp"
+#include "pelagic/sim/foam/snapshots.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
@@ -57,8 +58,6 @@ class FrameAssembly {
     /// Discards the foam history if the next change, or the change that is discarded for it, alters
     /// the sea at times of the history.
     void keep_foam_of(const SeaChange& next);
-    std::vector<std::uint8_t> saved_history() const;
-    void restore_history(std::span<const std::uint8_t> saved);
 
     void begin_sea(std::size_t number);
     void adopt_sea();
@@ -83,7 +82,9 @@ class FrameAssembly {
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t cascade);
     TickClock clock() const;
     SeaMoment moment_at_tick(std::int64_t number) const;
-    void plan_ticks(double time_s);
+    float compression_scale(std::size_t cascade, const SeaStatistics& statistics) const;
+    void set_foam_drift(const SeaMoment& moment);
+    void plan_ticks(const SeaMoment& moment);
     void show_foam();
 
     Isa isa_;
@@ -95,6 +96,8 @@ class FrameAssembly {
     FoldStages folds_;
     WaveInputs inputs_;
     std::optional<FoamHistory> foam_;
+    std::optional<FoamSnapshots> snapshots_;   ///< with foam
+    std::optional<std::size_t> drift_sea_;     ///< sea with whose drift snapshots are stored
     TickPlace frame_tick_;                     ///< of the frame that begin_frame() began last
     std::optional<std::int64_t> newest_tick_;  ///< none: there is no foam history
     int ticks_due_ = 0;

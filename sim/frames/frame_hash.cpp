@@ -31,8 +31,12 @@ void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t
 std::uint64_t foam_hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    for (const Cascade& cascade : frame.cascades)
+    for (const Cascade& cascade : frame.cascades) {
         XXH3_64bits_update(&state, cascade.foam_r8.data(), cascade.foam_r8.size());
+        XXH3_64bits_update(&state, cascade.compression_r8.data(), cascade.compression_r8.size());
+        for (const std::span<const std::uint32_t> image : cascade.snapshots_rgba8)
+            XXH3_64bits_update(&state, image.data(), image.size_bytes());
+    }
     return XXH3_64bits_digest(&state);
 }
 

@@ -384,16 +384,6 @@ void Ocean::schedule_sea(const SeaChange& change) {
     state_->begin_ahead(weather.number_of_last());
 }
 
-std::vector<std::uint8_t> Ocean::saved_history() const {
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    return state_->frames.saved_history();
-}
-
-void Ocean::restore_history(std::span<const std::uint8_t> saved) {
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    state_->frames.restore_history(saved);
-}
-
 DynamicWaves& Ocean::dynamic_waves() { return state_->needed_dynamic_waves(); }
 const DynamicWaves& Ocean::dynamic_waves() const { return state_->needed_dynamic_waves(); }
 

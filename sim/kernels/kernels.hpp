@@ -107,6 +107,13 @@ struct ShownFoam {
     std::uint8_t* bytes = nullptr;  ///< N^2
 };
 
+/// Compression of a cascade in a frame, in bytes: nearest(clamp(offset + factor (Dx,x + Dz,z), 0,
+/// 255)) for slopes in units of a byte step.
+struct PresentCompression {
+    float factor = 0, offset = 0;
+    std::uint8_t* bytes = nullptr;  ///< N^2; null: not written
+};
+
 /// Number of planes of averages that a mip level is computed from: scaled normal x, y, z, and J
 /// clamped to [-1, 1].
 inline constexpr std::size_t mip_planes = 4;
@@ -189,6 +196,7 @@ struct SlopesJob {
     /// As in GradientsJob, J from these slopes; null: not written.
     std::uint16_t* rgba16f;
     ShownFoam foam;                            ///< written with the half floats
+    PresentCompression compression;            ///< written with the half floats if there is foam
     std::uint32_t* slopes[block_levels + 1];   ///< tight rows, the texels of level 0 to 3
     std::uint32_t* moments[block_levels + 1];  ///< tight rows, the texels of level 0 to 3
     float* averages;                           ///< averages of level 3, for SlopeLevelJob
@@ -211,7 +219,7 @@ struct SlopeLevelJob {
 /// `before` is shifted by whole texels, with wrap. Derivatives are those of SlopesJob.
 struct FoamTickJob {
     static constexpr std::size_t max_resolution = 2048;
-    static constexpr int fade = 9;
+    static constexpr int fade = 17;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
@@ -231,6 +239,43 @@ struct HalveFoamJob {
     const std::uint8_t* from;  ///< 4 side^2
     std::size_t side;
     std::uint8_t* to;  ///< side^2
+};
+
+/// Compression at all texels of a cascade's rows: offset + factor (Dx,x + Dz,z), in bytes that are
+/// not rounded. Derivatives are those of SlopesJob.
+struct CompressionJob {
+    const float* surface;  ///< all column blocks
+    std::size_t resolution;
+    std::size_t block_stride;
+    float cosine, sine;   ///< as in GradientsJob
+    float far_over_near;  ///< SlopesJob::far_weight over near_weight
+    float factor;         ///< includes the near weight over L / N
+    float offset;
+    std::size_t first_row, rows;  ///< even
+    float* out;                   ///< N^2, tight rows; only the job's rows are written
+};
+
+/// One byte of the texels of an image of snapshots: the compression at texel (x + shift_x + s_x,
+/// z + shift_z + s_z), where s_x and s_z in [0, 1) are the fractions of the cubic weights (Keys
+/// 1981). The other bytes are copied.
+struct SnapshotJob {
+    static constexpr std::size_t max_resolution = 2048;
+
+    const float* compression;  ///< of CompressionJob
+    std::size_t resolution;
+    std::size_t shift_x, shift_z;         ///< less than N
+    float weights_x[4], weights_z[4];     ///< of texels -1, 0, 1 and 2
+    std::size_t first_row, rows;
+    std::uint32_t byte;           ///< 0 to 3, from the lowest
+    const std::uint32_t* before;  ///< N^2
+    std::uint32_t* after;         ///< N^2, only the job's rows are written; may be `before`
+};
+
+/// Averages each byte over 2 x 2 words; halves round up at odd x + z, and down elsewhere.
+struct HalveSnapshotsJob {
+    const std::uint32_t* from;  ///< 4 side^2
+    std::size_t side;
+    std::uint32_t* to;  ///< side^2
 };
 
 /// Surface of a frame, as queries read it. Texel (i, j) of a plane is
@@ -408,6 +453,9 @@ struct Kernels {
     void (*slope_level)(const SlopeLevelJob&);
     void (*foam_tick)(const FoamTickJob&);
     void (*halve_foam)(const HalveFoamJob&);
+    void (*compression)(const CompressionJob&);
+    void (*snapshot)(const SnapshotJob&);
+    void (*halve_snapshots)(const HalveSnapshotsJob&);
     void (*find_folds)(const FindFoldsJob&);
     ByInterpolation<InvertSurfaceJob> invert_surface;
     ByInterpolation<SampleSurfaceJob> sample_surface;

@@ -16,6 +16,7 @@
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
+#include "pelagic/sim/kernels/snapshots.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
 
@@ -39,6 +40,9 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,
     kernels::foam_tick<xsimd::PELAGIC_ISA_ARCH>,
     kernels::halve_foam<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::compression<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::snapshot<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_snapshots<xsimd::PELAGIC_ISA_ARCH>,
     kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
     {kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},

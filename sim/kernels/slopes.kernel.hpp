@@ -10,6 +10,7 @@
 #include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/kernels/snapshots.kernel.hpp"
 #include "pelagic/simd/bytes.kernel.hpp"
 #include "pelagic/simd/half.kernel.hpp"
 #include "pelagic/simd/neighbours.kernel.hpp"
@@ -178,6 +179,9 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
     constexpr bool with_halves = !std::is_same_v<FoamRows, NoFoamRows>;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
     FoamRows foam(job.foam, z * n + job.first_column, n, columns);
+    constexpr bool with_compression = std::is_same_v<FoamRows, ShownFoamRows<Arch, SlopesJob::block_columns>>;
+    CompressionRows<Arch, with_compression ? SlopesJob::block_columns : 1> compression(
+        job.compression, z * n + job.first_column, n, columns);
     typename BlockSurface<Arch>::PairWalk walk(surface, job.first_column, z);
 
     const auto pack_row = [&](int row, std::size_t column, V(&planes)[slope_planes]) PELAGIC_INLINE_LAMBDA {
@@ -185,6 +189,8 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
         const std::size_t at = row * n + column;
         store_texels<Arch>(slopes_word<Arch>(planes), texels.slopes + at);
         store_texels<Arch>(moments_at<Arch>(planes[d_xz]), texels.moments + at);
+        if constexpr (with_compression)
+            compression.put(planes[d_xx] + planes[d_zz], static_cast<std::size_t>(row), column);
         if constexpr (with_halves)
             store_halves<Arch>(walk.at(surface_dx, row), walk.at(surface_height, row), walk.at(surface_dz, row),
                                foam.show(jacobian_of<Arch>(planes, step), static_cast<std::size_t>(row), column),
@@ -228,6 +234,7 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
         }
     }
     foam.write();
+    if constexpr (with_compression) compression.write();
 }
 
 template <class Arch>

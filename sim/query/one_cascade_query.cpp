@@ -12,7 +12,6 @@
 #include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/query/foam_at.hpp"
 
 namespace pelagic {
 namespace {
@@ -70,11 +69,12 @@ struct OneCascadeQuery::Intersection {
     float error = 0;  ///< texels
 };
 
-OneCascadeQuery::OneCascadeQuery(const Cascade& cascade, const Kernels& kernels, const SurfaceQueryOptions& options)
+OneCascadeQuery::OneCascadeQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options)
     : kernels_(kernels),
-      cascade_(cascade),
+      cascade_(frame.cascades.front()),
+      foam_(frame),
       interpolation_(options.interpolation),
-      texel_m_(cascade.texel_m()),
+      texel_m_(cascade_.texel_m()),
       target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {}
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
@@ -132,8 +132,8 @@ void OneCascadeQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk&
 void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
     const PointChunk::World& rest = chunk.rest;
     for (std::size_t i = 0; i < foam.size(); ++i)
-        foam[i] = static_cast<float>(foam_at(cascade_, rest.cell_x[i], rest.cell_z[i], static_cast<double>(rest.u[i]),
-                                             static_cast<double>(rest.v[i])));
+        foam[i] = foam_.of_one_cascade(rest.cell_x[i] + static_cast<double>(rest.u[i]),
+                                       rest.cell_z[i] + static_cast<double>(rest.v[i]));
 }
 
 // Searches the cells within the largest displacement of the position: no others can be displaced to

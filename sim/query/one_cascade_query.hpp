@@ -1,6 +1,7 @@
 // Surface queries of a frame with one cascade.
 #pragma once
 
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/query/point_chunk.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
@@ -8,7 +9,7 @@ namespace pelagic {
 
 class OneCascadeQuery {
    public:
-    OneCascadeQuery(const Cascade& cascade, const Kernels& kernels, const SurfaceQueryOptions& options);
+    OneCascadeQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     /// Converts each position of a chunk to a cell and a position in the cell.
     void place(PointChunk& chunk) const;
@@ -28,6 +29,7 @@ class OneCascadeQuery {
 
     const Kernels& kernels_;
     const Cascade& cascade_;
+    FoamSampler foam_;
     Interpolation interpolation_;
     double texel_m_;
     float target_;  ///< error at which the search stops, texels

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "pelagic/sim/buffers/contraction_map.hpp"
-#include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/query/shore_weights.hpp"
 
 namespace pelagic {
@@ -31,6 +30,7 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
       interpolation_(options.interpolation),
       cascades_(frame.cascades),
       shore_(frame.shore),
+      foam_(frame),
       finest_texel_m_(cascades_.back().texel_m()) {
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         search_cascades_[t] = SearchCascade(cascades_[t], interpolation_);
@@ -126,21 +126,12 @@ void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chun
 }
 
 void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
-    std::fill(foam.begin(), foam.end(), 0.f);
-    for (std::size_t t = 0; t < cascades_.size(); ++t) {
-        if (!cascades_[t].makes_whitecaps()) continue;
-        const SearchCascade& cascade = search_cascades_[t];
-        const PointChunk::World& world = chunk.world[t];
-        for (std::size_t i = 0; i < foam.size(); ++i) {
-            const auto x = static_cast<double>(chunk.offset_x[i]), z = static_cast<double>(chunk.offset_z[i]);
-            const double u = static_cast<double>(world.u[i]) + (cascade.along * x + cascade.across * z);
-            const double v = static_cast<double>(world.v[i]) + (cascade.along * z - cascade.across * x);
-            const std::int64_t column = floor_of(u), row = floor_of(v);
-            const double here = foam_at(cascades_[t], world.cell_x[i] + column, world.cell_z[i] + row,
-                                        u - static_cast<double>(column), v - static_cast<double>(row));
-            const float counts = shore_ ? chunk.weight[t][i] : 1;
-            foam[i] = std::max(foam[i], counts * static_cast<float>(here));
-        }
+    for (std::size_t i = 0; i < foam.size(); ++i) {
+        const double x = chunk.x[i] + static_cast<double>(chunk.offset_x[i]);
+        const double z = chunk.z[i] + static_cast<double>(chunk.offset_z[i]);
+        FoamWeights weights;
+        for (std::size_t t = 0; shore_ && t < cascades_.size(); ++t) weights[t] = chunk.weight[t][i];
+        foam[i] = foam_.at(x, z, shore_ ? &weights : nullptr);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/query/point_chunk.hpp"
 #include "pelagic/sim/query/stack_search.hpp"
 #include "pelagic/sim/surface_query.hpp"
@@ -28,6 +29,7 @@ class StackQuery {
     Interpolation interpolation_;
     std::span<const Cascade> cascades_;
     const ShoreSurface& shore_;
+    FoamSampler foam_;
     std::array<SearchCascade, max_cascades> search_cascades_;
     double finest_texel_m_;
     double reach_m_ = 0;  ///< upper bound of the horizontal displacement

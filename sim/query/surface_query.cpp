@@ -110,7 +110,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
         }
     };
     if (frame_.cascades.size() == 1)
-        sample_with(OneCascadeQuery(frame_.cascades.front(), *kernels_, options_));
+        sample_with(OneCascadeQuery(frame_, *kernels_, options_));
     else
         sample_with(StackQuery(frame_, *kernels_, options_));
 }

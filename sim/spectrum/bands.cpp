@@ -131,6 +131,14 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
     return *this;
 }
 
+double CascadePlan::foam_weight() const {
+    constexpr double full_weight_m = 5.7;
+    if (!makes_whitecaps() || number > 2) return 0;
+    const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
+    const double shortest_m = texels_a_wave * grid.side_m / resolution;
+    return std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m));
+}
+
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach) {
     return plan_cascades(sea, reach, {.peak_m = 0, .end_k = is_stack(sea) ? end_of_waves(sea) : 0});
 }

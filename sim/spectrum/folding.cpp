@@ -22,7 +22,7 @@ double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
 }  // namespace
 
 void FoldMoments::add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
-                           double difference_z) {
+                           double difference_z, double filter) {
     const double of_square = 1 / (wave_x * wave_x + wave_z * wave_z), square_over_k2 = mean_square * of_square;
     const double xx = wave_x * difference_x, zz = wave_z * difference_z;
     const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
@@ -34,7 +34,9 @@ void FoldMoments::add_wave(double mean_square, double square_rate, double wave_x
               square_over_k2 * u * w,
               square_over_k2 * v * w,
               square_rate * of_square * u * u,
-              uu_of_wave * uu_of_wave};
+              uu_of_wave * uu_of_wave,
+              4 * filter * uu_of_wave,
+              4 * filter * square_rate * of_square * u * u};
 }
 
 FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
@@ -46,12 +48,22 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     vw += other.vw;
     uu_rate += other.uu_rate;
     uu_uu += other.uu_uu;
+    trace_square += other.trace_square;
+    trace_rate_square += other.trace_rate_square;
     return *this;
 }
 
 FoldMoments FoldMoments::operator*(double weight) const {
-    return {uu * weight, vv * weight, ww * weight,      uv * weight,
-            uw * weight, vw * weight, uu_rate * weight, uu_uu * weight * weight};
+    return {uu * weight,
+            vv * weight,
+            ww * weight,
+            uv * weight,
+            uw * weight,
+            vw * weight,
+            uu_rate * weight,
+            uu_uu * weight * weight,
+            trace_square * weight,
+            trace_rate_square * weight};
 }
 
 double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }

@@ -18,6 +18,9 @@ struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances
     double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, in the frame of drifting foam
     double uu_uu = 0;    ///< sum of squares of each wave's uu: a sum of few waves is not Gaussian
+    /// Mean squares of 2u and of 2 du/dt as bilinear filtering between texels shows them, in the
+    /// mean over all positions.
+    double trace_square = 0, trace_rate_square = 0;
 
     /// Adds a wave.
     /// \param mean_square  mean square of its displacement along its direction, m^2; that of its
@@ -27,8 +30,9 @@ struct FoldMoments {
     /// \param difference_x, difference_z  factors of the texels' derivative, 1/m: sin(k_x d) / d
     /// for central differences over
     ///     texels of side d
+    /// \param filter  factor on mean squares from bilinear filtering between texels
     void add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
-                  double difference_z);
+                  double difference_z, double filter);
     FoldMoments& operator+=(const FoldMoments& other);
     /// Moments if all energies are multiplied by `weight`.
     FoldMoments operator*(double weight) const;

@@ -43,6 +43,7 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
         .variance_factor = variance_factor(),
         .rgba16f = rgba16f,
         .foam = foam,
+        .compression = compression,
         .slopes = {},
         .moments = {},
         .averages = averages->level(SlopesJob::block_levels),

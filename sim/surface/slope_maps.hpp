@@ -21,16 +21,20 @@ namespace pelagic {
 /// shallow water
 SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
 
+/// Returns the slope that a byte step of the slope maps stands for.
+inline float slope_step(const SlopeRanges& ranges) { return ranges.slope / 127.f; }
+
 /// Input and output of the slope stages of one cascade. A view: it owns no memory.
 struct SlopeMaps {
     const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
     int resolution;
-    std::size_t block_stride;     ///< floats between column blocks
-    double side_m;                ///< side of the cascade
-    double cosine = 1, sine = 0;  ///< rotation of the cascade's axes, see GradientsJob
-    SlopeRanges ranges;           ///< positive
-    std::uint16_t* rgba16f;       ///< 4 N^2; null: not written
-    ShownFoam foam;               ///< written with rgba16f
+    std::size_t block_stride;             ///< floats between column blocks
+    double side_m;                        ///< side of the cascade
+    double cosine = 1, sine = 0;          ///< rotation of the cascade's axes, see GradientsJob
+    SlopeRanges ranges;                   ///< positive
+    std::uint16_t* rgba16f;               ///< 4 N^2; null: not written
+    ShownFoam foam;                       ///< written with rgba16f
+    PresentCompression compression = {};  ///< written with rgba16f if there is foam
     TextureTargets::Chain slopes, moments;
     MipAverages* averages;  ///< with slope_planes planes
 
@@ -41,7 +45,7 @@ struct SlopeMaps {
     void make_tail(const Kernels& kernels) const;
 
    private:
-    float slope_step() const { return ranges.slope / 127.f; }
+    float slope_step() const { return pelagic::slope_step(ranges); }
     float variance_factor() const { return slope_step() * slope_step() / ranges.variance; }
 };
 

@@ -4,6 +4,7 @@
 
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/foam/foam_source.hpp"
+#include "pelagic/sim/foam/snapshots.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 
@@ -95,6 +96,14 @@ ShownFoam SurfaceStages::shown_foam() {
             .bytes = slots_.buffers(cascade_).foam.data()};
 }
 
+PresentCompression SurfaceStages::present_compression() {
+    const Cascade& cascade = slots_.cascade(cascade_);
+    PresentCompression compression =
+        bytes_of_compression(cascade.compression_scale * slope_step(cascade.slope_ranges));
+    compression.bytes = slots_.buffers(cascade_).compression.data();
+    return compression;
+}
+
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
     const auto roughness = static_cast<float>(slots_.frame().statistics.roughness);
     const CascadeGrid& grid = slots_.cascade(cascade_).grid;
@@ -144,6 +153,7 @@ SlopeMaps SurfaceStages::slope_maps() {
             .ranges = cascade.slope_ranges,
             .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
             .foam = shown_foam(),
+            .compression = present_compression(),
             .slopes = textures.slopes_rgba8,
             .moments = textures.moments_rgba8,
             .averages = &*slope_averages_};

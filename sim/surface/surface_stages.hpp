@@ -34,6 +34,7 @@ class SurfaceStages {
     void add_slope_stages(JobGraph& graph, StageId surface_done);
     void add_foam_tail(JobGraph& graph, StageId foam_done);
     ShownFoam shown_foam();
+    PresentCompression present_compression();
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();

@@ -10,6 +10,7 @@
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tools/meshes/sea_mesh.hpp"
 #include "pelagic/tools/text/option_text.hpp"
@@ -67,7 +68,7 @@ Mesh mesh_of(const DrawList& list, const Frame& frame) {
         const double fade = border_fade(grid, rest);
         return glm::dvec3(rest.x, 0, rest.y) + (fade > 0 ? displacement(rest) * fade : glm::dvec3(0));
     };
-    const bool has_foam = !frame.cascades.front().foam_r8.empty();
+    const FoamSampler foam(frame);
     Mesh mesh;
     std::vector<std::uint32_t> number_of(patch_mesh.positions.size());
     for (const DrawBatch& batch : list.batches) {
@@ -85,7 +86,8 @@ Mesh mesh_of(const DrawList& list, const Frame& frame) {
                 mesh.positions.push_back(patch_vertex(grid, patch, at.i, at.j, displacement));
                 mesh.normals.emplace_back(normal_at(rest, frame.cascades[0].texel_m(), drawn));
                 mesh.texture_coordinates.push_back(texture_coordinates_of(frame.cascades[0], rest));
-                if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest) * border_fade(grid, rest)));
+                if (foam.has_foam())
+                    mesh.foam.push_back(static_cast<float>(double{foam.at(rest.x, rest.y)} * border_fade(grid, rest)));
             }
             for (auto index = first; index != first + range.count; ++index) mesh.faces.push_back(number_of[*index]);
         }

@@ -3,22 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 
 namespace pelagic::tools {
-
-double foam_of(const Frame& frame, glm::dvec2 rest) {
-    double max = 0;
-    for (const Cascade& cascade : frame.cascades) {
-        const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.y);
-        const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
-        const double column = std::floor(x), row = std::floor(z);
-        max = std::max(max, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
-                                    x - column, z - row));
-    }
-    return max;
-}
 
 std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans) {
     const auto is_shown = [&](const CascadePlan& plan) {
@@ -44,7 +32,7 @@ Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
         return glm::dvec3(rest.x + d.dx, d.height, rest.y + d.dz);
     };
     const double reach_m = std::max(patch.side_m / patch.steps, shown.cascades.back().texel_m());
-    const bool has_foam = !frame.cascades.front().foam_r8.empty();
+    const FoamSampler foam(frame);
 
     const auto row = static_cast<std::uint32_t>(patch.steps) + 1;
     Mesh mesh;
@@ -59,7 +47,7 @@ Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
             mesh.positions.push_back(drawn(rest));
             mesh.normals.emplace_back(normal_at(rest, reach_m, drawn));
             mesh.texture_coordinates.push_back(texture_coordinates_of(frame.cascades.front(), rest));
-            if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest)));
+            if (foam.has_foam()) mesh.foam.push_back(foam.at(rest.x, rest.y));
         }
     }
     for (std::uint32_t j = 0; j + 1 < row; ++j)

@@ -30,10 +30,6 @@ Mesh mesh_of(const Frame& frame, const SeaPatch& patch);
 /// Returns the texture coordinates (see Mesh) of a reference position.
 glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest);
 
-/// Returns the maximum of the cascades' foam at a reference position, 0 to 1, as queries do.
-/// \pre the frame has foam
-double foam_of(const Frame& frame, glm::dvec2 rest);
-
 /// Returns the unit normal at a reference position from central differences (VR Ocean, equations 45
 /// to 47). Returns (0, 1, 0) where the surface is compressed to a point.
 /// \param reach_m  distance of the neighbours

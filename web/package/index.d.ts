@@ -94,7 +94,7 @@ export interface OceanOptions extends SeaOptions {
   gradients?: boolean;
   /** Adds slopes and moments to frames of one cascade; others always have them. Default false. */
   slopes?: boolean;
-  /** Enables foam accumulation: foam decays over 2.9 seconds and has its own map. Default false. */
+  /** Enables foam, which decays over 2.8 seconds. Default false. */
   foam?: boolean;
   /** The dynamic-wave grid; {} has the defaults. Default: no dynamic waves. */
   dynamicWaves?: DynamicWavesOptions;
@@ -560,7 +560,7 @@ export interface CascadeMaps {
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
-  /** Mip levels of foam, one byte per texel. Null without OceanOptions.foam. */
+  /** Mip levels of the cascade's own foam, one byte per texel. Null without OceanOptions.foam. */
   readonly foam: Uint8Array | null;
   /** Metres, in single precision. */
   readonly dx: Plane;

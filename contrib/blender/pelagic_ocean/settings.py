@@ -117,7 +117,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
 
     foam: BoolProperty(
         name="Foam", default=True, update=changed,
-        description='Foam of breaking water, which lasts 2.9 seconds: point attribute "foam", 0 to 1')
+        description='Foam of breaking water, which lasts 2.8 seconds: point attribute "foam", 0 to 1')
     velocity: BoolProperty(
         name="Velocity", default=False, update=changed,
         description='Point attribute "velocity", metres a second, from which Cycles makes motion blur')

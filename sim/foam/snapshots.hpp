@@ -1,0 +1,86 @@
+// Snapshots of the compression of several cascades, at foam ticks (snapshot_foam.hpp).
+//
+// A snapshot is a pure function of its time, so a frame after a jump in time computes 16 of them
+// and has the same bytes as a frame that was reached step by step. Snapshots are stored in the
+// frame of the drifting foam: texel y of the snapshot of time t_k holds the compression at y + v
+// t_k. All snapshots of a frame at time t are then sampled at one point, x - v t. The drift in a
+// loop is a whole number of texels, so that foam repeats with the loop. Fractions of texels are
+// interpolated by cubics (Keys 1981), which keep 88 % of a wave of four texels in the worst case
+// and 99 % of one of eight.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/buffers/frame_slots.hpp"
+#include "pelagic/sim/foam/drift.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+
+namespace pelagic {
+
+class FoamSnapshots {
+   public:
+    FoamSnapshots(FrameSlots& slots, const Kernels& kernels, const Allocator& memory);
+    FoamSnapshots(const FoamSnapshots&) = delete;  // stages point into it
+    FoamSnapshots& operator=(const FoamSnapshots&) = delete;
+
+    /// Adds the stages of one tick. Returns the stages after which the tick's displacement may be
+    /// overwritten, by cascade.
+    /// \param surfaces_done  the stages that compute the tick's displacement, by cascade
+    std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done);
+
+    /// Sets the weight and the drift in a loop of the cascade's foam, for ticks and frames from now
+    /// on. A cascade of weight 0 has no snapshots.
+    void set_sea(std::size_t cascade, double weight, const DriftTexels& drift_a_loop) {
+        cascades_[cascade].is_there = weight > 0;
+        cascades_[cascade].drift = drift_a_loop;
+    }
+    /// Prepares the cascade's snapshot of tick `number` for the next run of the stages. Images that
+    /// the application's frame shows are not overwritten. \pre no run is in flight
+    /// \param compression_scale  as Cascade::compression_scale, at the tick
+    void begin_tick(std::size_t cascade, const CascadeGrid& grid, float compression_scale, const TickClock& clock,
+                    std::int64_t number);
+    /// Gives the frame in the back slot the snapshots, as of the last tick before its time.
+    void show(const TickClock& clock, const TickPlace& time);
+
+    std::size_t bytes() const;
+
+   private:
+    /// Two buffers for each image: the current one, and one that no valid frame shows.
+    struct Image {
+        std::array<AlignedBuffer<std::uint32_t>, 2> chains;
+        std::size_t current = 0;
+        std::uint64_t version = 0;
+    };
+    struct CascadeSnapshots {
+        bool is_there = false;
+        CascadeGrid grid;
+        DriftTexels drift{};
+        float scale = 0;
+        std::size_t slot = 0;                       ///< of the tick
+        const std::uint32_t* before = nullptr;      ///< the image without the tick's snapshot
+        std::size_t shift_x = 0, shift_z = 0;       ///< whole texels of the drift
+        std::array<float, 4> weights_x, weights_z;  ///< of the fractions of texels
+        AlignedBuffer<float> compression;           ///< N^2
+        std::array<Image, SnapshotFoam::images> images;
+
+        Image& image() { return images[slot / 4]; }
+    };
+    void compress_rows(std::size_t cascade, std::size_t job);
+    void store_rows(std::size_t cascade, std::size_t job);
+    void make_levels(std::size_t cascade);
+
+    FrameSlots& slots_;
+    const Kernels& kernels_;
+    std::vector<CascadeSnapshots> cascades_;
+};
+
+/// Converts compressions to bytes: PresentCompression or CompressionJob for slopes of one unit.
+PresentCompression bytes_of_compression(float compression_scale);
+
+}  // namespace pelagic
