@@ -197,7 +197,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     }
 
     const std::string table = run({"info"}).out;
-    for (const char* part : {"Foam accumulation", "whitecap_cover", "warm_up_ticks               29", "drift_mps",
+    for (const char* part : {"Foam accumulation", "whitecap_cover", "warm_up_ticks               16", "drift_mps",
                              "makes no whitecaps", "columns_a_loop"})
         EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;
 }

@@ -330,6 +330,7 @@ class WithoutCascade {
         cascade.moments_rgba8 = moments_;
         cascade.compression_scale = 0;
         cascade.snapshots_rgba8 = {};
+        cascade.snapshots_version = {};
         cascade.slope_variance = 0;
         frame.cascades = cascades_;
     }

@@ -175,7 +175,7 @@ void FoamSnapshots::show(const TickClock& clock, const TickPlace& time) {
             const AlignedBuffer<std::uint32_t>& chain = now.chains[now.current];
             cascade.snapshots_rgba8[image] = {};
             if (from.is_there) cascade.snapshots_rgba8[image] = {chain.data(), chain.size()};
-            cascade.snapshots_version[image] = now.version;
+            cascade.snapshots_version[image] = from.is_there ? now.version : 0;
         }
     }
 }
