@@ -76,7 +76,7 @@ Copies copies_along(float noise) {
     float first = floor(noise), second = smoothstep(0.0, 1.0, noise - first);
     // The R2 sequence (Roberts 2018), whose points are well separated.
     const vec2 to_next = vec2(0.7548777, 0.5698403);
-    return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
+    return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(clamp(vec2(1.0 - second, second), 0.0, 1.0)), false);
 }
 
 Copies copies_at(int cascade, vec2 at, float distance_m) {
