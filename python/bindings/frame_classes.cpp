@@ -71,6 +71,29 @@ py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::
     return view_of(*handle.of, py::dtype("u1"), std::move(shape), cascade.level_of(cascade.*chain, level).data());
 }
 
+/// Returns the bytes of compression; None for a cascade whose compression makes no foam.
+py::object compression_of(const CascadeHandle& handle) {
+    const auto reader = handle.of->read();
+    need_foam(handle.of->frame);
+    const Cascade& cascade = handle.cascade();
+    const py::ssize_t side = cascade.resolution();
+    if (cascade.compression_r8.empty()) return py::none();
+    return view_of(*handle.of, py::dtype("u1"), {side, side}, cascade.compression_r8.data());
+}
+
+/// Returns the images of snapshots; None for a cascade whose compression makes no foam.
+py::object snapshots_of(const CascadeHandle& handle) {
+    const auto reader = handle.of->read();
+    need_foam(handle.of->frame);
+    const Cascade& cascade = handle.cascade();
+    const py::ssize_t side = cascade.resolution();
+    if (cascade.snapshots_rgba8[0].empty()) return py::none();
+    py::list images;
+    for (const std::span<const std::uint32_t> image : cascade.snapshots_rgba8)
+        images.append(view_of(*handle.of, py::dtype("u1"), {side, side, 4}, image.data()));
+    return py::tuple(images);
+}
+
 std::vector<CascadeHandle> cascades_of(const std::shared_ptr<FrameHandle>& frame) {
     const auto reader = frame->read();
     std::vector<CascadeHandle> cascades;
@@ -152,6 +175,9 @@ void add_cascade(py::module_& module) {
     add_chain(cascade, "slopes", &Cascade::slopes_rgba8, "slopes=True");
     add_chain(cascade, "moments", &Cascade::moments_rgba8, "slopes=True");
     add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True");
+    add(cascade, "compression", &compression_of);
+    add(cascade, "snapshots", &snapshots_of);
+    add(cascade, "drift", of_cascade(+[](const Cascade& of) { return std::pair(of.drift_columns, of.drift_rows); }));
     add(cascade, "resolution", of_cascade(+[](const Cascade& of) { return of.resolution(); }));
     add(cascade, "levels", of_cascade(+[](const Cascade& of) { return mip_levels(of.resolution()); }));
     add(cascade, "patch_size_m", of_cascade(+[](const Cascade& of) { return of.grid.side_m; }));
@@ -176,6 +202,8 @@ FrameClass add_frame(py::module_& module) {
     add(frame, "is_alive", [](const FrameHandle& of) { return of.ocean->is_alive(of.number); });
     add(frame, "hash", on_frame(&hash_of));
     add(frame, "foam_hash", &checked_foam_hash);
+    add(frame, "foam_threshold", [](const FrameHandle& of) { return of.frame.foam.level; });
+    add(frame, "snapshot_ages", [](const FrameHandle& of) { return of.frame.foam.age; });
     frame.def("measured_significant_wave_height_m", on_frame(&measured_significant_wave_height_m),
               doc_of("Frame.measured_significant_wave_height_m"));
     add_queries(frame);

@@ -120,6 +120,20 @@ class Cascade:
     def foam_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of foam, 0 to levels - 1."""
     @property
+    def compression(self) -> Optional[NDArray[np.uint8]]:
+        """(N, N), a view: compression q = -3 + 8 byte/255 now. The foam of several cascades is that
+        of the sum of their q; see snapshots. None if the cascade makes no foam, and in a frame of
+        one cascade. Requires Ocean(foam=True)."""
+    @property
+    def snapshots(self) -> Optional[Tuple[NDArray[np.uint8], ...]]:
+        """Four (N, N, 4) views: q at 16 past ticks, snapshot s in image s // 4, byte s % 4. With S
+        the sum over the cascades, the foam at a position is the largest of clamp(0.5 + (S -
+        foam_threshold)/0.3, 0, 1) of compression, and that minus snapshot_ages[s] of snapshot s.
+        None if the cascade makes no foam. Requires Ocean(foam=True)."""
+    @property
+    def drift(self) -> Tuple[float, float]:
+        """Columns and rows: texel (i, j) has the snapshots of texel (i - columns, j - rows)."""
+    @property
     def resolution(self) -> int:
         """N, texels along a side."""
     @property
@@ -282,6 +296,12 @@ class Frame:
     @property
     def foam_hash(self) -> int:
         """XXH3 of the foam. Requires Ocean(foam=True)."""
+    @property
+    def foam_threshold(self) -> float:
+        """The sum of compressions at which half of the water is white; 1000 without whitecaps."""
+    @property
+    def snapshot_ages(self) -> List[float]:
+        """Foam that has decayed since each of the 16 snapshots; 1 and more: it has no effect."""
     def measured_significant_wave_height_m(self) -> float:
         """4 times the standard deviation of the frame's heights."""
     def query(

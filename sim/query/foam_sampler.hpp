@@ -47,7 +47,4 @@ class FoamSampler {
     std::size_t slot_count_ = 0;
 };
 
-/// Returns whether the frame's cascades have foam.
-inline bool has_foam(const Frame& frame) { return FoamSampler(frame).has_foam(); }
-
 }  // namespace pelagic

@@ -7,11 +7,11 @@ import pelagic
 import pytest
 
 
-def at_points(array, cascade, x, z):
+def at_points(array, cascade, x, z, drift=(0, 0)):
     """Interpolates bilinearly and periodically on a cascade's grid, in double."""
     cosine, sine = cascade.rotation
     step = cascade.patch_size_m / cascade.resolution
-    u, v = (cosine * x + sine * z) / step, (cosine * z - sine * x) / step
+    u, v = (cosine * x + sine * z) / step - drift[0], (cosine * z - sine * x) / step - drift[1]
     i, j = np.floor(u).astype(int), np.floor(v).astype(int)
     u, v = u - i, v - j
     n = cascade.resolution
@@ -38,9 +38,16 @@ def test_displaced_is_the_sum_of_cascades(places):
         np.testing.assert_allclose(shown, moved, rtol=0, atol=5e-5)
         np.testing.assert_array_equal(frame.displaced(x, z), shown)
 
-        foam = np.max([at_points(cascade.foam, cascade, x, z) for cascade in frame.cascades], axis=0) / 255
+        assert frame.cascades[3].compression is None and frame.cascades[3].snapshots is None
+        breaking = lambda sums: np.clip(0.5 + (sums - frame.foam_threshold) / 0.3, 0, 1)
+        foam = breaking(sum(-3 + 8 / 255 * at_points(cascade.compression, cascade, x, z) for cascade in frame.cascades[:3]))
+        for snapshot, age in enumerate(frame.snapshot_ages):
+            sums = sum(-3 + 8 / 255 * at_points(cascade.snapshots[snapshot // 4][..., snapshot % 4], cascade, x, z, cascade.drift)
+                       for cascade in frame.cascades[:3])
+            foam = np.maximum(foam, breaking(sums) - age)
         assert foam.max() > 0.2
-        np.testing.assert_allclose(frame.displaced_foam(places), foam, rtol=0, atol=1e-6)
+        # floats of sums up to 5, over 0.3
+        np.testing.assert_allclose(frame.displaced_foam(places), foam, rtol=0, atol=1e-4)
 
 
 def test_undisplaced_points_are_sampled_at_once(places):
