@@ -371,11 +371,11 @@ typedef struct pelagic_ocean_options {
     int32_t slopes;
     /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
     int32_t gradients;
-    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame then
-     * takes 13 to 17 % longer, and a frame with a tick (five a second) as long again. A jump in
-     * time computes 16 ticks, which take as long as ten to twenty frames. 55 N^2 bytes for each
-     * cascade. With 0 the half floats hold only the foam of waves that break at the
-     * frame's time. */
+    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
+     * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
+     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade, 52 N^2 for a
+     * single one. With 0 the half floats of one cascade hold only the foam of waves that break at
+     * the frame's time. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
@@ -459,8 +459,8 @@ typedef struct pelagic_frame {
     pelagic_plane dx, height, dz;
     /* In m/s; with pelagic_ocean_options.velocities. */
     pelagic_plane velocity_x, velocity_y, velocity_z;
-    /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 full), in tight
-     * rows of 8 N bytes. The layout is that of GL_RGBA16F with GL_HALF_FLOAT and of
+    /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, and of one
+     * cascade foam (0 none to 1 full). The layout is that of GL_RGBA16F with GL_HALF_FLOAT and of
      * VK_FORMAT_R16G16B16A16_SFLOAT. NULL if it was written to texture targets. */
     const uint16_t* displacement_rgba16f;
     /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of
@@ -549,14 +549,14 @@ typedef struct pelagic_cascade {
     int32_t levels;            /* number of levels of each chain that is not NULL */
     uint32_t level_offset[12]; /* first texel of level m in each chain */
     pelagic_bounds bounds;
-    /* A point with the Jacobian J of this cascade alone has the foam
+    /* In a frame of one cascade, a point with the Jacobian J has the foam
      * clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so that
-     * the foam of all cascades, with its decay, covers on average as much as whitecaps in that
-     * wind. -10 if the cascade makes no foam. */
+     * foam, with its decay, covers on average as much as whitecaps in that wind. -10 if nothing
+     * breaks, and in frames of several cascades. */
     float whitecap_jacobian;
     /* A fourth chain of `levels` levels, foam with one byte a texel, 0 none to 255 full: GL_R8,
      * VK_FORMAT_R8_UNORM. The fourth half float of displacement_rgba16f is this byte / 255. NULL
-     * without pelagic_ocean_options.foam. */
+     * without pelagic_ocean_options.foam, and in frames of several cascades. */
     const uint8_t* foam_r8;
     float whitecap_ramp; /* above 0 */
     uint32_t reserved_1;

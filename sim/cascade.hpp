@@ -113,8 +113,8 @@ struct Cascade {
     /// unless OceanOptions::queries is set and the frame has one cascade.
     std::span<const std::uint8_t> folds;
     ContractionBound contraction;  ///< replaces `folds` in a frame of several cascades
-    /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 full), in
-    /// tight rows.
+    /// resolution^2 texels of four IEEE half floats in tight rows: Dx, height, Dz, and in a frame
+    /// of one cascade foam (0 none to 1 full), else 0.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// A chain of mip_levels() levels with one texel in a word: normal x, normal z, Jacobian,
     /// smoothness from the lowest byte up (VR Ocean, equations 50 and 51). Level m starts at
@@ -128,10 +128,10 @@ struct Cascade {
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
     /// A chain of mip_levels() levels of foam with one byte a texel, 0 none to 255 full: foam of
-    /// waves of this cascade that break at the frame's time, and the remainder of earlier foam.
-    /// Waves of several cascades break where their sum does, which the snapshots below resolve.
-    /// Empty unless OceanOptions::foam is set. The fourth half float of displacement_rgba16f is
-    /// this byte / 255.
+    /// waves that break at the frame's time, and the remainder of earlier foam. The fourth half
+    /// float of displacement_rgba16f is this byte / 255. Empty unless OceanOptions::foam is set and
+    /// the frame has one cascade. Several cascades break where their sum does, so their foam is
+    /// resolved from the compression and the snapshots below.
     std::span<const std::uint8_t> foam_r8;
     /// Compression as bytes (snapshot_foam.hpp): resolution^2 bytes now, in tight rows, and four
     /// chains of mip_levels() levels with the snapshots. Empty unless OceanOptions::foam is set,
@@ -145,23 +145,23 @@ struct Cascade {
     /// in the frame of drifting foam. Water at texel (i, j) has the compression of texel
     /// (i - drift_columns, j - drift_rows).
     double drift_columns = 0, drift_rows = 0;
-    /// -q over Dx,x + Dz,z of this cascade (snapshot_foam.hpp).
+    /// -q over Dx,x + Dz,z of this cascade (snapshot_foam.hpp); 0 if its waves make no foam.
     float compression_scale = 0;
     /// Variance of h_x plus variance of h_z over the whole cascade, as in the last level of the
     /// chains; 0 without slopes. It is also set if the chains are in memory of the application
     /// (texture_targets.hpp).
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
-    /// A point with the Jacobian J of this cascade has the foam
+    /// In a frame of one cascade, a point with the Jacobian J has the foam
     /// clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so
-    /// that the foam of all cascades, with its decay, covers on average as much as whitecaps in
-    /// that wind (foam/whitecaps.hpp). no_whitecaps if the cascade makes no foam.
-    float whitecap_jacobian = 0;
+    /// that foam, with its decay, covers on average as much as whitecaps in that wind
+    /// (foam/whitecaps.hpp). no_whitecaps if nothing breaks, and in frames of several cascades.
+    float whitecap_jacobian = no_whitecaps;
     float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;
 
-    /// Returns whether the cascade's waves make foam.
-    bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps; }
+    /// Returns whether the cascade's waves make foam, alone or in the sum.
+    bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps || compression_scale > 0; }
 
     /// Returns N, the texels along a side.
     int resolution() const { return height.resolution; }

@@ -29,12 +29,10 @@ struct CascadePlan {
     /// follows the paper, without it.
     bool has_surface_tension = false;
 
-    /// Returns whether breaking makes foam, which waves shorter than a metre do not.
-    bool makes_whitecaps() const { return min_k < 2 * std::numbers::pi; }
     /// Returns the weight of the cascade's compression in the sum that decides where a stack of
     /// cascades breaks. With l the geometric mean of its longest and shortest wave, it is
-    /// min(1, sqrt(l / 5.7 m)). It is 0 for the fourth cascade, and if the cascade makes no
-    /// whitecaps. Fronts of small waves are ripples on the crests of larger ones and seldom break
+    /// min(1, sqrt(l / 5.7 m)). It is 0 for the fourth cascade, and if all waves are shorter than a
+    /// metre. Fronts of small waves are ripples on the crests of larger ones and seldom break
     /// on their own. The shortest wave is taken as three texels, so that all seas of a forecast
     /// have one weight.
     double foam_weight() const;

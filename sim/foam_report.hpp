@@ -19,6 +19,10 @@ struct FoamReport {
     double tick_s;      ///< interval of foam ticks, a whole number of them in a loop
     int ticks_a_loop;   ///< about 5 a second
     int warm_up_ticks;  ///< ticks after which all foam has faded, computed after a jump in time
+    /// Time in which foam of 1 fades to 0.
+    double fade_s;
+    /// SeaStatistics::foam_level
+    double level;
     /// Speed and direction of the drift before rounding, from +x towards +z.
     double drift_mps, drift_direction_rad;
     /// Fraction covered by whitecaps in this wind (Monahan and O'Muircheartaigh 1980).

@@ -56,7 +56,8 @@ struct Frame {
     DynamicWavesView dynamic_waves;
     /// Waves over a sea floor, with OceanOptions::shore; the bounds include them.
     ShoreSurface shore;
-    /// Foam of the sum of the cascades, with OceanOptions::foam.
+    /// Whether the cascades have foam (OceanOptions::foam), and how their compression makes it.
+    bool has_foam = false;
     SnapshotFoam foam;
 };
 
@@ -70,7 +71,8 @@ struct Frame {
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the
-/// chain of foam, the bytes of compression and the chains of snapshots, in this order. Foam is a
+/// chain of foam, the bytes of compression and the chains of snapshots, in this order, without
+/// those that the frame does not have. Foam is a
 /// function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
 

@@ -21,7 +21,7 @@ struct FrameBuffers {
     std::span<std::uint32_t> gradient_rgba8 = {};
     /// mip_offset(N, mip_levels(N))
     std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};
-    /// mip_offset(N, mip_levels(N))
+    /// mip_offset(N, mip_levels(N)); only of a frame with one cascade
     std::span<std::uint8_t> foam_r8 = {};
 };
 
@@ -40,6 +40,12 @@ std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_co
 /// a plane without data.
 /// \param out  N^2 elements, or none; throws std::invalid_argument otherwise
 void copy_plane(const PlaneView& plane, std::span<float> out);
+
+/// Computes the compression q of a cascade (snapshot_foam.hpp) without rounding, in tight rows. It
+/// adds over cascades exactly, and needs no OceanOptions::foam. The result is 0 for a cascade that
+/// makes no foam.
+/// \param out  N^2 elements; throws std::invalid_argument otherwise
+void copy_compression(const Cascade& cascade, std::span<float> out);
 
 /// Copies a frame, with one FrameBuffers for each cascade. Throws std::invalid_argument(check(...))
 /// before it writes.

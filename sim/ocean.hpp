@@ -48,12 +48,11 @@ struct OceanOptions {
     /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several have them always.
     bool slopes = false;
     /// Enables foam: foam of breaking waves drifts and fades over 2.8 seconds (foam/snapshots.hpp).
-    /// 55 N^2 bytes a cascade.
+    /// 49 N^2 bytes a cascade, 52 N^2 in a frame of one cascade.
     ///
-    /// A frame then takes 13 to 17 % longer, and a frame with a tick (five a second) as long again.
-    /// A jump in time computes 16 ticks, which take as long as ten to twenty frames.
-    /// Without the option the half floats hold only the foam of waves that break at the frame's
-    /// time.
+    /// A frame with a tick (five a second) takes about twice as long. A jump in time computes 16
+    /// ticks, which take as long as ten to twenty frames. Without the option the half floats of one
+    /// cascade hold only the foam of waves that break at the frame's time.
     bool foam = false;
     /// Adds dynamic waves (dynamic_waves.hpp): frames have Frame::dynamic_waves, and queries
     /// include them. With 256 texels a tick takes about three quarters of a frame of one cascade of

@@ -84,7 +84,7 @@ struct SurfaceSamples {
     /// Horizontal distance from the given point to the sample's drawn position, metres.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
-    /// Fraction covered by foam, 0 to 1: the largest of the cascades' foam at the reference point,
+    /// Fraction covered by foam, 0 to 1: that of the sum of the cascades at the reference point,
     /// bilinear between texels.
     std::span<float> foam = {};
 };
@@ -127,7 +127,7 @@ class SurfaceQuery {
     void check(const SurfaceSamples& wanted) const;
 
    private:
-    bool cascades_have_foam() const { return !frame_.cascades.front().foam_r8.empty(); }
+    bool cascades_have_foam() const { return frame_.has_foam; }
     bool has_sample(double x, double z) const;
     void take(const SurfacePoints& points, PointChunk& chunk) const;
     void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;

@@ -109,7 +109,8 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--maps", ""}, {"--maps", "displacement", "gradient"}},
         {{"export", "--out", "OUT", "--maps", "gradient,gradient"}, {"--maps", "gradient,gradient"}},
         {{"export", "--out", "OUT", "--maps", "foam,foam"},
-         {"--maps is foam,foam, expected displacement, gradient, normal, foam, velocity, jacobian, slope or some of "
+         {"--maps is foam,foam, expected displacement, gradient, normal, foam, velocity, jacobian, slope, "
+          "compression or some of "
           "them with commas, each once"}},
         {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr, tif, ktx2 or dds"}},
         {{"export", "--out", "OUT", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "pelagic/sim/foam_report.hpp"
+#include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -27,9 +29,14 @@ using Arguments = std::vector<std::string>;
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
                               "--fetch",    "100", "--loop-period", "8"};
+// Foam maps are of one cascade.
+const SeaState gale_on_one_cascade{
+    .cascades = 1, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+const Arguments flags_of_one_cascade = {"--cascades", "1",   "--resolution",  "32", "--wind-speed", "20",
+                                        "--fetch",    "100", "--loop-period", "8"};
 
-Outcome run(Arguments arguments, const Arguments& more = {}) {
-    arguments.insert(arguments.end(), gale_flags.begin(), gale_flags.end());
+Outcome run(Arguments arguments, const Arguments& more = {}, const Arguments& sea = gale_flags) {
+    arguments.insert(arguments.end(), sea.begin(), sea.end());
     arguments.insert(arguments.end(), more.begin(), more.end());
     Outcome outcome = run_pelagic(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -37,15 +44,17 @@ Outcome run(Arguments arguments, const Arguments& more = {}) {
 }
 
 void export_to(const std::filesystem::path& folder, const Arguments& more) {
-    run({"export", "--no-sync", "--out", folder.string()}, more);
+    run({"export", "--no-sync", "--out", folder.string()}, more, flags_of_one_cascade);
 }
 
 class Library {
    public:
+    explicit Library(const SeaState& sea = gale_on_one_cascade) : sea_(sea) {}
     const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
 
    private:
-    Ocean ocean_{gale, {.executor = make_serial_executor(), .queries = true, .foam = true}};
+    SeaState sea_;
+    Ocean ocean_{sea_, {.executor = make_serial_executor(), .queries = true, .foam = true}};
 };
 
 /// Reads grey bytes with libpng's simplified reader, without conversion.
@@ -68,29 +77,21 @@ std::vector<std::uint8_t> foam_of(const Cascade& cascade, int level) {
     return {texels.begin(), texels.end()};
 }
 
-std::string mark_of(std::size_t cascade) { return cascade == 0 ? "" : "c" + std::to_string(cascade) + "_"; }
-
-TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryCascade) {
+TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevel) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--start", "3.03", "--maps", "foam", "--mips"});
     Library library;
     const Frame& frame = library.frame_at(3.03);
     const json record = json::parse(read_file(folder / "sea.json"));
-    std::size_t white_cascades = 0;
-    for (std::size_t cascade = 0; cascade < 4; ++cascade) {
-        for (int level = 0; level < 6; ++level) {
-            const std::string file =
-                "foam_" + mark_of(cascade) + "0000" + (level == 0 ? "" : "_mip" + std::to_string(level)) + ".png";
-            EXPECT_EQ(read_grey_png(folder / file, 32u >> level), foam_of(frame.cascades[cascade], level)) << file;
-            EXPECT_EQ(record["frames"][0]["files"][6 * cascade + static_cast<std::size_t>(level)]["name"], file);
-        }
-        const auto foam = foam_of(frame.cascades[cascade], 0);
-        const bool is_white = *std::max_element(foam.begin(), foam.end()) > 127;
-        EXPECT_EQ(record["foam"]["cascades"][cascade]["makes_whitecaps"], is_white) << cascade;
-        white_cascades += is_white;
+    for (int level = 0; level < 6; ++level) {
+        const std::string file = "foam_0000" + (level == 0 ? "" : "_mip" + std::to_string(level)) + ".png";
+        EXPECT_EQ(read_grey_png(folder / file, 32u >> level), foam_of(frame.cascades[0], level)) << file;
+        EXPECT_EQ(record["frames"][0]["files"][static_cast<std::size_t>(level)]["name"], file);
     }
-    EXPECT_EQ(white_cascades, 2u);
-    EXPECT_EQ(files_in(folder.path()).size(), 4u * 6 + 3) << "sea.json, its record, its lock, and no other map";
+    const auto foam = foam_of(frame.cascades[0], 0);
+    EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 127) << "nothing breaks here";
+    EXPECT_EQ(record["foam"]["cascades"][0]["makes_whitecaps"], true);
+    EXPECT_EQ(files_in(folder.path()).size(), 6u + 3) << "sea.json, its record, its lock, and no other map";
     EXPECT_EQ(std::stoull(record["frames"][0]["foam_hash"].get<std::string>(), nullptr, 16), foam_hash_of(frame));
     EXPECT_EQ(std::stoull(record["frames"][0]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
 }
@@ -105,7 +106,7 @@ TEST(ExportedFoam, IsOmittedFromExportsWithoutTheFoamMap) {
         if (name != "sea.json" && name != "sea_files.json") {
             EXPECT_EQ(with.at(name), bytes) << name;
         }
-    EXPECT_EQ(with.size(), without.size() + 4);
+    EXPECT_EQ(with.size(), without.size() + 1);
     const json record = json::parse(without.at("sea.json"));
     EXPECT_FALSE(record.contains("foam") || record["frames"][0].contains("foam_hash") ||
                  record["channels"].contains("foam"));
@@ -115,13 +116,13 @@ TEST(ExportedFoam, TiffHoldsTheFramesBytes) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--start", "2", "--maps", "foam", "--format", "tif"});
     Library library;
-    const auto input = OIIO::ImageInput::open((folder / "foam_c1_0000.tif").string());
+    const auto input = OIIO::ImageInput::open((folder / "foam_0000.tif").string());
     ASSERT_TRUE(input);
     ASSERT_EQ(input->spec().nchannels, 1);
     EXPECT_EQ(input->spec().format, OIIO::TypeDesc::UINT8);
     std::vector<std::uint8_t> bytes(32 * 32);
     ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
-    EXPECT_EQ(bytes, foam_of(library.frame_at(2).cascades[1], 0));
+    EXPECT_EQ(bytes, foam_of(library.frame_at(2).cascades[0], 0));
 }
 
 // The history of foam is recomputed for each shard and each resumed export.
@@ -134,13 +135,10 @@ TEST(ExportedFoam, ShardedAndResumedExportsEqualOneRun) {
     export_to(folder / "shard",
               {"--maps", "foam", "--fps", "12.5", "--frames", "3", "--start", "0.4", "--threads", "1"});
     for (const int frame : {0, 1, 2})
-        for (const std::size_t cascade : {0, 1, 2, 3}) {
-            const std::string name = "foam_" + mark_of(cascade) + "000";
-            EXPECT_EQ(read_file(folder / "shard" / (name + std::to_string(frame) + ".png")),
-                      whole.at(name + std::to_string(frame + 5) + ".png"));
-        }
+        EXPECT_EQ(read_file(folder / "shard" / ("foam_000" + std::to_string(frame) + ".png")),
+                  whole.at("foam_000" + std::to_string(frame + 5) + ".png"));
 
-    for (const char* lost : {"foam_c1_0002.png", "foam_0003.png", "foam_c2_0006.png"})
+    for (const char* lost : {"foam_0002.png", "foam_0003.png", "foam_0006.png"})
         std::filesystem::remove(folder / "film" / lost);
     Arguments resumed = film;
     resumed.push_back("--resume");
@@ -159,7 +157,7 @@ TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     const auto whole = files_in(folder.path());
     const Outcome other =
         run_pelagic({"export", "--out", folder.path().string(), "--maps", "gradient", "--resume", "--fetch", "100",
-                     "--cascades", "4", "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"});
+                     "--cascades", "1", "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_NE(other.err.find("whose export had other options: --maps was foam and is gradient"), std::string::npos)
         << other.err;
@@ -170,14 +168,72 @@ TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
+TEST(ExportedFoam, IsRefusedForSeveralCascades) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_pelagic({"export", "--out", (folder / "out").string(), "--maps", "foam,gradient", "--cascades", "3"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "--maps foam is of a sea of one cascade, and this sea has 3; expected compression instead\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+/// Reads the floats of a single-channel EXR file with OpenImageIO.
+std::vector<float> read_exr(const std::filesystem::path& file, std::size_t side) {
+    std::vector<float> values(side * side);
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input || input->spec().nchannels != 1 ||
+        !input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
+        ADD_FAILURE() << file;
+    return values;
+}
+
+// With the level and the ramp of sea.json, the sum of the maps is the foam that queries return
+// where water breaks now. All cascades have a texel at the origin.
+TEST(ExportedCompression, AddsUpToBreakingWater) {
+    const TemporaryFolder folder;
+    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression", "--mips", "--frames", "40",
+         "--fps", "5"});
+    const json record = json::parse(read_file(folder / "sea.json"));
+    const double level = record["foam"]["level"], ramp = record["foam"]["ramp"];
+    EXPECT_EQ(record["foam"]["fade_s"], 15 * 0.25);
+    Library library(gale);
+    int white = 0;
+    for (int number = 0; number < 40; ++number) {
+        const Frame& frame = library.frame_at(number / 5.);
+        double sum = 0;
+        for (std::size_t cascade = 0; cascade < 4; ++cascade) {
+            const std::string mark = cascade == 0 ? "" : "c" + std::to_string(cascade) + "_";
+            const auto name = [&](const std::string& end) {
+                return folder / ("compression_" + mark + (number < 10 ? "000" : "00") + std::to_string(number) + end);
+            };
+            const std::vector<float> values = read_exr(name(".exr"), 32);
+            std::vector<float> expected(values.size());
+            copy_compression(frame.cascades[cascade], expected);
+            EXPECT_EQ(values, expected);
+            sum += double{values[0]};
+            const std::vector<float> half = read_exr(name("_mip1.exr"), 16);
+            EXPECT_NEAR(half[0],
+                        (double{values[0]} + double{values[1]} + double{values[32]} + double{values[33]}) / 4, 1e-5);
+        }
+        // Bytes of four cascades are rounded by half a step, and foam changes by 1 / ramp of it.
+        const double breaking = std::clamp(0.5 + (sum - level) / ramp, 0., 1.);
+        const double rounding = 4 * 0.5 * double{SnapshotFoam::step} / ramp;
+        if (breaking > 0) EXPECT_GE(double{FoamSampler(frame).at(0, 0)}, breaking - rounding) << number;
+        white += breaking > 0.5;
+    }
+    EXPECT_GT(white, 0) << "nothing breaks at the origin";
+}
+
 TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--maps", "foam"});
+    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression"});
     const json recorded = json::parse(read_file(folder / "sea.json"))["foam"];
     EXPECT_EQ(recorded, json::parse(run({"info", "--json"}).out)["foam"]);
 
-    Library library;
+    Library library(gale);
     const Frame& frame = library.frame_at(0);
+    EXPECT_EQ(recorded["level"], frame.statistics.foam_level);
     EXPECT_EQ(recorded["tick_s"], 0.25);  // of a loop of 8 s
     EXPECT_EQ(recorded["ticks_a_loop"], 32);
     EXPECT_EQ(recorded["warm_up_ticks"], 16);
@@ -214,7 +270,7 @@ TEST(QueriedFoam, IsAnOptionalColumn) {
     const Arguments asked = {"query",           "--points", (folder / "points.csv").string(), "--time", "5.5",
                              "--interpolation", "linear"};
     const Outcome with = run(asked, {"--foam"}), without = run(asked), as_json = run(asked, {"--foam", "--json"});
-    Library library;
+    Library library(gale);
     std::vector<float> foam(x.size());
     SurfaceQuery(library.frame_at(5.5)).sample({x, z}, {.foam = foam});
     EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0.2f);

@@ -41,7 +41,7 @@ struct Vector {
 /// The surface at a texel in Pelagic's axes, in double.
 struct Truth {
     Vector displacement, velocity, normal;  ///< the normal is a unit vector
-    double jacobian = 0, h_x = 0, h_z = 0, foam = 0;
+    double jacobian = 0, h_x = 0, h_z = 0, compression = 0;
 };
 
 Truth truth_at(const Cascade& cascade, int i, int j) {
@@ -53,6 +53,15 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
         const double across = (at(i, j + 1) - at(i, j - 1)) / (2 * cascade.texel_m());
         return grid.in_world(along, across);  // of x and z
     };
+    // The trace of the gradient by the derivative of slope maps (sim/slope_sum.hpp).
+    const auto wide = [&](const PlaneView& plane) {
+        const auto at = [&](int a, int b) { return static_cast<double>(plane.at((a + n) % n, (b + n) % n)); };
+        constexpr double far = -0.2194, near = 0.9388;
+        return grid.in_world(
+            (near * (at(i + 1, j) - at(i - 1, j)) + far * (at(i + 2, j) - at(i - 2, j))) / cascade.texel_m(),
+            (near * (at(i, j + 1) - at(i, j - 1)) + far * (at(i, j + 2) - at(i, j - 2))) / cascade.texel_m());
+    };
+    const double trace = wide(cascade.dx).along + wide(cascade.dz).across;
     const CascadeGrid::Place dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
     const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
     const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
@@ -65,7 +74,7 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
             .jacobian = normal.y,
             .h_x = h.along,
             .h_z = h.across,
-            .foam = cascade.foam_r8[static_cast<std::size_t>(j * n + i)] / 255.0};
+            .compression = -double{cascade.compression_scale} * trace};
 }
 
 /// Reference positions of texels, from the layout alone, in Pelagic's x and z.
@@ -119,7 +128,7 @@ double value_named(const std::string& name, const Truth& truth, const Places& pl
                                                   {"dh_dx", truth.h_x},
                                                   {"dh_dy", -truth.h_z},
                                                   {"dh_dz", truth.h_z},
-                                                  {"foam", truth.foam}};
+                                                  {"compression", truth.compression}};
     return values.at(name);
 }
 
@@ -142,7 +151,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
     void SetUp() override {
         Arguments flags = GetParam().flags;
         flags.insert(flags.end(), {"--no-sync", "--mips", "--start", "1.5", "--maps",
-                                   "displacement,gradient,normal,foam,velocity,jacobian,slope"});
+                                   "displacement,gradient,normal,velocity,jacobian,slope,compression"});
         const Outcome outcome = run({"export", "--out", folder_.path().string()}, flags);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         record_ = json::parse(read_file(folder_ / "sea.json"));
@@ -163,7 +172,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
 
     TemporaryFolder folder_;
     json record_;
-    Ocean ocean_{gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true, .foam = true}};
+    Ocean ocean_{gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true}};
 };
 
 TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {
@@ -219,7 +228,7 @@ std::vector<double> mean_of_block(const ReadImage& finest, int column, int row, 
 using LevelsOfExportedMaps = ExportedMaps;
 
 TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
-    for (const char* map : {"normal", "foam", "jacobian", "slope"}) {
+    for (const char* map : {"normal", "jacobian", "slope", "compression"}) {
         const json& channels = record_["channels"][map];
         const double scale = channels[0]["scale"], offset = channels[0]["offset"];
         const ReadImage finest = image(std::string(map) + "_c1_0000");
@@ -236,8 +245,7 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
                         const double read = scale * pixels.at(column, row, c) + offset;
                         const double value = expected[static_cast<std::size_t>(c)] / length;
                         // Level 0 is rounded too, and normalising a short mean enlarges that error.
-                        // Foam of each level is rounded from the next finer level.
-                        const double steps = std::string(map) == "foam" ? 1 + level : 2 / length + 1;
+                        const double steps = 2 / length + 1;
                         EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, value)) << map << " " << level;
                     }
                 }
@@ -394,7 +402,7 @@ TEST(ExportedMapsRefused, EachWithOneLineThatNamesTheAcceptedValues) {
     const TemporaryFolder folder;
     const std::vector<std::pair<Arguments, std::string>> asked = {
         {{"--maps", "normal,speed"},
-         "expected displacement, gradient, normal, foam, velocity, jacobian, slope or some of them"},
+         "expected displacement, gradient, normal, foam, velocity, jacobian, slope, compression or some of them"},
         {{"--bit-depth", "12"}, "--bit-depth is 12, expected 8, 16 or float"},
         {{"--bit-depth", "16"}, "--bit-depth is 16, expected normal or foam among --maps"},
         {{"--normal-y", "left", "--maps", "normal"}, "--normal-y is left, expected up or down"},

@@ -32,17 +32,18 @@ using Texels = std::vector<unsigned char>;
 // A gale at short fetch, so that there is foam.
 const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 
+/// \param cascades  "2", or "1" for maps of foam
 Outcome export_to(const std::filesystem::path& folder, const Arguments& more,
-                  const std::function<void()>& in_child = {}) {
+                  const std::function<void()>& in_child = {}, const std::string& cascades = "2") {
     Arguments arguments = {
-        "export",       "--no-sync", "--out",   folder.string(), "--cascades",    "2", "--resolution", "32",
-        "--wind-speed", "20",        "--fetch", "100",           "--loop-period", "8"};
+        "export", "--no-sync",    "--out", folder.string(), "--cascades", cascades,        "--resolution",
+        "32",     "--wind-speed", "20",    "--fetch",       "100",        "--loop-period", "8"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_pelagic(arguments, in_child);
 }
 
-void expect_export(const std::filesystem::path& folder, const Arguments& more) {
-    const Outcome outcome = export_to(folder, more);
+void expect_export(const std::filesystem::path& folder, const Arguments& more, const std::string& cascades = "2") {
+    const Outcome outcome = export_to(folder, more, {}, cascades);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
@@ -78,7 +79,7 @@ std::string name_of(const std::string& map, std::size_t cascade, const std::stri
 
 class ExportedTextures : public testing::Test {
    protected:
-    ExportedTextures() : ocean_(gale, {.executor = make_serial_executor(), .gradients = true, .foam = true}) {}
+    ExportedTextures() : ocean_(gale, {.executor = make_serial_executor(), .gradients = true}) {}
 
     TemporaryFolder folder_;
     Ocean ocean_;
@@ -86,19 +87,27 @@ class ExportedTextures : public testing::Test {
 
 TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryCascade) {
     expect_export(folder_.path(),
-                  {"--start", "3.03", "--maps", "displacement,gradient,foam", "--mips", "--format", "ktx2"});
+                  {"--start", "3.03", "--maps", "displacement,gradient", "--mips", "--format", "ktx2"});
     const Frame& frame = ocean_.frame_at(3.03);
     for (std::size_t number = 0; number < 2; ++number) {
         const Cascade& cascade = frame.cascades[number];
         const auto gradient = ktx2_levels(read_file(folder_ / name_of("gradient", number, "_0000.ktx2")));
-        const auto foam = ktx2_levels(read_file(folder_ / name_of("foam", number, "_0000.ktx2")));
         ASSERT_EQ(gradient.size(), 6u);
-        ASSERT_EQ(foam.size(), 6u);
-        for (int level = 0; level < 6; ++level) {
+        for (int level = 0; level < 6; ++level)
             EXPECT_EQ(gradient[static_cast<std::size_t>(level)], as_bytes(cascade.gradient_level(level)));
-            EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(cascade.level_of(cascade.foam_r8, level)));
-        }
     }
+}
+
+TEST_F(ExportedTextures, HoldEveryLevelOfTheFoamOfOneCascade) {
+    expect_export(folder_.path(), {"--start", "3.03", "--maps", "foam", "--mips", "--format", "ktx2"}, "1");
+    SeaState sea = gale;
+    sea.cascades = 1;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
+    const Cascade& cascade = ocean.frame_at(3.03).cascades[0];
+    const auto foam = ktx2_levels(read_file(folder_ / "foam_0000.ktx2"));
+    ASSERT_EQ(foam.size(), 6u);
+    for (int level = 0; level < 6; ++level)
+        EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(cascade.level_of(cascade.foam_r8, level)));
 }
 
 // Level 0 holds the cascade's halves with foam set to 1. Other levels are means, here computed in
@@ -133,13 +142,13 @@ TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
 
 // Both containers hold equal levels; a DDS file stores them contiguously after 148 bytes.
 TEST_F(ExportedTextures, DdsHoldsTheLevelsOfKtx2) {
-    const Arguments what = {"--maps", "displacement,foam", "--mips", "--half", "--format"};
+    const Arguments what = {"--maps", "displacement,compression", "--mips", "--half", "--format"};
     for (const std::string format : {"ktx2", "dds"}) {
         Arguments arguments = what;
         arguments.push_back(format);
         expect_export(folder_ / format, arguments);
     }
-    for (const std::string map : {"displacement", "displacement_c1", "foam"}) {
+    for (const std::string map : {"displacement", "displacement_c1", "compression"}) {
         std::string levels;
         for (const Texels& level : ktx2_levels(read_file(folder_ / "ktx2" / (map + "_0000.ktx2"))))
             levels.append(level.begin(), level.end());
@@ -214,17 +223,17 @@ Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned 
 }
 
 TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
-    expect_export(folder_.path(), {"--maps", "foam", "--loop-frames", "5", "--flipbook", "3x2"});
+    expect_export(folder_.path(), {"--maps", "normal", "--loop-frames", "5", "--flipbook", "3x2"});
     for (const std::string cascade : {"", "_c1"}) {
-        const Texels atlas = read_png(folder_ / ("flipbook_foam" + cascade + ".png"), PNG_FORMAT_GRAY, 96, 64);
+        const Texels atlas = read_png(folder_ / ("flipbook_normal" + cascade + ".png"), PNG_FORMAT_RGB, 96, 64);
         for (std::size_t frame = 0; frame < 6; ++frame) {
             const Texels single =
-                frame == 5 ? Texels(32 * 32)  // no frame: black
-                           : read_png(folder_ / ("foam" + cascade + "_000" + std::to_string(frame) + ".png"),
-                                      PNG_FORMAT_GRAY, 32, 32);
+                frame == 5 ? Texels(3 * 32 * 32)  // no frame: black
+                           : read_png(folder_ / ("normal" + cascade + "_000" + std::to_string(frame) + ".png"),
+                                      PNG_FORMAT_RGB, 32, 32);
             for (std::size_t j = 0; j < 32; ++j)
-                EXPECT_TRUE(std::equal(&single[32 * j], &single[32 * j] + 32,
-                                       &atlas[96 * (frame / 3 * 32 + j) + frame % 3 * 32]))
+                EXPECT_TRUE(std::equal(&single[96 * j], &single[96 * j] + 96,
+                                       &atlas[288 * (frame / 3 * 32 + j) + frame % 3 * 96]))
                     << "frame " << frame << ", row " << j;
         }
     }
@@ -235,12 +244,12 @@ TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
     EXPECT_EQ(book["fps"], 5. / 8);
     EXPECT_EQ(book["loop"], true);
     EXPECT_EQ(book["side"], 32);
-    EXPECT_EQ(book["files"][1]["name"], "flipbook_foam_c1.png");
+    EXPECT_EQ(book["files"][1]["name"], "flipbook_normal_c1.png");
 
     // A later export without a flipbook removes it.
-    expect_export(folder_.path(), {"--maps", "foam", "--overwrite"});
+    expect_export(folder_.path(), {"--maps", "normal", "--overwrite"});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook.json"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook_foam_c1.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook_normal_c1.png"));
 }
 
 // Each level of the atlas holds the frames' own levels, so that no frame bleeds into its neighbour.
@@ -259,7 +268,7 @@ TEST_F(ExportedTextures, FlipbookHoldsTheFramesLevels) {
 }
 
 TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
-    const Arguments what = {"--maps", "displacement,foam", "--frames", "2"};
+    const Arguments what = {"--maps", "displacement,compression", "--frames", "2"};
     Arguments preview = what;
     preview.push_back("--preview");
     const Outcome outcome = export_to(folder_ / "preview", preview, [] { ::setenv("PATH", "/nowhere", 1); });
@@ -290,8 +299,8 @@ TEST_F(ExportedTextures, PreviewPrintsWhyThereIsNoFilm) {
     write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
     std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = folder_.path().string() + ":/usr/bin:/bin";
-    const Outcome outcome =
-        export_to(folder_ / "preview", {"--maps", "foam", "--preview"}, [&] { ::setenv("PATH", path.c_str(), 1); });
+    const Outcome outcome = export_to(folder_ / "preview", {"--maps", "compression", "--preview"},
+                                      [&] { ::setenv("PATH", path.c_str(), 1); });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
 }

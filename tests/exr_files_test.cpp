@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -28,7 +29,7 @@ namespace {
 
 constexpr int side = 128;
 constexpr SeaState sea{.cascades = 2, .resolution = side, .wind_speed_mps = 20};
-const std::vector<std::string> maps = {"displacement", "gradient", "foam"};
+const std::vector<std::string> maps = {"displacement", "gradient", "compression"};
 
 /// Exports frame 3 at 12 frames per second, with both cascades.
 void export_to(const std::filesystem::path& folder, const std::vector<std::string>& flags) {
@@ -37,7 +38,7 @@ void export_to(const std::filesystem::path& folder, const std::vector<std::strin
         "12",     "--frames", "3-3",           "--wind-speed", "20"};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
     if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
-        arguments.insert(arguments.end(), {"--maps", "displacement,gradient,foam"});
+        arguments.insert(arguments.end(), {"--maps", "displacement,gradient,compression"});
     const Outcome outcome = run_pelagic(arguments);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
@@ -48,14 +49,17 @@ constexpr double time_s = 0.25;
 class ExpectedFrame {
    public:
     ExpectedFrame()
-        : ocean_(sea, {.executor = make_serial_executor(), .gradients = true, .foam = true}),
-          frame_(ocean_.frame_at(time_s)) {}
+        : ocean_(sea, {.executor = make_serial_executor(), .gradients = true}),
+          frame_(ocean_.frame_at(time_s)),
+          compressions_(2, std::vector<float>(side * side)) {
+        for (std::size_t i = 0; i < 2; ++i) copy_compression(frame_.cascades[i], compressions_[i]);
+    }
 
     float at(std::size_t cascade, const std::string& map, char channel, int i, int j) const {
         const Cascade& of = frame_.cascades[cascade];
         const auto texel = static_cast<std::size_t>(j * side + i);
         if (map == "displacement") return (channel == 'R' ? of.dx : channel == 'G' ? of.height : of.dz).at(i, j);
-        if (map == "foam") return of.foam_r8[texel];
+        if (map == "compression") return compressions_[cascade][texel];
         const int shift = channel == 'R' ? 0 : channel == 'G' ? 8 : channel == 'B' ? 16 : 24;
         return static_cast<float>(of.gradient_rgba8[texel] >> shift & 0xFF);
     }
@@ -64,6 +68,7 @@ class ExpectedFrame {
    private:
     Ocean ocean_;
     const Frame& frame_;
+    std::vector<std::vector<float>> compressions_;
 };
 
 const ExpectedFrame& expected() {
@@ -96,7 +101,7 @@ void expect_map(const std::vector<float>& pixels, std::size_t cascade, const std
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             const float value = pixels[static_cast<std::size_t>(j * side + i)];
-            const float is = map == "displacement" ? value : std::round(255 * value);
+            const float is = map == "gradient" ? std::round(255 * value) : value;
             ASSERT_EQ(is, expected().at(cascade, map, channel, i, j)) << map << cascade << channel << i << "," << j;
         }
 }
@@ -127,8 +132,8 @@ TEST(ExrFiles, LayersHoldEveryMapOfEveryCascade) {
     Imf::InputPart part(file, 0);
     std::set<std::string> layers;
     part.header().channels().layers(layers);
-    EXPECT_EQ(layers, (std::set<std::string>{"displacement", "displacement_c1", "foam", "foam_c1", "gradient",
-                                             "gradient_c1"}));
+    EXPECT_EQ(layers, (std::set<std::string>{"compression", "compression_c1", "displacement", "displacement_c1",
+                                             "gradient", "gradient_c1"}));
     for (std::size_t cascade = 0; cascade < 2; ++cascade)
         for (const std::string& map : maps)
             for (const char channel : channels_of(map))
@@ -231,8 +236,8 @@ TEST(ExrFiles, HeadersDescribeLayersByName) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
-    EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:foam_c1:channels"), "foam = Y");
-    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().cascade(1).grid.side_m);
+    EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:compression_c1:channels"), "compression = Y");
+    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:compression_c1:side_m"), expected().cascade(1).grid.side_m);
     EXPECT_EQ(attribute<int>(file.header(0), "pelagic:frame"), 3);
 }
 
@@ -273,7 +278,7 @@ TEST(ExrFiles, DwaaErrorIsSmall) {
 // The records restore the options, and recomputed frames have identical bytes.
 TEST(ExrFiles, PassVerification) {
     const std::vector<std::vector<std::string>> exports = {
-        {"--pack", "parts", "--tiled", "--mips", "--compression", "none"}, {"--maps", "foam"}};
+        {"--pack", "parts", "--tiled", "--mips", "--compression", "none"}, {"--maps", "compression"}};
     for (const std::vector<std::string>& flags : exports) {
         const TemporaryFolder folder;
         export_to(folder.path(), flags);

@@ -1,5 +1,5 @@
-// Accumulated foam: compared with a direct replay of its rule; independent of the first frame and
-// of loops; and its drift.
+// Foam of a single cascade, compared with a direct replay of its rule; foam is independent of the
+// first frame and of loops; its drift.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,26 +47,23 @@ std::vector<int> foam_in_halves(const Cascade& cascade) {
 }
 
 /// The foam of a tick, computed by the rule from frames without history.
-std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
+std::vector<int> replayed(const SeaState& sea, std::int64_t tick) {
     Ocean without_history(sea, {.executor = make_serial_executor()});
     const TickClock clock(sea.loop_period_s);
-    std::vector<std::vector<int>> foam;
+    std::vector<int> foam;
     for (std::int64_t number = tick - 40; number <= tick; ++number) {
         const Frame& frame = without_history.frame_at(clock.time_in_loop_s(number));
-        foam.resize(frame.cascades.size());
-        for (std::size_t t = 0; t < foam.size(); ++t) {
-            const Cascade& cascade = frame.cascades[t];
-            const int n = cascade.resolution();
-            const DriftTexels drift = drift_of(frame.statistics, cascade.grid, n, clock, number);
-            const std::vector<int> fresh = foam_in_halves(cascade), before = foam[t];
-            foam[t] = fresh;
-            if (before.empty()) continue;
-            for (int z = 0; z < n; ++z) {
-                for (int x = 0; x < n; ++x) {
-                    const int from_x = ((x - drift.x) % n + n) % n, from_z = ((z - drift.z) % n + n) % n;
-                    int& here = foam[t][static_cast<std::size_t>(z * n + x)];
-                    here = std::max(here, before[static_cast<std::size_t>(from_z * n + from_x)] - FoamTickJob::fade);
-                }
+        const Cascade& cascade = frame.cascades[0];
+        const int n = cascade.resolution();
+        const DriftTexels drift = drift_of(frame.statistics, cascade.grid, n, clock, number);
+        const std::vector<int> before = foam;
+        foam = foam_in_halves(cascade);
+        if (before.empty()) continue;
+        for (int z = 0; z < n; ++z) {
+            for (int x = 0; x < n; ++x) {
+                const int from_x = ((x - drift.x) % n + n) % n, from_z = ((z - drift.z) % n + n) % n;
+                int& here = foam[static_cast<std::size_t>(z * n + x)];
+                here = std::max(here, before[static_cast<std::size_t>(from_z * n + from_x)] - FoamTickJob::fade);
             }
         }
     }
@@ -77,30 +74,26 @@ class FoamHistoryOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, FoamHistoryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
 TEST_P(FoamHistoryOnEachIsa, MatchesItsRule) {
-    for (const SeaState& sea : {gale, gale_on_one_cascade}) {
-        const std::int64_t tick = 57;
-        Ocean ocean(sea, with_foam(GetParam()));
-        const Frame& frame = ocean.frame_at(TickClock(sea.loop_period_s).time_in_loop_s(tick));
-        const auto expected = replayed(sea, tick);
-        ASSERT_EQ(expected.size(), frame.cascades.size());
-        for (std::size_t t = 0; t < expected.size(); ++t) {
-            const std::vector<int> foam = foam_of(frame.cascades[t]);
-            EXPECT_EQ(foam, foam_in_halves(frame.cascades[t]));
-            int max = 0;
-            for (std::size_t i = 0; i < foam.size(); ++i) {
-                // A tick sums J in another order than a frame, so a value between two bytes may
-                // round to either.
-                ASSERT_NEAR(foam[i], expected[t][i], 1) << "cascade " << t << ", texel " << i;
-                max = std::max(max, foam[i]);
-            }
-            EXPECT_GT(max, 127) << "nothing breaks here";
-        }
+    const SeaState& sea = gale_on_one_cascade;
+    const std::int64_t tick = 57;
+    Ocean ocean(sea, with_foam(GetParam()));
+    const Frame& frame = ocean.frame_at(TickClock(sea.loop_period_s).time_in_loop_s(tick));
+    const std::vector<int> expected = replayed(sea, tick), foam = foam_of(frame.cascades[0]);
+    EXPECT_EQ(foam, foam_in_halves(frame.cascades[0]));
+    int max = 0;
+    for (std::size_t i = 0; i < foam.size(); ++i) {
+        // A tick sums J in another order than a frame, so a value between two bytes may round to
+        // either.
+        ASSERT_NEAR(foam[i], expected[i], 1) << "texel " << i;
+        max = std::max(max, foam[i]);
     }
+    EXPECT_GT(max, 127) << "nothing breaks here";
 }
 
 TEST(FoamHistory, DecaysBetweenTicksAndBreaksAtAnyTime) {
-    Ocean ocean(gale, with_foam()), without_history(gale, {.executor = make_serial_executor()});
-    const TickClock clock(gale.loop_period_s);
+    const SeaState& sea = gale_on_one_cascade;
+    Ocean ocean(sea, with_foam()), without_history(sea, {.executor = make_serial_executor()});
+    const TickClock clock(sea.loop_period_s);
     const double tick = clock.time_in_loop_s(33);
     const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).cascades[0]);
     for (const double fraction : {0.1, 0.5, 0.99}) {
@@ -139,6 +132,17 @@ TEST(FoamHistory, DoesNotChangeTheRestOfTheFrame) {
         for (const double time : {0.0, 0.05, 3.0, -2.0})
             EXPECT_EQ(hash_of(with.frame_at(time)), hash_of(without.frame_at(time)));
         EXPECT_TRUE(without.frame_at(0).cascades[0].foam_r8.empty());
+    }
+}
+
+// The foam of several cascades is that of their sum.
+TEST(FoamHistory, IsOfOneCascadeOnly) {
+    Ocean ocean(gale, with_foam());
+    for (const Cascade& cascade : ocean.frame_at(3).cascades) {
+        EXPECT_TRUE(cascade.foam_r8.empty());
+        EXPECT_EQ(foam_in_halves(cascade), std::vector<int>(32 * 32));
+        EXPECT_EQ(cascade.whitecap_jacobian, Cascade::no_whitecaps);
+        EXPECT_TRUE(cascade.makes_whitecaps());
     }
 }
 
@@ -196,7 +200,7 @@ TEST(FoamHistory, OfALiveChangeEqualsThatOfAForecast) {
 }
 
 TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
-    Ocean ocean(gale, with_foam());
+    Ocean ocean(gale_on_one_cascade, with_foam());
     const Cascade& cascade = ocean.frame_at(3).cascades[0];
     for (int level = 1; level < mip_levels(cascade.resolution()); ++level) {
         const auto finer = cascade.level_of(cascade.foam_r8, level - 1),
@@ -303,7 +307,6 @@ TEST_P(FoamHistoryOnEachIsa, ATickMovesFoamAndDecaysIt) {
                              .cosine = 1,
                              .sine = 0,
                              .difference_factor = 1,
-                             .far_over_near = 0,
                              .source = {.offset = -10, .scale = 255},
                              .before = before.data(),
                              .shift_x = 5,

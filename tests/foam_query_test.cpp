@@ -159,21 +159,41 @@ TEST(FoamQuery, IsRejectedForFramesWithoutFoam) {
     EXPECT_EQ(height[0], -1) << "samples were written before the check";
 }
 
-TEST(FoamInBuffers, IsTheMipChainOfEachCascade) {
-    Ocean ocean(gale, with_queries_and_foam());
-    const std::size_t chain = mip_offset(32, mip_levels(32));
-    std::vector<std::vector<std::uint8_t>> bytes(4, std::vector<std::uint8_t>(chain, 77));
-    std::vector<FrameBuffers> buffers;
-    for (auto& of_cascade : bytes) buffers.push_back({.foam_r8 = of_cascade});
+TEST(FoamInBuffers, IsTheMipChainOfASingleCascade) {
+    Ocean ocean(storm_on_one_cascade, with_queries_and_foam());
+    std::vector<std::uint8_t> bytes(mip_offset(64, mip_levels(64)), 77);
+    std::vector<FrameBuffers> buffers{{.foam_r8 = bytes}};
     ocean.frame_at(5, buffers);
-    const Frame& frame = ocean.frame_at(5);
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        EXPECT_TRUE(std::equal(bytes[i].begin(), bytes[i].end(), frame.cascades[i].foam_r8.begin(),
-                               frame.cascades[i].foam_r8.end()));
+    const std::span<const std::uint8_t> expected = ocean.frame_at(5).cascades[0].foam_r8;
+    EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end()));
 
-    EXPECT_EQ(check(buffers, 4, 32, {}), "foam_r8 is requested, but the ocean was created without foam");
-    buffers[2].foam_r8 = buffers[2].foam_r8.first(1024);
-    EXPECT_EQ(check(buffers, 4, 32, {.foam = true}), "foam_r8 has 1024 elements, expected 1365");
+    EXPECT_EQ(check(buffers, 1, 64, {}), "foam_r8 is requested, but the ocean was created without foam");
+    buffers[0].foam_r8 = buffers[0].foam_r8.first(1024);
+    EXPECT_EQ(check(buffers, 1, 64, {.foam = true}), "foam_r8 has 1024 elements, expected 5461");
+    buffers.push_back({});
+    EXPECT_EQ(check(buffers, 2, 64, {.foam = true}), "foam_r8 is requested, but only frames of one cascade have it");
+}
+
+// The unrounded compression is that of the bytes, and q is clamped to them at [-3, 5].
+TEST(CopiedCompression, IsThatOfTheBytesWithoutRounding) {
+    Ocean ocean(gale, with_queries_and_foam());
+    for (const Cascade& cascade : ocean.frame_at(5).cascades) {
+        std::vector<float> compression(32 * 32, 77);
+        copy_compression(cascade, compression);
+        double largest = 0;
+        for (std::size_t texel = 0; texel < compression.size(); ++texel) {
+            if (cascade.compression_r8.empty()) {
+                ASSERT_EQ(compression[texel], 0);
+                continue;
+            }
+            const double shown = SnapshotFoam::value_of(cascade.compression_r8[texel]);
+            const double clamped = std::clamp(double{compression[texel]}, -3., 5.);
+            ASSERT_NEAR(clamped, shown, 0.5001 * double{SnapshotFoam::step}) << texel;
+            largest = std::max(largest, std::fabs(clamped));
+        }
+        EXPECT_EQ(largest > 0.5, cascade.makes_whitecaps());
+    }
+    EXPECT_THROW(copy_compression(ocean.frame_at(5).cascades[0], std::span<float>()), std::invalid_argument);
 }
 
 }  // namespace

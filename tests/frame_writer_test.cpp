@@ -122,7 +122,7 @@ TEST(FrameWriter, RecordsFramesAsTheyWerePassed) {
     const NoThreads none;
     const TemporaryFolder path;
     ExportOptions options;
-    options.sea.sea = {.cascades = 2, .resolution = 32, .wind_speed_mps = 20};
+    options.sea.sea = {.cascades = 1, .resolution = 32, .wind_speed_mps = 20};
     options.compute.threads = 8;
     options.folder = path.path();
     options.maps.maps.push_back(MapKind::foam);

@@ -40,7 +40,6 @@ inline unfused::CascadeSlopes slopes_by(const Kernels& kernels, const unfused::C
                          .sine = planes.sine,
                          .ranges = ranges,
                          .rgba16f = halves.data(),
-                         .foam = {.source = planes.foam},
                          .slopes = chain_in(slopes.data(), n),
                          .moments = chain_in(moments.data(), n),
                          .averages = &averages};

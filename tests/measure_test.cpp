@@ -294,7 +294,7 @@ TEST(Measure, LayersPartsAndTexturesMatchSingleFiles) {
     json files;
     for (const auto& [name, flags, has_halves] : std::vector<Kind>{
              {"files", {}, false},
-             {"layers", {"--pack", "layers", "--maps", "displacement,gradient,foam"}, false},
+             {"layers", {"--pack", "layers", "--maps", "displacement,gradient,compression"}, false},
              {"parts", {"--pack", "parts", "--tiled", "--mips", "--maps", "displacement,velocity"}, false},
              {"turned", {"--pack", "layers", "--axes", "z-up", "--unit", "cm", "--rows", "bottom"}, false},
              {"ktx2", {"--format", "ktx2", "--mips"}, true},

@@ -668,8 +668,6 @@ TEST(SlopesOfFrames, ProduceTheHalvesAndTheHashOfSeveralCascades) {
         slots.cascade(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
         slots.cascade(t).grid = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
         slots.cascade(t).slope_ranges = slope_ranges(waves[t].mean_square_slope, waves[t].mean_square_slope);
-        slots.cascade(t).whitecap_jacobian = 0.7f;
-        slots.cascade(t).whitecap_ramp = 0.2f;
     }
     const auto executor = make_serial_executor();
     const auto run = executor->prepare(graph);
@@ -677,8 +675,7 @@ TEST(SlopesOfFrames, ProduceTheHalvesAndTheHashOfSeveralCascades) {
     run->complete();
     for (std::size_t t = 0; t < 2; ++t) {
         const Cascade& cascade = slots.cascade(t);
-        CascadePlanes planes = planes_of(waves[t], 0.8);
-        planes.foam = foam_source(cascade);
+        const CascadePlanes planes = planes_of(waves[t], 0.8);
         const CascadeSlopes expected = unfused::slopes_of(planes, cascade.slope_ranges);
         expect_slopes(cascade, expected);
         EXPECT_TRUE(std::equal(cascade.displacement_rgba16f.begin(), cascade.displacement_rgba16f.end(),

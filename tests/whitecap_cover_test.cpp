@@ -49,8 +49,8 @@ double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
     return mean_cover(sea, seeds, frames) / whitecap_cover(sea.wind_speed_mps);
 }
 
-// Ten other sets of seeds give 0.95 to 1.06 at 6 m/s and 1.02 to 1.03 at 25 m/s. The bound is 20 %,
-// less than the scatter of the measurements at sea.
+// Measured with all seeds: 1.00 to 1.05 for four cascades. The bounds, 10 % and for one cascade
+// 20 %, are less than the scatter of the measurements at sea.
 TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
     if (is_sanitized) {
         EXPECT_NEAR(cover_over_measured_at_sea(sea_of(4, 25), 2, 10), 1, 0.2);
@@ -64,7 +64,8 @@ TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
             const int seeds = wind_speed_mps < 8 ? 12 : 4;
             const double part = cover_over_measured_at_sea(sea_of(cascades, wind_speed_mps), more * seeds, 40);
             std::printf(" %.2f", part);
-            EXPECT_NEAR(part, 1, 0.2) << wind_speed_mps << " m/s, cascades " << cascades;
+            // One cascade uses its skewed Jacobian, which the threshold matches by four cumulants.
+            EXPECT_NEAR(part, 1, cascades > 1 ? 0.1 : 0.2) << wind_speed_mps << " m/s, cascades " << cascades;
         }
         std::printf("\n");
     }

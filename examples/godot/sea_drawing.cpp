@@ -82,14 +82,14 @@ View view_of(Object* camera, Object* viewport) {
     return view;
 }
 
-/// Creates a texture array with one layer per cascade. Anisotropic filtering is off: the shading
+/// Creates a texture array with texels of a cascade. Anisotropic filtering is off: the shading
 /// represents filtered slopes as roughness (sim/slope_sum.hpp), and a software driver would be
 /// fifty times slower.
-Rid texture_array(Object* server, const Frame& frame, int format) {
+Rid texture_array(Object* server, const Frame& frame, int format, std::size_t layers) {
     const Rid texture = texture_create.on<Rid>(server);
     const std::int64_t side = frame.cascades[0].resolution();
-    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.cascades.size()),
-                        std::int64_t{format}, texture_2d_array, mipmaps | repeat | filter);
+    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(layers), std::int64_t{format},
+                        texture_2d_array, mipmaps | repeat | filter);
     return texture;
 }
 
@@ -151,10 +151,16 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
         for (const float outer : {0.f, 1.f}) border.push_back({static_cast<float>(t), 1 + outer, 0});
     skirt_ = batch_of(border, SkirtMesh(options.vertices).indices);
 
-    displacement_ = texture_array(server_, frame, format_rgbah);
-    slopes_ = texture_array(server_, frame, format_rgba8);
-    moments_ = texture_array(server_, frame, format_rgba8);
+    const std::size_t cascades = frame.cascades.size();
+    displacement_ = texture_array(server_, frame, format_rgbah, cascades);
+    slopes_ = texture_array(server_, frame, format_rgba8, cascades);
+    moments_ = texture_array(server_, frame, format_rgba8, cascades);
     textures_ = {{"displacement", displacement_}, {"slopes", slopes_}, {"moments", moments_}};
+    if (frame.has_foam) {
+        snapshot_versions_.resize(SnapshotFoam::images * cascades);
+        snapshots_ = texture_array(server_, frame, format_rgba8, snapshot_versions_.size());
+        textures_.push_back({"snapshots", snapshots_});
+    }
     if (const DynamicWavesView& waves = frame.dynamic_waves) {
         dynamic_waves_ =
             texture_of(server_, waves.resolution, waves.resolution, format_rgbaf, mipmaps | repeat | filter);
@@ -164,7 +170,8 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
         shore_weights_ = texture_of(server_, shore.columns, shore.rows, format_rgba8, filter);
         shore_water_ = texture_of(server_, shore.columns, shore.rows, format_rgbaf, mipmaps | filter);
         textures_.insert(textures_.end(), {{"shore_weights", shore_weights_}, {"shore_water", shore_water_}});
-        upload_image(shore_weights_, 0, shore.columns, shore.rows, format_rgba8, false, bytes_of(shore.weights_rgba8));
+        upload_image(shore_weights_, 0, shore.columns, shore.rows, format_rgba8, false,
+                     bytes_of(shore.weights_rgba8));
     }
     for (const Texture& texture : textures_) set(texture.uniform, Value(texture.rid));
 }
@@ -262,8 +269,25 @@ void SeaDrawing::upload(const Frame& frame) {
         upload_image(slopes_, layer, side, side, format_rgba8, true, bytes_of(cascade.slopes_rgba8));
         upload_image(moments_, layer, side, side, format_rgba8, true, bytes_of(cascade.moments_rgba8));
     }
+    if (frame.has_foam) upload_snapshots(frame);
     if (frame.dynamic_waves) upload_dynamic_waves(frame.dynamic_waves);
     if (frame.shore) upload_shore(frame.shore);
+}
+
+/// Uploads the images that have changed. About five times a second one image of each cascade does.
+void SeaDrawing::upload_snapshots(const Frame& frame) {
+    const std::size_t cascades = frame.cascades.size();
+    for (std::size_t i = 0; i < cascades; ++i) {
+        const Cascade& cascade = frame.cascades[i];
+        for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
+            const std::size_t layer = image * cascades + i;
+            const std::span<const std::uint32_t> texels = cascade.snapshots_rgba8[image];
+            if (texels.empty() || snapshot_versions_[layer] == cascade.snapshots_version[image]) continue;
+            snapshot_versions_[layer] = cascade.snapshots_version[image];
+            upload_image(snapshots_, static_cast<int>(layer), cascade.resolution(), cascade.resolution(),
+                         format_rgba8, true, bytes_of(texels));
+        }
+    }
 }
 
 void SeaDrawing::upload_dynamic_waves(const DynamicWavesView& waves) {
@@ -326,6 +350,11 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     place_dynamic_waves(frame.dynamic_waves, viewer);
     place_shore(frame.shore, viewer);
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
+    set("foam_level", Value(frame.has_foam ? double{frame.foam.level} : SeaStatistics::no_foam_level));
+    for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
+        const auto age = [&](std::size_t byte) { return frame.foam.age[4 * image + byte]; };
+        set(("snapshot_ages_" + std::to_string(image)).c_str(), Value(floats(age(0), age(1), age(2), age(3))));
+    }
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];
         const double side = cascade.grid.side_m;
@@ -338,6 +367,10 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
         set(("cascade_scale_" + number).c_str(),
             Value(floats(1 / cascade.texel_m(), cascade.slope_ranges.slope, cascade.slope_ranges.variance,
                          cascade.slope_variance)));
+        const bool makes_foam = frame.has_foam && !cascade.snapshots_rgba8[0].empty();
+        set(("cascade_foam_" + number).c_str(),
+            Value(floats(cascade.drift_columns / resolution, cascade.drift_rows / resolution,
+                         makes_foam ? double{cascade.compression_scale} : 0, 0)));
     }
 }
 

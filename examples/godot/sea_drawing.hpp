@@ -39,6 +39,7 @@ class SeaDrawing {
                       std::array<float, 4> custom);
     void show(Batch& batch, bool is_visible);
     void upload(const Frame& frame);
+    void upload_snapshots(const Frame& frame);
     void upload_dynamic_waves(const DynamicWavesView& waves);
     void upload_shore(const ShoreSurface& shore);
     /// Copies an image to a layer of a texture. The engine generates mips if the image has none.
@@ -61,8 +62,10 @@ class SeaDrawing {
     };
     std::vector<Texture> textures_;
     Rid displacement_{}, slopes_{}, moments_{};
-    Rid dynamic_waves_{};                ///< height, slopes along x and z, foam
-    Rid shore_weights_{}, shore_water_{};  ///< weights of the cascades; as dynamic_waves_
+    Rid snapshots_{};                               ///< without foam: no texture
+    std::vector<std::uint64_t> snapshot_versions_;  ///< of the texture's layers
+    Rid dynamic_waves_{};                           ///< height, slopes along x and z, foam
+    Rid shore_weights_{}, shore_water_{};           ///< weights of the cascades; as dynamic_waves_
     std::vector<float> texels_;
     Held image_;
 };

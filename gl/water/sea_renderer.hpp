@@ -9,9 +9,9 @@
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
-// Foam comes from the frame's cascades (Cascade::foam_r8): it accumulates where waves break, decays
-// and drifts. Frames of an ocean without OceanOptions::foam have no foam. If a frame has a
-// dynamic-wave grid (Frame::dynamic_waves), its waves are drawn too.
+// Foam comes from the snapshots of the frame's cascades (sim/snapshot_foam.hpp). Frames of an ocean
+// without OceanOptions::foam have no foam. If a frame has a dynamic-wave grid
+// (Frame::dynamic_waves), its waves are drawn too.
 //
 // If a frame has a shore, programs for shores draw it. They are compiled at the first such frame.
 // To draw the sand of a shore, call renderer.set_floor(floor_of(shore)).

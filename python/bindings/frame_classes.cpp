@@ -16,8 +16,7 @@ namespace py = pybind11;
 namespace pelagic::python {
 
 void need_foam(const Frame& frame) {
-    if (frame.cascades.front().foam_r8.empty())
-        throw std::invalid_argument("the frame has no foam: create the ocean with foam=True");
+    if (!frame.has_foam) throw std::invalid_argument("the frame has no foam: create the ocean with foam=True");
 }
 
 py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape, const void* data) {
@@ -174,7 +173,7 @@ void add_cascade(py::module_& module) {
     add_chain(cascade, "gradient", &Cascade::gradient_rgba8, "gradients=True");
     add_chain(cascade, "slopes", &Cascade::slopes_rgba8, "slopes=True");
     add_chain(cascade, "moments", &Cascade::moments_rgba8, "slopes=True");
-    add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True");
+    add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True and one cascade");
     add(cascade, "compression", &compression_of);
     add(cascade, "snapshots", &snapshots_of);
     add(cascade, "drift", of_cascade(+[](const Cascade& of) { return std::pair(of.drift_columns, of.drift_rows); }));

@@ -72,7 +72,7 @@ class Cascade:
 
     @property
     def displacement(self) -> NDArray[np.float16]:
-        """(N, N, 4), a view: Dx, height, Dz in metres, and foam from 0 to 1."""
+        """(N, N, 4), a view: Dx, height, Dz in metres, and of one cascade foam from 0 to 1."""
     @property
     def height(self) -> NDArray[np.float32]:
         """(N, N), a copy, metres."""
@@ -113,7 +113,7 @@ class Cascade:
         """Mip level `level` of moments, 0 to levels - 1."""
     @property
     def foam(self) -> NDArray[np.uint8]:
-        """(N, N), a view: foam of this cascade alone, 0 (none) to 255 (covered).
+        """(N, N), a view: foam of a frame of one cascade, 0 (none) to 255 (covered).
 
         Requires Ocean(foam=True). Several cascades break where their sum does: see
         Frame.displaced_foam."""

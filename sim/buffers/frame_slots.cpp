@@ -57,7 +57,7 @@ CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, c
       rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       moments(slopes.size(), extras.memory),
-      foam(extras.foam ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
+      foam(extras.foam && cascades == 1 ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       compression(extras.foam && cascades > 1 ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0,
                   extras.memory) {
     if (extras.folds && cascades == 1) folds.emplace(n, extras.memory);
@@ -66,7 +66,8 @@ CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, c
 
 std::size_t CascadeBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
-           foam.bytes() + compression.bytes() + (folds ? folds->bytes() : 0) + (contraction ? contraction->bytes() : 0);
+           foam.bytes() + compression.bytes() + (folds ? folds->bytes() : 0) +
+           (contraction ? contraction->bytes() : 0);
 }
 
 FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras) {
@@ -79,8 +80,8 @@ FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, 
         }
         slot.textures = slot.own_textures;
         slot.elsewhere.resize(cascades);
-        slot.remembered_foam.resize(cascades);
         slot.frame.cascades = slot.cascades;
+        slot.frame.has_foam = extras.foam;
     }
 }
 

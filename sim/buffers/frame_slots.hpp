@@ -43,12 +43,13 @@ struct CascadeBuffers {
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameExtras::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameExtras::slopes
-    AlignedBuffer<std::uint8_t> foam;              ///< mip chain, if FrameExtras::foam
+    /// Mip chain, if FrameExtras::foam and one cascade.
+    AlignedBuffer<std::uint8_t> foam;
     /// N^2 bytes, if FrameExtras::foam and several cascades.
     AlignedBuffer<std::uint8_t> compression;
 };
 
-/// The foam of a cascade at the last tick, and its decay since then.
+/// The foam of the only cascade at the last tick, and its decay since then.
 struct RememberedFoam {
     const std::uint8_t* bytes = nullptr;  ///< N^2; null if no foam is accumulated
     int fade = 0;                         ///< decay since the last tick, in bytes
@@ -73,8 +74,8 @@ class FrameSlots {
     /// memory.
     const TextureTargets& textures(std::size_t cascade) const { return slots_.back().textures[cascade]; }
     Frame& frame() { return slots_.back().frame; }
-    /// Returns the accumulated foam of the cascade in the back slot.
-    RememberedFoam& remembered_foam(std::size_t cascade) { return slots_.back().remembered_foam[cascade]; }
+    /// Returns the accumulated foam in the back slot, of a frame with one cascade.
+    RememberedFoam& remembered_foam() { return slots_.back().remembered_foam; }
 
     void turn() { slots_.swap(); }
 
@@ -96,7 +97,7 @@ class FrameSlots {
         std::vector<TextureTargets> elsewhere;     ///< the application's targets
         std::vector<TextureTargets> textures;      ///< the targets that stages write to
         std::vector<Cascade> cascades;
-        std::vector<RememberedFoam> remembered_foam;
+        RememberedFoam remembered_foam;
         Frame frame;
     };
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }

@@ -29,11 +29,6 @@ constexpr double min_left_out = 0.1;
 /// Changes kept by add(): their seas cover a frame in flight and the ticks before it.
 constexpr std::size_t remembered_changes = 2;
 
-int white_cascades_of(const std::vector<CascadePlan>& plans) {
-    return static_cast<int>(
-        std::count_if(plans.begin(), plans.end(), [](const CascadePlan& plan) { return plan.makes_whitecaps(); }));
-}
-
 }  // namespace
 
 Weather::Weather(const Forecast& forecast) : next_{.forecast = forecast} {
@@ -231,9 +226,10 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
 }
 
 void Weather::begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources) {
-    const double cover = cover_of_each(whitecap_cover(sea), white_cascades_of(plans));
+    // A cascade has a whitecap threshold of its own only if it is the only one.
+    const bool has_threshold = plans.size() == 1 && plans.front().foam_weight() > 0;
     for (std::size_t cascade = 0; cascade < plans.size(); ++cascade)
-        sources[cascade]->begin_spectrum(sea, plans[cascade], plans[cascade].makes_whitecaps() ? cover : 0);
+        sources[cascade]->begin_spectrum(sea, plans[cascade], has_threshold ? whitecap_cover(sea) : 0);
 }
 
 void Weather::begin(std::size_t number, Sources sources) {

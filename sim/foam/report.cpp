@@ -19,6 +19,8 @@ FoamReport report_on_foam(const Frame& frame) {
     FoamReport report{.tick_s = clock.tick_s(),
                       .ticks_a_loop = clock.ticks_a_loop(),
                       .warm_up_ticks = TickClock::kept_ticks,
+                      .fade_s = (TickClock::kept_ticks - 1) * clock.tick_s(),
+                      .level = statistics.foam_level,
                       .drift_mps = length(statistics.foam_drift_x_mps, statistics.foam_drift_z_mps),
                       .drift_direction_rad = std::atan2(statistics.foam_drift_z_mps, statistics.foam_drift_x_mps),
                       .whitecap_cover = whitecap_cover(frame.sea),

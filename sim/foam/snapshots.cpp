@@ -33,10 +33,32 @@ AxisShift shift_at(int loop, const TickClock& clock, std::int64_t number, int re
             static_cast<double>(moved - whole * ticks) / static_cast<double>(ticks)};
 }
 
-/// Returns the weights of texels -1 to 2 for a point between texels 0 and 1 (Keys 1981, a = -1/2).
-std::array<float, 4> cubic_weights(double u) {
-    return {static_cast<float>(u * (-0.5 + u * (1 - 0.5 * u))), static_cast<float>(1 + u * u * (1.5 * u - 2.5)),
-            static_cast<float>(u * (0.5 + u * (2 - 1.5 * u))), static_cast<float>(u * u * (0.5 * u - 0.5))};
+/// Returns the modified Bessel function I_0(2 sqrt(q)). \pre q is in [0, 5]
+double bessel_0(double q) {
+    double sum = 1, term = 1;
+    for (int n = 1; n <= 16; ++n) sum += term *= q / (n * n);
+    return sum;
+}
+
+/// Returns the weights of texels -3 to 4 for a point at u between texels 0 and 1: sin(pi x) / x
+/// with the window of Kaiser (1974). The common factor sin(pi u) cancels, because the sum is 1.
+std::array<float, SnapshotJob::taps> shift_weights(double u) {
+    constexpr int half = SnapshotJob::taps / 2;
+    constexpr double shape = 4.2;  // smallest error for waves of three texels or more
+    std::array<float, SnapshotJob::taps> weights{};
+    std::array<double, SnapshotJob::taps> terms;
+    if (u == 0) {
+        weights[half - 1] = 1;
+        return weights;
+    }
+    double sum = 0;
+    for (int i = 0; i < SnapshotJob::taps; ++i) {
+        const double x = u - (i - half + 1);
+        sum += terms[static_cast<std::size_t>(i)] =
+            (i % 2 == 0 ? 1 : -1) * bessel_0(shape * shape / 4 * (1 - x * x / (half * half))) / x;
+    }
+    for (std::size_t i = 0; i < terms.size(); ++i) weights[i] = static_cast<float>(terms[i] / sum);
+    return weights;
 }
 
 }  // namespace
@@ -91,8 +113,8 @@ void FoamSnapshots::begin_tick(std::size_t cascade, const CascadeGrid& grid, flo
     const AxisShift z = shift_at(to.drift.z, clock, number, slots_.resolution());
     to.shift_x = x.whole;
     to.shift_z = z.whole;
-    to.weights_x = cubic_weights(x.fraction);
-    to.weights_z = cubic_weights(z.fraction);
+    to.weights_x = shift_weights(x.fraction);
+    to.weights_z = shift_weights(z.fraction);
     if (!to.is_there) return;
     Image& image = to.image();
     to.before = image.chains[image.current].data();

@@ -30,10 +30,6 @@ double whitecap_cover(const SeaState& sea) {
     return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
 }
 
-double cover_of_each(double cover, int cascades) {
-    return cascades == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / cascades);
-}
-
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
     const FoldDistribution jacobians(moments, choppiness);
     if (!(jacobians.deviation >= min_deviation)) return {.jacobian = Cascade::no_whitecaps, .ramp = 1};

@@ -13,10 +13,6 @@ double whitecap_cover(double wind_speed_mps);
 /// steepness of at most 0.4 is below the breaking limit k A = 0.443 (Michell 1893).
 double whitecap_cover(const SeaState& sea);
 
-/// Returns the cover that each cascade needs for their union to have the cover `cover`, if the
-/// cascades are independent: 1 - (1 - cover)^(1 / cascades).
-double cover_of_each(double cover, int cascades);
-
 /// Whitecap threshold: a texel with Jacobian J generates the foam clamp(1/2 + (jacobian - J) /
 /// ramp, 0, 1).
 struct WhitecapThreshold {

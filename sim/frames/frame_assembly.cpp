@@ -28,13 +28,14 @@ FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtra
       extras_(completed(wanted, cascade_count_of(forecast.first))),
       slots_(cascade_count_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
       folds_(slots_, kernels_for(isa)),
-      inputs_(std::move(inputs), slots_, isa, extras_.velocities) {
+      inputs_(std::move(inputs), slots_, isa, extras_.velocities),
+      at_tick_(slots_.cascade_count()) {
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade) {
         sources_.push_back(source_of(forecast.first.waves, cascade));
         surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, cascade, kernels_for(isa), extras_));
     }
     if (!extras_.foam) return;
-    foam_.emplace(slots_, kernels_for(isa), extras_.memory);
+    if (slots_.cascade_count() == 1) history_.emplace(slots_, kernels_for(isa), extras_.memory);
     snapshots_.emplace(slots_, kernels_for(isa), extras_.memory);
 }
 
@@ -56,8 +57,8 @@ std::vector<StageId> FrameAssembly::add_tick_stages(JobGraph& graph) {
         const FilledBy filled = sources_[cascade]->add_stages(graph, Pass::tick, {});
         surfaces_done.push_back(inputs_.add_stage(graph, Pass::tick, cascade, filled));
     }
-    const std::vector<StageId> foam_done = foam_->add_tick_stages(graph, surfaces_done);
-    return snapshots_ ? snapshots_->add_tick_stages(graph, foam_done) : foam_done;
+    if (history_) surfaces_done[0] = history_->add_tick_stage(graph, surfaces_done[0]);
+    return snapshots_->add_tick_stages(graph, surfaces_done);
 }
 
 void FrameAssembly::add_spectrum_stages(JobGraph& graph) {
@@ -78,7 +79,7 @@ void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> t
         slots_.cascade(cascade).compression_scale = compression_scale(cascade, frame.statistics);
     }
     begin_inputs(Pass::frame, time_s, time_s);
-    if (foam_) plan_ticks(moment);
+    if (snapshots_) plan_ticks(moment);
 }
 
 double FrameAssembly::next_tick_s() const { return clock().time_s(frame_tick_.number - ticks_due_ + 1); }
@@ -88,15 +89,14 @@ void FrameAssembly::begin_tick() {
     const std::int64_t number = frame_tick_.number - --ticks_due_;
     const SeaMoment moment = moment_at_tick(number);
     const SeaStatistics statistics = weather_.statistics_at(moment);
-    foam_->advance();
     for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
-        Cascade& at_tick = foam_->cascade(cascade);
+        Cascade& at_tick = at_tick_[cascade];
         sources_[cascade]->begin(Pass::tick, moment, at_tick);
-        const DriftTexels drift = drift_of(statistics, at_tick.grid, resolution(), clock(), number);
-        foam_->set_drift(cascade, drift.x, drift.z);
         at_tick.compression_scale = compression_scale(cascade, statistics);
-        if (snapshots_) snapshots_->begin_tick(cascade, at_tick.grid, at_tick.compression_scale, clock(), number);
+        snapshots_->begin_tick(cascade, at_tick.grid, at_tick.compression_scale, clock(), number);
     }
+    if (history_)
+        history_->advance(at_tick_[0], drift_of(statistics, at_tick_[0].grid, resolution(), clock(), number));
     begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);
     newest_tick_ = number;
     if (ticks_due_ == 0) show_foam();
@@ -176,7 +176,7 @@ std::size_t FrameAssembly::bytes() const {
     std::size_t bytes = slots_.bytes() + inputs_.bytes();
     for (const auto& source : sources_) bytes += source->bytes();
     for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
-    if (foam_) bytes += foam_->bytes();
+    if (history_) bytes += history_->bytes();
     if (snapshots_) bytes += snapshots_->bytes();
     return bytes;
 }
@@ -228,7 +228,7 @@ void FrameAssembly::set_foam_drift(const SeaMoment& moment) {
 /// Determines the ticks that the frame of a moment needs beyond the foam history. A constant sea
 /// has equal foam in every loop, unless it has wave inputs, which need not repeat with the loop.
 void FrameAssembly::plan_ticks(const SeaMoment& moment) {
-    if (snapshots_) set_foam_drift(moment);
+    set_foam_drift(moment);
     frame_tick_ = clock().at(moment.time_s);
     const std::int64_t all = TickClock::kept_ticks;
     std::int64_t ahead = all;
@@ -237,16 +237,15 @@ void FrameAssembly::plan_ticks(const SeaMoment& moment) {
         if (weather_.forecast().changes.empty() && inputs_.empty()) ahead = clock().in_loop(ahead);
     }
     ticks_due_ = static_cast<int>(ahead < 0 ? all : std::min(ahead, all));
-    if (ticks_due_ == all) foam_->forget();
+    if (ticks_due_ == all && history_) history_->forget();
     if (ticks_due_ == 0) show_foam();
 }
 
 /// Gives the frame the current foam history.
 void FrameAssembly::show_foam() {
-    const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.fraction >> 32);
-    for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)
-        slots_.remembered_foam(cascade) = {foam_->remembered(cascade), fade};
-    if (!snapshots_) return;
+    if (history_)
+        slots_.remembered_foam() = {history_->remembered(),
+                                    static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.fraction >> 32)};
     slots_.frame().foam.level = static_cast<float>(slots_.frame().statistics.foam_level);
     snapshots_->show(clock(), frame_tick_);
 }

@@ -77,7 +77,7 @@ class FrameAssembly {
    private:
     void begin_inputs(Pass pass, double time_s, double time_in_loop_s);
     Cascade& cascade_of(Pass pass, std::size_t cascade) {
-        return pass == Pass::frame ? slots_.cascade(cascade) : foam_->cascade(cascade);
+        return pass == Pass::frame ? slots_.cascade(cascade) : at_tick_[cascade];
     }
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t cascade);
     TickClock clock() const;
@@ -95,7 +95,8 @@ class FrameAssembly {
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
     WaveInputs inputs_;
-    std::optional<FoamHistory> foam_;
+    std::vector<Cascade> at_tick_;             ///< what sources set for a tick
+    std::optional<FoamHistory> history_;       ///< with foam and one cascade
     std::optional<FoamSnapshots> snapshots_;   ///< with foam
     std::optional<std::size_t> drift_sea_;     ///< sea with whose drift snapshots are stored
     TickPlace frame_tick_;                     ///< of the frame that begin_frame() began last

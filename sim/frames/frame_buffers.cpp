@@ -3,9 +3,11 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {
@@ -56,8 +58,11 @@ std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_co
     if (cascades.size() != cascade_count)
         return "there are buffers of " + number_text(cascades.size()) + " cascades, expected " +
                number_text(cascade_count);
-    for (const FrameBuffers& buffers : cascades)
+    for (const FrameBuffers& buffers : cascades) {
+        if (!buffers.foam_r8.empty() && cascade_count > 1)
+            return "foam_r8 is requested, but only frames of one cascade have it";
         if (std::string reason = check_cascade(buffers, resolution, contents); !reason.empty()) return reason;
+    }
     return {};
 }
 
@@ -70,13 +75,39 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
     for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 
+void copy_compression(const Cascade& cascade, std::span<float> out) {
+    const auto n = static_cast<std::size_t>(cascade.resolution()), last = n - 1;
+    std::vector<float> dx(n * n), dz(n * n);
+    if (out.size() != dx.size())
+        throw std::invalid_argument("the compression has " + number_text(dx.size()) + " elements, and room for " +
+                                    number_text(out.size()) + " was given");
+    copy_plane(cascade.dx, dx);
+    copy_plane(cascade.dz, dz);
+    const auto near = static_cast<float>(SlopesJob::near_weight), far = static_cast<float>(SlopesJob::far_weight);
+    const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);
+    const auto factor = static_cast<float>(-double{cascade.compression_scale} / cascade.texel_m());
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto along = [&](const std::vector<float>& of) {
+                const auto at = [&](std::size_t column) { return of[j * n + (column & last)]; };
+                return near * (at(i + 1) - at(i - 1)) + far * (at(i + 2) - at(i - 2));
+            };
+            const auto across = [&](const std::vector<float>& of) {
+                const auto at = [&](std::size_t row) { return of[(row & last) * n + i]; };
+                return near * (at(j + 1) - at(j - 1)) + far * (at(j + 2) - at(j - 2));
+            };
+            const float trace = (cosine * along(dx) - sine * across(dx)) + (sine * along(dz) + cosine * across(dz));
+            out[j * n + i] = factor * trace + 0.f;  // no negative zeros
+        }
+}
+
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
     const Cascade& first = frame.cascades.front();
     require(check(cascades, frame.cascades.size(), first.resolution(),
                   {.velocities = first.velocity_x.data != nullptr,
                    .gradients = !first.gradient_rgba8.empty(),
                    .slopes = !first.slopes_rgba8.empty(),
-                   .foam = !first.foam_r8.empty()}));
+                   .foam = frame.has_foam}));
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
             throw std::invalid_argument(

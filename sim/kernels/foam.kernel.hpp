@@ -120,7 +120,7 @@ inline void foam_rows(const FoamTickJob& job, const Turn& turn) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution;
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
-    const V factor(job.difference_factor), far_weight(job.far_over_near), one(1.f);
+    const V factor(job.difference_factor), no_far_weight(0.f), one(1.f);
     const BreakingFoam<Arch> breaking(job.source);
     std::uint8_t before[FoamTickJob::max_resolution];
     FoamRow<Arch, FoamTickJob::max_resolution> foam[2];
@@ -133,8 +133,8 @@ inline void foam_rows(const FoamTickJob& job, const Turn& turn) {
         for (std::size_t x = 0; x < n; x += V::size) {
             for (int row = 0; row < 2; ++row) {
                 Differences<Arch> dx, dz;
-                walk.wide_difference(surface_dx, row, far_weight, dx);
-                walk.wide_difference(surface_dz, row, far_weight, dz);
+                walk.wide_difference(surface_dx, row, no_far_weight, dx);
+                walk.wide_difference(surface_dz, row, no_far_weight, dz);
                 turn(dx);
                 turn(dz);
                 const V jacobian = (one + dx.x * factor) * (one + dz.z * factor) - (dx.z * factor) * (dz.x * factor);

@@ -190,13 +190,12 @@ struct SlopesJob {
     std::size_t first_row, first_column;  ///< of the block, which is smaller if N < block_columns
     std::size_t block_stride;             ///< floats between column blocks
     float cosine, sine;                   ///< as in GradientsJob
-    float difference_factor;              ///< near_weight / (slope_step L / N)
-    float slope_step;                     ///< slope_range / 127
-    float variance_factor;                ///< slope_step^2 / variance_range
-    /// As in GradientsJob, J from these slopes; null: not written.
+    /// near_weight / (slope_step L / N), where slope_step is slope_range / 127.
+    float difference_factor;
+    float variance_factor;  ///< slope_step^2 / variance_range
+    /// Tight rows of four halves per texel, the fourth 0; null: not written.
     std::uint16_t* rgba16f;
-    ShownFoam foam;                            ///< written with the half floats
-    PresentCompression compression;            ///< written with the half floats if there is foam
+    PresentCompression compression;
     std::uint32_t* slopes[block_levels + 1];   ///< tight rows, the texels of level 0 to 3
     std::uint32_t* moments[block_levels + 1];  ///< tight rows, the texels of level 0 to 3
     float* averages;                           ///< averages of level 3, for SlopeLevelJob
@@ -216,7 +215,7 @@ struct SlopeLevelJob {
 };
 
 /// One tick of foam accumulation and decay in a cascade: after = max(source(J), before - fade).
-/// `before` is shifted by whole texels, with wrap. Derivatives are those of SlopesJob.
+/// `before` is shifted by whole texels, with wrap. Derivatives are those of GradientsJob.
 struct FoamTickJob {
     static constexpr std::size_t max_resolution = 2048;
     static constexpr int fade = 17;
@@ -225,8 +224,7 @@ struct FoamTickJob {
     std::size_t resolution;
     std::size_t block_stride;
     float cosine, sine;       ///< as in GradientsJob
-    float difference_factor;  ///< near weight over L / N
-    float far_over_near;      ///< far weight over near weight; 0: central differences
+    float difference_factor;  ///< 1 / (2 L / N)
     FoamSource source;
     const std::uint8_t* before;    ///< N^2
     std::size_t shift_x, shift_z;  ///< along the cascade's axes, less than N
@@ -256,15 +254,16 @@ struct CompressionJob {
 };
 
 /// One byte of the texels of an image of snapshots: the compression at texel (x + shift_x + s_x,
-/// z + shift_z + s_z), where s_x and s_z in [0, 1) are the fractions of the cubic weights (Keys
-/// 1981). The other bytes are copied.
+/// z + shift_z + s_z), where s_x and s_z in [0, 1) are the fractions of the weights. The other
+/// bytes are copied.
 struct SnapshotJob {
     static constexpr std::size_t max_resolution = 2048;
+    static constexpr int taps = 8;
 
     const float* compression;  ///< of CompressionJob
     std::size_t resolution;
-    std::size_t shift_x, shift_z;         ///< less than N
-    float weights_x[4], weights_z[4];     ///< of texels -1, 0, 1 and 2
+    std::size_t shift_x, shift_z;            ///< less than N
+    float weights_x[taps], weights_z[taps];  ///< of texels -3 to 4
     std::size_t first_row, rows;
     std::uint32_t byte;           ///< 0 to 3, from the lowest
     const std::uint32_t* before;  ///< N^2

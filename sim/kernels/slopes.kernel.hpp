@@ -3,11 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/block_surface.kernel.hpp"
-#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/snapshots.kernel.hpp"
@@ -128,14 +126,6 @@ PELAGIC_INLINE void slopes_at(const typename BlockSurface<Arch>::PairWalk& walk,
     planes[h_x_h_z] = planes[h_x] * planes[h_z];
 }
 
-/// Returns J of slopes in units of one byte step.
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> jacobian_of(const xsimd::batch<float, Arch> (&planes)[slope_planes],
-                                                     xsimd::batch<float, Arch> step) {
-    const xsimd::batch<float, Arch> one(1.f), twist = planes[d_xz] * step;
-    return (one + planes[d_xx] * step) * (one + planes[d_zz] * step) - twist * twist;
-}
-
 /// Packs the moments at W texels of level 0: D_xz, and variances of 0.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, Arch> d_xz) {
@@ -166,20 +156,16 @@ struct SlopeScratch {
 ///
 /// The job's members are read once, before the stores, because the compiler must assume that stores
 /// change them.
-/// \tparam FoamRows  NoFoamRows: no half floats
-template <class Arch, class FoamRows, class Turn>
+template <class Arch, bool with_halves, bool with_compression, class Turn>
 inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn, std::size_t z,
                        std::size_t columns, float* averages, std::size_t plane_stride, const SlopeRows& level_0,
                        const SlopeRows& level_1) {
     using V = xsimd::batch<float, Arch>;
-    const V factor(job.difference_factor), step(job.slope_step);
+    const V factor(job.difference_factor);
     const float variance_factor = job.variance_factor;
     const std::size_t n = job.resolution;
     const SlopeRows texels = level_0, coarser = level_1;
-    constexpr bool with_halves = !std::is_same_v<FoamRows, NoFoamRows>;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
-    FoamRows foam(job.foam, z * n + job.first_column, n, columns);
-    constexpr bool with_compression = std::is_same_v<FoamRows, ShownFoamRows<Arch, SlopesJob::block_columns>>;
     CompressionRows<Arch, with_compression ? SlopesJob::block_columns : 1> compression(
         job.compression, z * n + job.first_column, n, columns);
     typename BlockSurface<Arch>::PairWalk walk(surface, job.first_column, z);
@@ -193,8 +179,7 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
             compression.put(planes[d_xx] + planes[d_zz], static_cast<std::size_t>(row), column);
         if constexpr (with_halves)
             store_halves<Arch>(walk.at(surface_dx, row), walk.at(surface_height, row), walk.at(surface_dz, row),
-                               foam.show(jacobian_of<Arch>(planes, step), static_cast<std::size_t>(row), column),
-                               halves + 4 * at);
+                               V(0.f), halves + 4 * at);
     };
     // Packs W columns of two rows and adds both rows.
     const auto pack = [&](std::size_t column, V(&sums)[slope_planes]) PELAGIC_INLINE_LAMBDA {
@@ -233,7 +218,6 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
             average(column, low, low);
         }
     }
-    foam.write();
     if constexpr (with_compression) compression.write();
 }
 
@@ -256,18 +240,19 @@ void slopes(const SlopesJob& job) {
     const SlopeAverages<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
                                   job.average_stride};
 
-    const auto all_rows = [&]<class FoamRows>(const auto& turn) {
+    const auto all_rows = [&]<bool with_halves, bool with_compression>(const auto& turn) {
         for (std::size_t row = 0; row < rows; row += 2)
-            slope_rows<Arch, FoamRows>(job, surface, turn, job.first_row + row, columns, level_1.row(row / 2),
-                                       level_1.plane_stride(), texels(0).from(row, 0), texels(1).from(row / 2, 0));
+            slope_rows<Arch, with_halves, with_compression>(job, surface, turn, job.first_row + row, columns,
+                                                            level_1.row(row / 2), level_1.plane_stride(),
+                                                            texels(0).from(row, 0), texels(1).from(row / 2, 0));
     };
     const auto rotated_rows = [&](const auto& turn) {
         if (!job.rgba16f)
-            all_rows.template operator()<NoFoamRows>(turn);
-        else if (!job.foam.remembered)
-            all_rows.template operator()<FreshFoam<Arch>>(turn);
+            all_rows.template operator()<false, false>(turn);
+        else if (!job.compression.bytes)
+            all_rows.template operator()<true, false>(turn);
         else
-            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::block_columns>>(turn);
+            all_rows.template operator()<true, true>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
         rotated_rows(Turned<Arch>{V(job.cosine), V(job.sine)});

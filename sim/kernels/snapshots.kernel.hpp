@@ -91,22 +91,27 @@ void snapshot(const SnapshotJob& job) {
     const std::uint32_t shift = 8 * job.byte, kept = ~(std::uint32_t{255} << shift);
     alignas(64) float column[SnapshotJob::max_resolution];
     alignas(64) std::int32_t bytes[SnapshotJob::max_resolution];
-    alignas(64) float padded[SnapshotJob::max_resolution + 3 + V::size];
+    constexpr std::size_t taps = SnapshotJob::taps, ahead = taps / 2 - 1;
+    alignas(64) float padded[SnapshotJob::max_resolution + taps + V::size];
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
-        const float* rows[4];
-        for (std::size_t k = 0; k < 4; ++k) rows[k] = job.compression + ((z + job.shift_z + n - 1 + k) & last) * n;
-        const V z_0(job.weights_z[0]), z_1(job.weights_z[1]), z_2(job.weights_z[2]), z_3(job.weights_z[3]);
-        for (std::size_t x = 0; x < n; x += V::size)
-            (z_0 * V::load_aligned(rows[0] + x) + z_1 * V::load_aligned(rows[1] + x) +
-             z_2 * V::load_aligned(rows[2] + x) + z_3 * V::load_aligned(rows[3] + x))
-                .store_aligned(column + x);
-        for (std::size_t x = 0; x < n + 3; ++x) padded[x] = column[(x + job.shift_x + n - 1) & last];
-        const V x_0(job.weights_x[0]), x_1(job.weights_x[1]), x_2(job.weights_x[2]), x_3(job.weights_x[3]);
-        for (std::size_t x = 0; x < n; x += V::size)
-            bytes_of_compression<Arch>(x_0 * V::load_aligned(padded + x) + x_1 * V::load_unaligned(padded + x + 1) +
-                                       x_2 * V::load_unaligned(padded + x + 2) +
-                                       x_3 * V::load_unaligned(padded + x + 3))
-                .store_aligned(bytes + x);
+        const float* rows[taps];
+        V weights_x[taps], weights_z[taps];
+        for (std::size_t k = 0; k < taps; ++k) {
+            rows[k] = job.compression + ((z + job.shift_z + n - ahead + k) & last) * n;
+            weights_x[k] = V(job.weights_x[k]);
+            weights_z[k] = V(job.weights_z[k]);
+        }
+        for (std::size_t x = 0; x < n; x += V::size) {
+            V sum = weights_z[0] * V::load_aligned(rows[0] + x);
+            for (std::size_t k = 1; k < taps; ++k) sum += weights_z[k] * V::load_aligned(rows[k] + x);
+            sum.store_aligned(column + x);
+        }
+        for (std::size_t x = 0; x < n + taps - 1; ++x) padded[x] = column[(x + job.shift_x + n - ahead) & last];
+        for (std::size_t x = 0; x < n; x += V::size) {
+            V sum = weights_x[0] * V::load_aligned(padded + x);
+            for (std::size_t k = 1; k < taps; ++k) sum += weights_x[k] * V::load_unaligned(padded + x + k);
+            bytes_of_compression<Arch>(sum).store_aligned(bytes + x);
+        }
         const std::uint32_t* const before = job.before + z * n;
         std::uint32_t* const after = job.after + z * n;
         for (std::size_t x = 0; x < n; ++x)

@@ -6,7 +6,7 @@
 namespace pelagic {
 
 FoamSampler::FoamSampler(const Frame& frame)
-    : cascades_(frame.cascades), foam_(frame.foam), has_foam_(!frame.cascades.front().foam_r8.empty()) {
+    : cascades_(frame.cascades), foam_(frame.foam), has_foam_(frame.has_foam) {
     for (std::size_t slot = 0; slot < SnapshotFoam::slots; ++slot)
         if (foam_.age[slot] < 1) slots_[slot_count_++] = static_cast<std::uint8_t>(slot);
     std::sort(slots_.begin(), slots_.begin() + static_cast<std::ptrdiff_t>(slot_count_),

@@ -133,7 +133,7 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
 
 double CascadePlan::foam_weight() const {
     constexpr double full_weight_m = 5.7;
-    if (!makes_whitecaps() || number > 2) return 0;
+    if (min_k >= two_pi || number > 2) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
     const double shortest_m = texels_a_wave * grid.side_m / resolution;
     return std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m));

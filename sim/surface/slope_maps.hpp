@@ -33,8 +33,7 @@ struct SlopeMaps {
     double cosine = 1, sine = 0;          ///< rotation of the cascade's axes, see GradientsJob
     SlopeRanges ranges;                   ///< positive
     std::uint16_t* rgba16f;               ///< 4 N^2; null: not written
-    ShownFoam foam;                       ///< written with rgba16f
-    PresentCompression compression = {};  ///< written with rgba16f if there is foam
+    PresentCompression compression = {};  ///< written with rgba16f
     TextureTargets::Chain slopes, moments;
     MipAverages* averages;  ///< with slope_planes planes
 

@@ -47,7 +47,7 @@ void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
                    .stack_bytes = gradients_stack_bytes});
-    if (!slopes_make_halves()) add_foam_tail(graph, pieces_done);
+    if (slots_.cascade_count() == 1) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
     graph.add({.name = stage_name("mipmaps tail", cascade_),
                .count = 1,
@@ -63,7 +63,6 @@ void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { slope_maps().make(kernels_, piece); }),
                    .stack_bytes = slopes_stack_bytes});
-    if (slopes_make_halves()) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { slope_maps().make_tail(kernels_); };
     graph.add({.name = stage_name("slopes tail", cascade_),
                .count = 1,
@@ -89,7 +88,7 @@ void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
 }
 
 ShownFoam SurfaceStages::shown_foam() {
-    const RememberedFoam& remembered = slots_.remembered_foam(cascade_);
+    const RememberedFoam& remembered = slots_.remembered_foam();
     return {.source = foam_source(slots_.cascade(cascade_)),
             .remembered = remembered.bytes,
             .fade = remembered.fade,
@@ -152,7 +151,6 @@ SlopeMaps SurfaceStages::slope_maps() {
             .sine = cascade.grid.sine,
             .ranges = cascade.slope_ranges,
             .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
-            .foam = shown_foam(),
             .compression = present_compression(),
             .slopes = textures.slopes_rgba8,
             .moments = textures.moments_rgba8,

@@ -38,8 +38,8 @@ class SurfaceStages {
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();
-    /// Returns whether the slope stages write the half floats, which include the foam. With one
-    /// cascade the gradient stages write them. Several cascades always have slopes.
+    /// Returns whether the slope stages write the half floats and the compression. With one cascade
+    /// the gradient stages write the half floats, with foam. Several cascades always have slopes.
     bool slopes_make_halves() const { return slots_.cascade_count() > 1; }
 
     FrameSlots& slots_;

@@ -8,7 +8,6 @@
 
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
 namespace {
@@ -45,9 +44,8 @@ class Cascade {
     Cascade(const CascadePlanes& planes, const SlopeRanges& ranges)
         : planes_(planes),
           n_(static_cast<std::size_t>(planes.resolution)),
-          step_(ranges.slope / 127.f),
-          factor_(
-              static_cast<float>(SlopesJob::near_weight / (double{step_} * (planes.side_m / planes.resolution)))) {}
+          factor_(static_cast<float>(SlopesJob::near_weight /
+                                     (double{ranges.slope / 127.f} * (planes.side_m / planes.resolution)))) {}
 
     Slopes slopes_at(std::size_t x, std::size_t z) const {
         const Along h = along(planes_.height, x, z), dx = along(planes_.dx, x, z), dz = along(planes_.dz, x, z);
@@ -65,10 +63,8 @@ class Cascade {
         return s;
     }
 
-    std::array<float, 4> displacement_and_foam(const Slopes& s, std::size_t texel) const {
-        const float twist = s.d_xz * step_;
-        const float jacobian = (1.f + s.d_xx * step_) * (1.f + s.d_zz * step_) - twist * twist;
-        return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], foam_of(planes_.foam, jacobian)};
+    std::array<float, 4> displacement_at(std::size_t texel) const {
+        return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], 0.f};
     }
 
    private:
@@ -83,7 +79,6 @@ class Cascade {
 
     const CascadePlanes& planes_;
     std::size_t n_;
-    float step_;
     float factor_;
 };
 
@@ -100,8 +95,7 @@ CascadeSlopes slopes_of(const CascadePlanes& planes, const SlopeRanges& ranges) 
         level[i] = cascade.slopes_at(i % n, i / n);
         out.slopes.push_back(slopes_word(level[i]));
         out.moments.push_back(byte_of(level[i].d_xz) | 0x80000000u);
-        for (const float value : cascade.displacement_and_foam(level[i], i))
-            out.halves.push_back(Imath::half(value).bits());
+        for (const float value : cascade.displacement_at(i)) out.halves.push_back(Imath::half(value).bits());
     }
     for (int number = 1; number < mip_levels(planes.resolution); ++number) {
         const std::size_t side = n >> number;

@@ -342,6 +342,9 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
         throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf: glTF is y-up");
     if (is_gltf && options.maps.unit != LengthUnit::metre)
         throw bad_value("--unit", *typed("unit"), "m with --mesh gltf: glTF uses metres");
+    if (const int cascades = cascades_of(sea.sea); options.maps.has(MapKind::foam) && cascades > 1)
+        throw InputError("--maps foam is of a sea of one cascade, and this sea has " + number_text(cascades) +
+                         "; expected compression instead");
     if (options.maps.maps.empty() && !options.meshes.any() && !options.events)
         throw bad_value("--maps", no_maps, "--mesh or --events with it, or some maps");
     if (const auto& grid = typed("flipbook")) {

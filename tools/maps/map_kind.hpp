@@ -11,7 +11,7 @@ namespace pelagic::tools {
 
 /// `dynamic_waves` is the map of the dynamic-wave grid, which exists with --events only. All others
 /// are maps of a cascade.
-enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, dynamic_waves };
+enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, compression, dynamic_waves };
 
 }  // namespace pelagic::tools
 
@@ -20,8 +20,9 @@ namespace pelagic {
 
 template <>
 struct EnumNames<tools::MapKind> {
-    static constexpr std::array<std::string_view, 8> all = {"displacement", "gradient", "normal", "foam",
-                                                            "velocity",     "jacobian", "slope",  "dynamic-waves"};
+    static constexpr std::array<std::string_view, 9> all = {"displacement", "gradient",    "normal",
+                                                            "foam",         "velocity",    "jacobian",
+                                                            "slope",        "compression", "dynamic-waves"};
 };
 
 }  // namespace pelagic
@@ -29,8 +30,9 @@ struct EnumNames<tools::MapKind> {
 namespace pelagic::tools {
 
 /// The maps of cascades, in the order of records and files.
-inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
-                                        MapKind::velocity,     MapKind::jacobian, MapKind::slope};
+inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient,   MapKind::normal,
+                                        MapKind::foam,         MapKind::velocity,   MapKind::jacobian,
+                                        MapKind::slope,        MapKind::compression};
 
 /// Returns the map of a cascade with this name, if there is one.
 constexpr std::optional<MapKind> cascade_map_named(std::string_view name) {
@@ -57,7 +59,8 @@ constexpr int channels_of(MapKind map) {
         case MapKind::velocity: return 3;
         case MapKind::slope: return 2;
         case MapKind::foam:
-        case MapKind::jacobian: return 1;
+        case MapKind::jacobian:
+        case MapKind::compression: return 1;
     }
     return 0;
 }

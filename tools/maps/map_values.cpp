@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/simd/strict_floats.hpp"
 #include "pelagic/tools/maps/cascade_differences.hpp"
 
@@ -81,6 +82,13 @@ std::vector<float> slopes(const Cascade& cascade, UpAxis up_axis) {
     return values;
 }
 
+std::vector<float> compressions(const Cascade& cascade) {
+    const auto side = static_cast<std::size_t>(cascade.resolution());
+    std::vector<float> values(side * side);
+    copy_compression(cascade, values);
+    return values;
+}
+
 std::vector<float> foam(const Cascade& cascade) {
     assert(!cascade.foam_r8.empty());
     std::vector<float> values;
@@ -97,6 +105,7 @@ std::vector<float> values_of(const Cascade& cascade, MapKind map, const MapOptio
         case MapKind::jacobian: return jacobians(cascade);
         case MapKind::slope: return slopes(cascade, options.up_axis);
         case MapKind::foam: return foam(cascade);
+        case MapKind::compression: return compressions(cascade);
         case MapKind::gradient:
         case MapKind::dynamic_waves: break;
     }

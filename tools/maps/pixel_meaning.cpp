@@ -56,6 +56,7 @@ std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
         case MapKind::jacobian: return {{"jacobian", "1", {}}};
         case MapKind::slope: return {{"dh_dx", "1", {}}, {is_z_up ? "dh_dy" : "dh_dz", "1", {}}};
         case MapKind::foam: return {{"foam", "1", {}, one_sign}};
+        case MapKind::compression: return {{"compression", "1", {}}};
         case MapKind::dynamic_waves:
             return {{"height", "m", in_metres}, {"vertical_velocity", "m/s", in_metres}, {"foam", "1", {}, one_sign}};
     }
@@ -197,11 +198,14 @@ std::string pixel_meaning() {
   normal        tangent-space normal map along the cascade's own axes: right = 2R - 1, up the image = 2G - 1
                 (--normal-y down: down the image), out of the water = 2B - 1; floats are stored unscaled. Unit
                 vectors at every level. Normals of an overturned surface are horizontal
-  foam          one channel: 0 no foam, 1 covered; breaking now, plus foam of earlier breaking, which decays in
-                2.9 seconds
+  foam          one channel, of a sea of one cascade: 0 no foam, 1 covered; breaking now, plus foam of earlier
+                breaking, which decays in 2.8 seconds
   velocity      velocity of the displaced point along x, y, z in m/s; for motion blur
   jacobian      one channel: J, not clamped; below 1 the surface is compressed, below 0 overturned
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over reference positions
+  compression   one channel: q, the horizontal compression in standard deviations of the sea's. Water breaks with
+                the foam clamp(1/2 + (S - level) / ramp, 0, 1) of the cascades' sum S (sea.json: foam), and 1 of foam
+                fades in fade_s seconds
   dynamic-waves with --events: R, G, B = height, vertical velocity (m/s), foam (1 covered) as floats. Add the height
                 to the displaced surface. sea.json holds the position of the grid (dynamic_waves)
   position      N texels per side of L metres: column i, row j has the reference position x = i L/N, z = j L/N and
@@ -213,8 +217,7 @@ std::string pixel_meaning() {
                 differ, and their grids are rotated about x = z = 0; sea.json holds the rotations (layout, cascades).
                 All maps but normal are along the world's axes. Displacements, velocities and slopes are added.
                 Normals and Jacobians are not additive: compute them from the summed displacement, or approximate
-                them from summed slopes. Foam is the maximum over the cascades; a cascade without foam has black
-                images
+                them from summed slopes. Compressions are added; those of a cascade that makes no foam are 0
   axes          right-handed: +x east, +y up, +z south, so north is -z; z-up: +x east, +y north, +z up
   colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or lossy compression)";
 }

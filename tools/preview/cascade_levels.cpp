@@ -8,7 +8,7 @@
 namespace pelagic::tools {
 namespace {
 
-using Level = std::vector<glm::vec4>;
+using Level = std::vector<glm::vec3>;
 
 /// Approximates log2 linearly between integers, which suffices to blend two levels. Returns 0 below
 /// 1.
@@ -27,8 +27,7 @@ Level level_0(const Cascade& cascade) {
         cascade.dx.copy_row(static_cast<int>(j), dx.data());
         cascade.height.copy_row(static_cast<int>(j), height.data());
         cascade.dz.copy_row(static_cast<int>(j), dz.data());
-        for (std::size_t i = 0; i < n; ++i)
-            texels[j * n + i] = {dx[i], height[i], dz[i], static_cast<float>(cascade.foam_r8[j * n + i]) / 255};
+        for (std::size_t i = 0; i < n; ++i) texels[j * n + i] = {dx[i], height[i], dz[i]};
     }
     return texels;
 }
@@ -38,8 +37,8 @@ Level reduced(const Level& fine, std::size_t side) {
     Level coarse(side * side);
     for (std::size_t j = 0; j < side; ++j)
         for (std::size_t i = 0; i < side; ++i) {
-            const glm::vec4* const upper = &fine[4 * j * side + 2 * i];
-            const glm::vec4* const lower = upper + 2 * side;
+            const glm::vec3* const upper = &fine[4 * j * side + 2 * i];
+            const glm::vec3* const lower = upper + 2 * side;
             coarse[j * side + i] = 0.25f * ((upper[0] + upper[1]) + (lower[0] + lower[1]));
         }
     return coarse;
@@ -89,7 +88,7 @@ void CascadeLevels::add_level(CascadeSample& sum, float u, float v, int level, f
     const Level& texels = levels_[static_cast<std::size_t>(level)];
     const auto slopes = cascade_.level_of(cascade_.slopes_rgba8, level),
                moments = cascade_.level_of(cascade_.moments_rgba8, level);
-    glm::vec4 mean(0);
+    glm::vec3 mean(0);
     for (const int j : {0, 1})
         for (const int i : {0, 1}) {
             const float texel_weight = weight * (i ? right : 1 - right) * (j ? lower : 1 - lower);
@@ -99,8 +98,7 @@ void CascadeLevels::add_level(CascadeSample& sum, float u, float v, int level, f
             add(sum.slopes, slopes_of_texel(slopes[texel], moments[texel], cascade_.slope_ranges),
                 static_cast<double>(texel_weight));
         }
-    sum.displacement += glm::vec3(mean);
-    sum.foam += mean.w;
+    sum.displacement += mean;
 }
 
 }  // namespace pelagic::tools

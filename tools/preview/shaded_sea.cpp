@@ -9,7 +9,9 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -96,6 +98,7 @@ struct ShadedSea::State {
     Frame frame;
     float hidden_slope_variance = 0;
     std::vector<CascadeLevels> cascades;
+    std::optional<FoamSampler> foam;  ///< of the frame that is drawn
     std::vector<GridPoint> grid;
     std::vector<Extent> extents;
     std::vector<glm::vec3> samples;
@@ -190,13 +193,11 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
 
     glm::vec3 place = rest;
     SurfaceSlopes slopes;
-    float foam = 0;
     for (const CascadeLevels& cascade : cascades) {
         const CascadeSample sample =
             cascade.at(static_cast<double>(rest.x), static_cast<double>(rest.z), footprint_m);
         place += sample.displacement;
         slopes += sample.slopes;
-        foam = std::max(foam, sample.foam);
     }
     const View::Seen seen = view.seen(place);
     GridPoint point;
@@ -211,7 +212,7 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
         {.normal = glm::normalize(upward),
          .to_eye = glm::normalize(view.eye - place),
          .slope_variance = hidden_slope_variance + 0.5f * static_cast<float>(slopes.var_xx + slopes.var_zz),
-         .foam = foam,
+         .foam = foam->at(static_cast<double>(rest.x), static_cast<double>(rest.z)),
          .height = place.y / wave_height_m,
          .distance = distance / (hazy * wavelength_m)},
         to_sun);
@@ -304,6 +305,7 @@ const std::vector<std::uint8_t>& ShadedSea::draw(const Frame& frame) {
     state_->cascades.resize(frame.cascades.size());
     for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade)
         state_->cascades[cascade].take(frame.cascades[cascade]);
+    state_->foam.emplace(frame);
     state_->run->schedule();
     state_->run->complete();
     return state_->pixels;

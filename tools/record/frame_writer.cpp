@@ -25,7 +25,8 @@ namespace {
 struct NeededViews {
     explicit NeededViews(const ExportOptions& options)
         : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
-                 options.maps.has(MapKind::jacobian) || options.maps.has(MapKind::slope) || options.meshes.any()),
+                 options.maps.has(MapKind::jacobian) || options.maps.has(MapKind::slope) ||
+                 options.maps.has(MapKind::compression) || options.meshes.any()),
           velocities(options.maps.has(MapKind::velocity)),
           gradient(options.maps.has(MapKind::gradient)),
           foam(options.has_foam()),
@@ -110,6 +111,7 @@ std::string_view trace_name(MapKind map) {
         case MapKind::velocity: return "encode velocity";
         case MapKind::jacobian: return "encode jacobian";
         case MapKind::slope: return "encode slope";
+        case MapKind::compression: return "encode compression";
         case MapKind::dynamic_waves: return "encode dynamic-waves";
     }
     return "";

@@ -192,6 +192,9 @@ Json foam_as_json(const Frame& frame) {
             {"tick_s", report.tick_s},
             {"ticks_a_loop", report.ticks_a_loop},
             {"warm_up_ticks", report.warm_up_ticks},
+            {"level", report.level},
+            {"ramp", SnapshotFoam::ramp},
+            {"fade_s", report.fade_s},
             {"drift_mps", report.drift_mps},
             {"drift_direction_deg", degrees(report.drift_direction_rad)},
             {"cascades", cascades}};
@@ -210,7 +213,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
     json["repeats_after_m"] = repeats_after_m(options.sea);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
-    if (options.has_foam()) {
+    if (options.has_foam() || options.maps.has(MapKind::compression)) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
         json["foam"] = foam_as_json(ocean.frame_at(0));

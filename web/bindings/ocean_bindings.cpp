@@ -112,6 +112,7 @@ val statistics_of(const SeaStatistics& statistics) {
     object.set("roughness", statistics.roughness);
     object.set("foamDriftXMps", statistics.foam_drift_x_mps);
     object.set("foamDriftZMps", statistics.foam_drift_z_mps);
+    object.set("foamLevel", statistics.foam_level);
     return object;
 }
 
@@ -127,6 +128,7 @@ val cascade_of(const Cascade& cascade) {
     object.set("makesWhitecaps", cascade.makes_whitecaps());
     object.set("whitecapJacobian", cascade.whitecap_jacobian);
     object.set("whitecapRamp", cascade.whitecap_ramp);
+    object.set("compressionScale", cascade.compression_scale);
     object.set("bounds", bounds_of(cascade.bounds));
     return object;
 }

@@ -407,6 +407,8 @@ export interface SeaStatistics {
   /** Drift velocity of foam. */
   foamDriftXMps: number;
   foamDriftZMps: number;
+  /** Compression at which half of the water is white, in standard deviations. */
+  foamLevel: number;
 }
 
 /** Properties of a frame that do not refer to the module's memory. */
@@ -530,10 +532,19 @@ export interface CascadeAbout {
   readonly varianceRange: number;
   /** Variance of the slope over the cascade. */
   readonly slopeVariance: number;
-  /** Foam at the Jacobian J is clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1). */
+  /** Whether the cascade's waves make foam, alone or in the sum. */
   readonly makesWhitecaps: boolean;
+  /**
+   * Of one cascade: breaking at the Jacobian J makes the foam
+   * clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1).
+   */
   readonly whitecapJacobian: number;
   readonly whitecapRamp: number;
+  /**
+   * Of several cascades: with S the sum of -compressionScale (D_xx + D_zz), breaking makes the foam
+   * clamp(1/2 + (S - SeaStatistics.foamLevel) / 0.3, 0, 1).
+   */
+  readonly compressionScale: number;
 }
 
 /**
@@ -543,7 +554,10 @@ export interface CascadeAbout {
  * views. So read `cascade.displacement` again for each use, and copy what you keep.
  */
 export interface CascadeMaps {
-  /** N^2 texels of four half floats, RGBA16F: Dx, height, Dz in metres, foam from 0 to 1. */
+  /**
+   * N^2 texels of four half floats, RGBA16F: Dx, height, Dz in metres, and of one cascade foam from
+   * 0 to 1.
+   */
   readonly displacement: Uint16Array;
   /**
    * levelCount(N) mip levels, RGBA8: normal x, normal z, Jacobian, smoothness, of this cascade
@@ -560,7 +574,10 @@ export interface CascadeMaps {
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
-  /** Mip levels of the cascade's own foam, one byte per texel. Null without OceanOptions.foam. */
+  /**
+   * Mip levels of foam, one byte per texel. Null without OceanOptions.foam, and in frames of
+   * several cascades, whose foam queries return.
+   */
   readonly foam: Uint8Array | null;
   /** Metres, in single precision. */
   readonly dx: Plane;

@@ -65,7 +65,8 @@ const uniforms = {
   // For each cascade: side and rotation, and the units of its bytes.
   grid: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
   ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
-  whitecaps: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.makesWhitecaps ? cascade.whitecapJacobian : -10, cascade.whitecapRamp)) },
+  compressionScale: { value: frame.cascades.map((cascade) => cascade.compressionScale) },
+  foamLevel: { value: frame.statistics.foamLevel },
   unresolved: { value: frame.statistics.unresolvedSlopes.upwind + frame.statistics.unresolvedSlopes.crosswind },
   sun: { value: new THREE.Vector3(0.25, 0.2, -1).normalize() },
 };

@@ -43,29 +43,25 @@ const vertexShader = (count) => `
   uniform sampler2D displacement[${count}];
   varying vec3 place;
   varying vec2 rest;
-  varying float foam;
   ${grids(count)}
   void main() {
     rest = position.xz + cameraPosition.xz;
     float distance = length(position.xz);
     vec3 moved = vec3(0.0);
-    foam = 0.0;
     ${forEachCascade(count, `
       vec4 texel = textureLod(displacement[CASCADE], placeIn(grid[CASCADE], rest, textureSize(displacement[CASCADE], 0)), 0.0);
       // Waves shorter than the mesh's cells fade with distance; their slopes remain.
-      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / grid[CASCADE].x));
-      foam = max(foam, texel.w);`)}
+      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / grid[CASCADE].x));`)}
     place = vec3(rest.x, 0.0, rest.y) + moved;
     gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
   }`;
 
 const fragmentShader = (count) => `
   uniform sampler2D slopes[${count}], moments[${count}];
-  uniform vec2 ranges[${count}], whitecaps[${count}];
-  uniform float unresolved;
+  uniform vec2 ranges[${count}];
+  uniform float compressionScale[${count}], foamLevel, unresolved;
   varying vec3 place;
   varying vec2 rest;
-  varying float foam;
   ${skyColour}
   ${grids(count)}
   const float zero = 128.0 / 127.0, one = 255.0 / 127.0;  // a byte b is (b - 128)/127
@@ -74,7 +70,7 @@ const fragmentShader = (count) => `
     // Sums of the derivatives, and of the variances of slopes within texels.
     vec2 h = vec2(0.0);
     vec3 d = vec3(0.0);  // D_xx, D_zz, D_xz
-    float variance = unresolved, white = 0.0;
+    float variance = unresolved, compression = 0.0;
     ${forEachCascade(count, `
       vec2 at = placeIn(grid[CASCADE], rest, textureSize(slopes[CASCADE], 0));
       vec4 slope = (texture2D(slopes[CASCADE], at) * one - zero) * ranges[CASCADE].x, moment = texture2D(moments[CASCADE], at);
@@ -82,8 +78,7 @@ const fragmentShader = (count) => `
       h += slope.xy;
       d += own;
       variance += (moment.y + moment.z) * ranges[CASCADE].y;
-      float jacobian = (1.0 + own.x) * (1.0 + own.y) - own.z * own.z;
-      white = max(white, clamp(0.5 + (whitecaps[CASCADE].x - jacobian) / whitecaps[CASCADE].y, 0.0, 1.0));`)}
+      compression -= compressionScale[CASCADE] * (own.x + own.y);`)}
     float j = (1.0 + d.x) * (1.0 + d.y) - d.z * d.z;
     vec3 normal = normalize(vec3(h.y * d.z - h.x * (1.0 + d.y), max(j, 0.05), h.x * d.z - h.y * (1.0 + d.x)));
 
@@ -111,7 +106,8 @@ const fragmentShader = (count) => `
     float mirror = 0.02 + 0.98 * pow(1.0 - max(dot(half_, toEye), 0.0), 5.0);
     vec3 colour = mix(body, light, fresnel) + vec3(4.2, 3.3, 2.2) * mirror * glitter / (4.0 * max(facing, 0.1));
 
-    float cover = max(foam, white) * smoothstep(3000.0, 200.0, distance);
+    // Water that breaks now.
+    float cover = clamp(0.5 + (compression - foamLevel) / 0.3, 0.0, 1.0) * smoothstep(3000.0, 200.0, distance);
     colour = mix(colour, vec3(0.75, 0.78, 0.8) * (0.5 + 0.5 * max(dot(normal, sun), 0.0)), 0.85 * cover);
     // Haze.
     vec3 haze = skyAt(normalize(vec3(-toEye.x, 0.015, -toEye.z)));

@@ -4,9 +4,10 @@
 shader_type spatial;
 render_mode skip_vertex_transform;
 
-uniform sampler2DArray displacement; // Dx, height, Dz, foam; one layer per cascade
+uniform sampler2DArray displacement; // Dx, height, Dz; one layer per cascade
 uniform sampler2DArray slopes;       // h_x, h_z, D_xx, D_zz in signed bytes: 128 is zero
 uniform sampler2DArray moments;      // D_xz, variances of h_x and h_z within the texel
+uniform sampler2DArray snapshots;    // compression at past moments; layer i cascades + j: image i of cascade j
 uniform int cascades = 0;
 // xy: texture coordinates of the camera; zw: cosine and sine of the cascade's rotation / side
 uniform vec4 cascade_place_0;
@@ -18,6 +19,16 @@ uniform vec4 cascade_scale_0;
 uniform vec4 cascade_scale_1;
 uniform vec4 cascade_scale_2;
 uniform vec4 cascade_scale_3;
+// xy: drift of the snapshots in texture coordinates; z: compression per slope, 0: makes no foam
+uniform vec4 cascade_foam_0;
+uniform vec4 cascade_foam_1;
+uniform vec4 cascade_foam_2;
+uniform vec4 cascade_foam_3;
+uniform float foam_level = 1000.0;   // compression of half foam
+uniform vec4 snapshot_ages_0 = vec4(1.0); // foam that has decayed since each snapshot
+uniform vec4 snapshot_ages_1 = vec4(1.0);
+uniform vec4 snapshot_ages_2 = vec4(1.0);
+uniform vec4 snapshot_ages_3 = vec4(1.0);
 uniform sampler2D dynamic_waves_texels; // height, slopes along x and z, foam
 // xy: texture coordinates of the camera; z: their change per metre; w: texels per metre
 uniform vec4 dynamic_waves_place;
@@ -52,6 +63,22 @@ vec4 scale_of_cascade(int cascade) {
 	if (cascade == 1) return cascade_scale_1;
 	if (cascade == 2) return cascade_scale_2;
 	return cascade_scale_3;
+}
+
+vec4 foam_of_cascade(int cascade) {
+	if (cascade == 0) return cascade_foam_0;
+	if (cascade == 1) return cascade_foam_1;
+	if (cascade == 2) return cascade_foam_2;
+	return cascade_foam_3;
+}
+
+float largest(vec4 values) {
+	return max(max(values.x, values.y), max(values.z, values.w));
+}
+
+// Returns the foam of water that breaks with these sums of compressions.
+vec4 breaking(vec4 sums) {
+	return clamp(0.5 + (sums - foam_level) / 0.3, 0.0, 1.0);
 }
 
 // Returns 1 in the component of the cascade. The engine's shaders have no variable indices.
@@ -222,24 +249,40 @@ void fragment() {
 	vec2 h = vec2(0.0);
 	vec3 d = vec3(0.0); // D_xx, D_zz, D_xz
 	float variance = 0.0;
-	float foam = 0.0;
+	float present = 0.0; // sum of the compressions now, and in the four images of snapshots
+	vec4 past_0 = vec4(0.0);
+	vec4 past_1 = vec4(0.0);
+	vec4 past_2 = vec4(0.0);
+	vec4 past_3 = vec4(0.0);
 	// Shorter side of the pixel's footprint on the sea.
 	float narrow_m = sqrt(min(dot(dFdx(rest), dFdx(rest)), dot(dFdy(rest), dFdy(rest))));
 	vec4 at_shore = has_shore() ? weights_of_cascades(place.xz) : vec4(1.0);
 	for (int cascade = 0; cascade < cascades; cascade++) {
 		vec4 scale = scale_of_cascade(cascade);
 		float weight = dot(at_shore, component_of_cascade(cascade));
-		if (weight_of_mip(log2(max(narrow_m * scale.x, 1.0))) <= 0.0) {
+		float mip = log2(max(narrow_m * scale.x, 1.0));
+		vec2 place_of_texels = place_in_cascade(place_of_cascade(cascade), rest);
+		vec4 of_foam = foam_of_cascade(cascade);
+		if (of_foam.z > 0.0) {
+			// Coarser mips than 1 would lose the fronts, because means of compressions seldom break.
+			vec2 drifted = place_of_texels - of_foam.xy;
+			float level = min(mip, 1.0);
+			past_0 += weight * (8.0 * textureLod(snapshots, vec3(drifted, float(cascade)), level) - 3.0);
+			past_1 += weight * (8.0 * textureLod(snapshots, vec3(drifted, float(cascades + cascade)), level) - 3.0);
+			past_2 += weight * (8.0 * textureLod(snapshots, vec3(drifted, float(2 * cascades + cascade)), level) - 3.0);
+			past_3 += weight * (8.0 * textureLod(snapshots, vec3(drifted, float(3 * cascades + cascade)), level) - 3.0);
+		}
+		if (weight_of_mip(mip) <= 0.0) {
 			variance += weight * weight * scale.w; // the pixel resolves none of its waves
 			continue;
 		}
-		vec3 uv = vec3(place_in_cascade(place_of_cascade(cascade), rest), float(cascade));
+		vec3 uv = vec3(place_of_texels, float(cascade));
 		vec4 slope = (texture(slopes, uv) * (255.0 / 127.0) - 128.0 / 127.0) * scale.y;
 		vec4 moment = texture(moments, uv);
 		h += weight * slope.xy;
 		d += weight * vec3(slope.zw, (moment.x * (255.0 / 127.0) - 128.0 / 127.0) * scale.y);
 		variance += weight * weight * (moment.y + moment.z) * scale.z;
-		foam = max(foam, weight * texture(displacement, uv).w);
+		present -= weight * of_foam.z * (slope.z + slope.w);
 	}
 	// Water whose height adds at the displaced position: slopes along x and z, and foam.
 	vec4 added = dynamic_waves(place.xz, narrow_m);
@@ -247,7 +290,11 @@ void fragment() {
 		vec4 water = shore_water_at(place.xz, shore_mip(narrow_m));
 		added = vec4(added.xyz + water.xyz, max(added.w, water.w));
 	}
-	foam = max(foam, added.w);
+	float foam = max(added.w, breaking(vec4(present)).x);
+	foam = max(foam, largest(breaking(past_0) - snapshot_ages_0));
+	foam = max(foam, largest(breaking(past_1) - snapshot_ages_1));
+	foam = max(foam, largest(breaking(past_2) - snapshot_ages_2));
+	foam = max(foam, largest(breaking(past_3) - snapshot_ages_3));
 	float jacobian = (1.0 + d.x) * (1.0 + d.y) - d.z * d.z;
 	vec3 normal = vec3(h.y * d.z - h.x * (1.0 + d.y), max(jacobian, 0.2), h.x * d.z - h.y * (1.0 + d.x));
 	normal.xz -= normal.y * added.yz;
