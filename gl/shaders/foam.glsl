@@ -13,6 +13,7 @@ uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
 const float foam_texels = 256.0;  // texels along each axis
+const float fresh_foam_m = 0.12;  // height of fresh foam above the water
 
 struct Foam {
     float cover;      // covered fraction of the pixel
@@ -47,6 +48,8 @@ vec4 structure(int layer, vec2 uv, float pixel_cascades) {
     texel.yz = (texel.yz * 255.0 - 128.0) / 127.0;
     return texel;
 }
+
+const float film_thickness = 0.1;
 
 // Only the open sea has streaks.
 #define STREAKS (SHADING >= MEDIUM && SURFACE == OPEN)
@@ -91,7 +94,7 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     float fresh = amount * freshness, plume = amount;
     // Fresh foam is raised, so the view ray meets it at an offset towards the eye.
     vec2 behind = to_eye.xz / max(to_eye.y, 0.3);
-    vec2 lace_uv = (at + behind * (foam_kind.z * fresh)) * noise_scale.y + foam_shift.zw;
+    vec2 lace_uv = (at + behind * (fresh_foam_m * fresh)) * noise_scale.y + foam_shift.zw;
 
 #if THREE_SCALES
     // The third texture sample depends on the pixel size: bubbles near the eye, the widest windrows
@@ -103,6 +106,12 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     amount = mix(amount, gathered_in_pixel(amount, third.x, 0.4, pixel_m, 60.0), broad);
 #endif
 #if STREAKS
+    // In a gale windrows gather films of old bubbles, which outlast the foam of the snapshots.
+    float film = foam_kind.z;
+#if THREE_SCALES
+    film = mix(film, gathered_in_pixel(film, third.x, 0.4, pixel_m, 60.0), smoothstep(0.35, 1.5, pixel_m));
+#endif
+    film = gathered_in_pixel(film, streaks.x, 0.2, pixel_m, 3.0);
     amount = mix(gathered_in_pixel(amount, streaks.x, foam_kind.y, pixel_m, 3.0), amount, mix(0.5, 1.0, freshness));
     lace_uv += 0.30 * streaks.yz;
 #endif
@@ -111,6 +120,11 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     // The edges of breaking crests are ragged already, so lace opens old foam only.
     float cover = mix(gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5), amount, dense);
     float thickness = thickest * (freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount));
+#if STREAKS
+    film = gathered_in_pixel(film, lace.x, 0.35, pixel_m, 0.5) * (1.0 - cover);
+    thickness = mix(thickness, film_thickness, film / max(cover + film, 1e-4));
+    cover += film;
+#endif
     float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
     vec2 relief = lace.yz * (0.55 * near);
     float hollow = (1.0 - lace.x) * 0.6;

@@ -125,7 +125,7 @@ layout(std140) uniform Scene {
     // drift
     highp vec4 foam_streaks[2];
     // x: compression at which half of the water is white; y: softness with which streaks
-    // gather old foam; z: height of fresh foam, m; w: weight of far windrows
+    // gather old foam; z: cover of films in a gale; w: weight of far windrows
     highp vec4 foam_kind;
     // octaves of small water; xy: cosine and sine of the rotation; z: cells per metre; w: height
     highp vec4 bump_grid[8];

@@ -173,8 +173,11 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const double level = facts.has_foam ? double{facts.foam.level} : SeaStatistics::no_foam_level;
     // Windrows form at wind speeds above 3 m/s and are narrow in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
-    constexpr double fresh_foam_m = 0.12;
-    block.foam_kind = {level, 0.5 - 0.2 * order, fresh_foam_m, order};
+    // Foam is blown in streaks from Beaufort 7 on (13.9 m/s), in dense streaks from 9 on, and white
+    // patches of it cover the sea at 11 (Petersen's scale, WMO 1970). The covers are a guess.
+    const bool makes_foam = level < SeaStatistics::no_foam_level;
+    const double film = makes_foam ? 0.2 * glm::smoothstep(13.9, 30., sea.wind_speed_mps) : 0;
+    block.foam_kind = {level, 0.5 - 0.2 * order, film, order};
 }
 
 /// Sets the placement of the shore. Samples lie at corner_m + (i, j) texel_m; the centres of the
