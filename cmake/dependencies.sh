@@ -60,7 +60,7 @@ command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 # package is large; the one of Node.js works too.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
-pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil)
+pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil python3-numpy python3-openimageio)
 command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages

@@ -65,6 +65,18 @@ Copies foam_copies(vec2 at, float distance_m) {
     return copies_along(fraction * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
 #endif
 }
+
+#if CASCADES > 1
+// Returns a smooth displacement of the second cascade's foam, in texture coordinates, which differs
+// from period to period by more than the width of a front. It stretches the foam by a tenth, and is
+// 0 near the eye, where foam lies on the waves that break.
+vec2 foam_bend(vec2 at, float distance_m) {
+    float far = smoothstep(2.0, 4.0, distance_m / cascade_scale[1].z);
+    if (far <= 0.0) return vec2(0.0);
+    vec2 uv = cascade_noise[1].xy + rotated_into_cascade(1, at) * cascade_noise[1].z;
+    return vec2(0.8, 0.6) * (far * 5.0 * (textureLod(detail, uv, 5.0).z - 0.5));
+}
+#endif
 #endif
 
 // Returns the foam of water whose compression is that of the snapshots, and `present` now, in
@@ -87,6 +99,9 @@ FoamOfWaves foam_of_snapshots(vec2 at, float distance_m, float present, float wi
                 uv += copies.first;
             }
         }
+#if CASCADES > 1
+        if (cascade == 1) uv += foam_bend(at, distance_m);
+#endif
 #endif
         if (weight > 0.0) add_compressions(cascade, uv, mip, weight, sums);
     }
