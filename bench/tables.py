@@ -96,16 +96,17 @@ def default_sea():
 
 
 def foam_bytes(sea):
-    """Returns the bytes of foam_r8 with all mipmaps."""
+    """Returns the bytes of snapshots that a frame after a foam tick uploads: one image of each
+    cascade but the fourth."""
     cascades, n = map(int, sea.split("x"))
-    return cascades * (4 * n * n - 1) // 3
+    return min(cascades, 3) * 4 * (4 * n * n - 1) // 3
 
 
 def memory():
     def row(sea):
         memory_bytes, upload = figures[f"memory bytes/avx2/{sea}"], figures[f"upload bytes/avx2/{sea}"]
         return [SEAS[sea], *(number(size / 1e6) for size in (memory_bytes, upload, upload + foam_bytes(sea)))]
-    return "AVX2, MB:", table(["", "memory", "upload per frame", "with foam"], map(row, ("4x128", "1x256", "1x512")))
+    return "AVX2, MB:", table(["", "memory", "upload per frame", "after a foam tick"], map(row, ("4x128", "1x256", "1x512")))
 
 
 def upload():
