@@ -174,7 +174,7 @@ TEST(ExportedFoam, IsRefusedForSeveralCascades) {
         run_pelagic({"export", "--out", (folder / "out").string(), "--maps", "foam,gradient", "--cascades", "3"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.err,
-              "--maps foam is of a sea of one cascade, and this sea has 3; expected compression instead\n");
+              "pelagic: --maps foam is of a sea of one cascade, and this sea has 3; expected compression instead\n");
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 

@@ -35,7 +35,7 @@ const std::map<std::string, Words> other_values = {
     {"start-number", {"--start-number", "7", "--frames", "3"}},
     {"fps", {"--fps", "29.97"}},
     {"loop-frames", {"--loop-frames", "48", "--start-number", "5"}},
-    {"maps", {"--maps", "gradient,foam"}},
+    {"maps", {"--maps", "gradient,compression"}},
     {"format", {"--format", "tif"}},
     {"bit-depth", {"--maps", "normal", "--bit-depth", "16"}},
     {"normal-y", {"--maps", "normal", "--normal-y", "down"}},

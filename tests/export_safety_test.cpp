@@ -205,7 +205,7 @@ TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "30", "--maps",
-             "displacement,gradient,foam", "--mips", "--mesh", "obj,mdd", "--mesh-steps", "4"});
+             "displacement,gradient,compression", "--mips", "--mesh", "obj,mdd", "--mesh-steps", "4"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string text = read_file(folder / "sea.json");
     EXPECT_EQ(text.find("xxh3"), std::string::npos);
@@ -237,7 +237,7 @@ TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
     // If a byte of any file changes, verify names that file.
     ASSERT_EQ(run({"verify", folder.path().string(), "--sample", "0"}).exit_code, 0);
     for (const std::string name : {"displacement_0007.exr", "displacement_c3_0011.exr", "gradient_c2_0029_mip3.png",
-                                   "foam_c1_0000_mip1.png", "mesh_0013.obj", "mesh.mdd"}) {
+                                   "compression_c1_0000_mip1.exr", "mesh_0013.obj", "mesh.mdd"}) {
         const std::string bytes = read_file(folder / name);
         ASSERT_FALSE(bytes.empty()) << name;
         std::string changed = bytes;
