@@ -246,7 +246,10 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
                         const double value = expected[static_cast<std::size_t>(c)] / length;
                         // Level 0 is rounded too, and normalising a short mean enlarges that error.
                         const double steps = 2 / length + 1;
-                        EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, value)) << map << " " << level;
+                        // Compressions have both signs, so a small mean has the rounding of values
+                        // up to 4.
+                        const double rounded = std::string(map) == "compression" ? 4 : value;
+                        EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, rounded)) << map << " " << level;
                     }
                 }
         }
