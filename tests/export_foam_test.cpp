@@ -192,12 +192,14 @@ std::vector<float> read_exr(const std::filesystem::path& file, std::size_t side)
 // where water breaks now. All cascades have a texel at the origin.
 TEST(ExportedCompression, AddsUpToBreakingWater) {
     const TemporaryFolder folder;
-    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression", "--mips", "--frames", "40",
-         "--fps", "5"});
+    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression", "--mips", "--seed", "8",
+         "--frames", "40", "--fps", "5"});
     const json record = json::parse(read_file(folder / "sea.json"));
     const double level = record["foam"]["level"], ramp = record["foam"]["ramp"];
     EXPECT_EQ(record["foam"]["fade_s"], 15 * 0.25);
-    Library library(gale);
+    SeaState sea = gale;
+    sea.seed = 8;  // water breaks at the origin
+    Library library(sea);
     int white = 0;
     for (int number = 0; number < 40; ++number) {
         const Frame& frame = library.frame_at(number / 5.);
