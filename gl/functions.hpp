@@ -14,7 +14,8 @@ namespace pelagic::gl {
 // clang-format off
 #define PELAGIC_GL_FUNCTIONS(X)                                                                                 \
     X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer)      \
-    X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlitFramebuffer) X(BufferData)       \
+    X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendColor)                          \
+    X(BlendEquationSeparate) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData)                              \
     X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor) X(ClearDepthf) X(ClientWaitSync)          \
     X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers)       \
     X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers) X(DeleteShader) X(DeleteSync)                     \

@@ -15,6 +15,7 @@
 #include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/gl/water/sea_programs.hpp"
 #include "pelagic/gl/water/shore_textures.hpp"
+#include "pelagic/gl/water/spray_renderer.hpp"
 #include "pelagic/message/require.hpp"
 
 namespace pelagic::gl {
@@ -54,6 +55,15 @@ Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     return texture;
+}
+
+/// Returns the weight of spray in the mean of a pixel's samples: that of weighted_sample() in
+/// gl/shaders/film.glsl, for spray away from the sun.
+float sample_weight_of_spray(const SceneBlock& block) {
+    if (block.output_kind.y == 0 || block.output_kind.z == 0) return 1;
+    const glm::vec3 radiance = 0.06f * glm::vec3(block.sun_irradiance) + 0.18f * glm::vec3(block.sky_irradiance);
+    const float luminance = 0.2126f * radiance.x + 0.7152f * radiance.y + 0.0722f * radiance.z;
+    return 1 / (1 + std::min(block.output_kind.z * luminance, 1023.f));
 }
 
 const RendererOptions& checked(const RendererOptions& options) {
@@ -205,6 +215,15 @@ struct SeaRenderer::State {
     WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
+    std::optional<SprayRenderer> spray;  ///< created by the first draw_spray()
+    /// View of the last draw(), for spray.
+    struct View {
+        std::array<Viewport, 2> viewports;
+        std::size_t eyes = 0;
+        glm::dvec3 viewer_m{};
+        bool is_under_water = false;
+        float sample_weight = 1;
+    } view;
     DrawStatistics statistics;
 };
 
@@ -367,9 +386,13 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
 
+    s.view.eyes = input.eyes.size();
+    s.view.viewer_m = input.viewer_m;
+    s.view.is_under_water = input.camera_water_plane && input.viewer_m.y < input.camera_water_plane->height_m;
+    s.view.sample_weight = sample_weight_of_spray(block);
     const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();
     for (std::size_t eye = 0; eye < passes; ++eye) {
-        const Viewport& view = input.eyes[eye].viewport;
+        const Viewport& view = s.view.viewports[eye] = input.eyes[eye].viewport;
         gl.Viewport(view.x, view.y, view.width, view.height);
         if (input.mode == DrawMode::wireframe)
             s.draw_wireframe(input, static_cast<int>(eye));
@@ -378,6 +401,27 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     }
     statistics.draw_ms = all.milliseconds();
     return statistics;
+}
+
+void SeaRenderer::draw_spray(const SprayInput& input) {
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    assert(s.view.eyes > 0 && "draw() first");
+    if (input.droplets.empty() || s.view.is_under_water) return;
+    const GlStateGuard keep(gl);
+    if (!s.spray) s.spray.emplace(gl, s.options.multiview);
+    s.spray->upload(input.droplets, s.view.viewer_m);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
+    s.bind_textures({.depth = input.scene_depth});
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
+    const std::size_t passes = s.options.multiview ? 1 : s.view.eyes;
+    const bool soft = input.scene_depth != 0 && s.view.eyes == 1 && !s.options.multiview;
+    for (std::size_t eye = 0; eye < passes; ++eye) {
+        const Viewport& view = s.view.viewports[eye];
+        gl.Viewport(view.x, view.y, view.width, view.height);
+        s.spray->draw(static_cast<int>(eye), soft, s.view.sample_weight);
+    }
 }
 
 const FrameTextures& SeaRenderer::textures() const { return state_->textures; }

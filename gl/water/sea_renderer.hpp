@@ -40,6 +40,7 @@
 #include "pelagic/gl/water/small_water.hpp"
 #include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
+#include "pelagic/sim/spray.hpp"
 
 namespace pelagic::gl {
 
@@ -84,6 +85,14 @@ struct DrawInput {
     /// Scene that waves reflect besides the sky, where reflected rays hit it within the image. It
     /// needs one eye. With two eyes, multiview or Shading::headset only the sky is reflected.
     std::optional<ApplicationScene> application_scene = {};
+};
+
+struct SprayInput {
+    std::span<const SprayDroplet> droplets;  ///< the first 8192 are drawn
+    /// Depth of the scene in the eye's projection, 1 where it is empty, as
+    /// ApplicationScene::depth. Droplets fade where they meet its surfaces. If 0, or with two eyes
+    /// or multiview, surfaces in the framebuffer cut them.
+    GLuint scene_depth = 0;
 };
 
 /// Statistics of the last draw().
@@ -139,6 +148,12 @@ class SeaRenderer {
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have
     ///     options.patch_vertices
     const DrawStatistics& draw(const DrawInput& input);
+
+    /// Draws spray over the image of the last draw(), with its eyes, light, exposure and kind of
+    /// pixels. Other transparent objects may be drawn before or after it. Droplets are hidden by
+    /// the framebuffer's depths and write none. Nothing is drawn for a lens under water.
+    /// \pre draw() has drawn the sea into the bound framebuffer
+    void draw_spray(const SprayInput& input);
 
     /// Returns the textures of the last uploaded frame.
     const FrameTextures& textures() const;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/spray.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/encode/encode_image.hpp"
 #include "pelagic/tools/events/event_player.hpp"
@@ -73,6 +75,7 @@ class OfflineRenderer {
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
+                                                  .velocities = has_spray(options),
                                                   .slopes = true,
                                                   .foam = true,
                                                   .shore = options.scene.shore}),
@@ -97,6 +100,10 @@ class OfflineRenderer {
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
         renderer_.set_sky(sky);
+        if (has_spray(options)) {
+            const double loop_s = options.scene.sea.sea.loop_period_s;
+            spray_.emplace(SprayOptions{.loop_period_s = loop_s});
+        }
         if (options.events)
             player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
                             options.scene.compute.isa);
@@ -116,6 +123,12 @@ class OfflineRenderer {
     /// Renders a frame; pixels() and radiance() return the result.
     void draw(double time_s) {
         const gl::Stopwatch all;
+        if (spray_) {
+            const glm::dvec3 viewer = options_.scene.camera.position_m;
+            while (const std::optional<double> tick_s = spray_->missing_tick_s(time_s))
+                spray_->add_tick(ocean_.frame_at(*tick_s), viewer.x, viewer.z);
+            droplets_ = spray_->droplets_at(time_s);
+        }
         Frame frame = ocean_.frame_at(time_s);
         if (player_) frame = with_water(frame, player_->at(time_s));
         measured_.sea_ms.push_back(all.milliseconds());
@@ -171,6 +184,10 @@ class OfflineRenderer {
     }
 
    private:
+    static bool has_spray(const RenderOptions& options) {
+        return !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
+    }
+
     std::vector<gl::Eye> eyes_in(int width, int height) const {
         const gl::Viewport whole{0, 0, width, height};
         if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
@@ -205,15 +222,18 @@ class OfflineRenderer {
             application_scene = rock_->image(eyes[0]);
             rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
         }
-        return renderer_.draw({.eyes = eyes,
-                               .viewer_m = options_.scene.camera.position_m,
-                               .list = &list,
-                               .lod_scale = options_.scene.quadtree.lod_scale,
-                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-                               .exposure = exposure(),
-                               .weighs_samples = weighs_samples,
-                               .camera_water_plane = water,
-                               .application_scene = application_scene});
+        const gl::DrawStatistics& drawn =
+            renderer_.draw({.eyes = eyes,
+                            .viewer_m = options_.scene.camera.position_m,
+                            .list = &list,
+                            .lod_scale = options_.scene.quadtree.lod_scale,
+                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                            .exposure = exposure(),
+                            .weighs_samples = weighs_samples,
+                            .camera_water_plane = water,
+                            .application_scene = application_scene});
+        renderer_.draw_spray({.droplets = droplets_});
+        return drawn;
     }
 
     void note(const gl::DrawStatistics& statistics) {
@@ -258,6 +278,8 @@ class OfflineRenderer {
     std::optional<EventPlayer> player_;  ///< of dynamic waves; none without --events
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
+    std::optional<Spray> spray_;
+    std::span<const SprayDroplet> droplets_;  ///< of the frame; none when the exposure is metered
     std::optional<gl::Rock> rock_;
     Selection selection_;
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out

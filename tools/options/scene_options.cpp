@@ -128,6 +128,8 @@ void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
 
     app.option_defaults()->group(help_group::water);
     add("surface", alternatives(names_of<gl::Surface>()), "kind of water body (default: open)");
+    add("spray", alternatives(names_of<SprayUse>()),
+        "spray of breaking crests (default: auto: not with --shading headset)");
     add("water", "TYPE", "Jerlov type: I, IA, IB, II, III, or 1C to 9C at coasts (default: II)");
     add("chlorophyll", "MG_PER_M3", "concentration, instead of --water; [0.01, 30]");
     add("flow", "FILE.png", "flow map of a river (default: a winding channel)");
@@ -202,6 +204,11 @@ SceneOptions SceneFlags::resolve() const {
     });
     read_camera_settings(options.settings);
     choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
+    given("spray", [&](const auto& option, const auto& text) {
+        options.spray = one_of<SprayUse>(option, text);
+        if (options.spray == SprayUse::on && options.surface != gl::Surface::open)
+            throw InputError("--spray on requires --surface open");
+    });
     if (options.shore && options.surface != gl::Surface::open) throw InputError("--shore requires --surface open");
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;

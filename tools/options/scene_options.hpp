@@ -2,9 +2,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
@@ -21,6 +23,12 @@
 
 namespace pelagic::tools {
 
+enum class SprayUse {
+    automatic,  ///< on, except with Shading::headset
+    on,
+    off
+};
+
 struct SceneOptions {
     ResolvedSea sea;
     ComputeOptions compute;
@@ -34,10 +42,30 @@ struct SceneOptions {
     gl::SeaFloor floor;
     std::optional<ShoreOptions> shore;  ///< the floor's heights with --shore
     gl::Surface surface = gl::Surface::open;
+    SprayUse spray = SprayUse::automatic;
     std::optional<gl::FlowMap> flow;
     std::string quality;
     QuadtreeOptions quadtree;
+
+    /// Returns whether spray is drawn with a shading.
+    bool has_spray(gl::Shading with) const {
+        if (surface != gl::Surface::open) return false;
+        return spray == SprayUse::on || (spray == SprayUse::automatic && with != gl::Shading::headset);
+    }
 };
+
+}  // namespace pelagic::tools
+
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::SprayUse> {
+    static constexpr std::array<std::string_view, 3> all = {"auto", "on", "off"};
+};
+
+}  // namespace pelagic
+
+namespace pelagic::tools {
 
 class SceneFlags {
    public:
