@@ -47,10 +47,12 @@ struct SprayDroplet {
 
 /// Droplets that leave a ball at once, for instance at the bow of a ship.
 struct SprayEmitter {
-    double time_s = 0;                                                  ///< at which they leave; [-1e9, 1e9]
-    double x_m = 0, y_m = 0, z_m = 0;                                   ///< centre of the ball; each in [-1e8, 1e8]
-    double extent_m = 0;                                                ///< radius of the ball; [0, 100]
-    double velocity_x_mps = 0, velocity_y_mps = 0, velocity_z_mps = 0;  ///< mean; [-100, 100]
+    double time_s = 0;  ///< at which they leave; [-1e9, 1e9]
+    /// Centre of the ball; each in [-1e8, 1e8].
+    double x_m = 0, y_m = 0, z_m = 0;
+    double extent_m = 0;  ///< radius of the ball; [0, 100]
+    /// Mean velocity; each in [-100, 100].
+    double velocity_x_mps = 0, velocity_y_mps = 0, velocity_z_mps = 0;
     double spread_mps = 0;   ///< largest deviation from the mean velocity; [0, 100]
     double radius_m = 0.05;  ///< of a droplet as it leaves; [0.001, 1]
     double drop_mm = 1;      ///< diameter of drops, which sets the drag; [0.1, 5]

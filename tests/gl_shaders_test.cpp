@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pelagic/gl/water/sea_programs.hpp"
+#include "pelagic/gl/water/spray_renderer.hpp"
 
 namespace pelagic {
 namespace {
@@ -80,7 +81,9 @@ TEST(Shaders, CompileInEveryVariant) {
         for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 257u);
+    for (const auto& [multiview, soft] : {std::pair(false, false), {false, true}, {true, false}})
+        all.push_back(gl::spray_program_files(multiview, soft));
+    ASSERT_EQ(all.size(), 260u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(invalid_value_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

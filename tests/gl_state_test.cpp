@@ -83,7 +83,11 @@ constexpr std::array integers = {GL_CURRENT_PROGRAM,
                                  GL_STENCIL_FUNC,
                                  GL_STENCIL_WRITEMASK,
                                  GL_BLEND_SRC_RGB,
-                                 GL_BLEND_DST_RGB};
+                                 GL_BLEND_DST_RGB,
+                                 GL_BLEND_SRC_ALPHA,
+                                 GL_BLEND_DST_ALPHA,
+                                 GL_BLEND_EQUATION_RGB,
+                                 GL_BLEND_EQUATION_ALPHA};
 
 /// All state that an application could have set and that drawing could change, by name.
 std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
@@ -96,9 +100,9 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
         gl.GetIntegerv(static_cast<GLenum>(name), &value);
         state["integer " + std::to_string(name)] = {static_cast<GLfloat>(value)};
     }
-    for (const auto name :
-         {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK, GL_DEPTH_RANGE, GL_POLYGON_OFFSET_FACTOR,
-          GL_POLYGON_OFFSET_UNITS, GL_SAMPLE_COVERAGE_VALUE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE}) {
+    for (const auto name : {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK, GL_DEPTH_RANGE, GL_POLYGON_OFFSET_FACTOR,
+                            GL_POLYGON_OFFSET_UNITS, GL_SAMPLE_COVERAGE_VALUE, GL_COLOR_CLEAR_VALUE,
+                            GL_DEPTH_CLEAR_VALUE, GL_BLEND_COLOR}) {
         std::vector<GLfloat> values(4);
         gl.GetFloatv(static_cast<GLenum>(name), values.data());
         state["float " + std::to_string(name)] = values;
@@ -168,6 +172,8 @@ class NastyApplication {
         loaded<void(GLenum)>("glCullFace")(GL_FRONT_AND_BACK);
         loaded<void(GLenum)>("glFrontFace")(GL_CW);
         loaded<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ONE);
+        gl.BlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_MIN);
+        gl.BlendColor(0.1f, 0.2f, 0.3f, 0.4f);
         loaded<void(GLenum, GLint, GLuint)>("glStencilFunc")(GL_NEVER, 1, 1);
         loaded<void(GLuint)>("glStencilMask")(2);
         loaded<void(GLfloat, GLboolean)>("glSampleCoverage")(0.25f, GL_TRUE);
@@ -256,6 +262,9 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
                    .camera_water_plane = look.camera_water_plane,
                    .application_scene = application_scene});
     after_each_call("draw");
+    const SprayDroplet droplet{.x_m = 12, .y_m = 8, .z_m = 8, .radius_m = 1, .opacity = 0.5f};
+    renderer.draw_spray({.droplets = {&droplet, 1}});
+    after_each_call("draw_spray");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
     read_target(gl, pixels);
     return pixels;

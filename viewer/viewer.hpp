@@ -21,6 +21,8 @@ struct ViewOptions {
     gl::SeaFloor floor = {};
     /// If set, the sea floor affects the waves, unless the sea state does not support a shore.
     std::optional<ShoreOptions> shore = {};
+    /// Whether spray is drawn. If unset, it is drawn except with Shading::headset.
+    std::optional<bool> spray = {};
     /// Transitions of settings.sea, until the user changes the sea state.
     std::vector<SeaChange> changes = {};
     int width = 1280, height = 720;

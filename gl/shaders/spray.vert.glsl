@@ -25,7 +25,7 @@ const float pi = 3.14159265;
 #include "haze.glsl"
 
 void main() {
-    const float exposure_s = 1.0 / 60.0;
+    const float exposure_s = 1.0 / 40.0;
     const float forward = 0.35;  // fraction of the light that is scattered once
     vec3 from_eye = place.xyz - eye[EYE].xyz;
     float distance_m = length(from_eye);

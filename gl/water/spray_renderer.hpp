@@ -29,9 +29,8 @@ class SprayRenderer {
     void upload(std::span<const SprayDroplet> droplets, const glm::dvec3& viewer_m);
     /// Draws the droplets, blended over the framebuffer, in the order of the upload. The scene's
     /// uniform block, the sky and, with `soft`, the depth texture are bound; the depth test is on.
-    /// \param sample_weight  weight of the sprites in the mean of a pixel's samples. It is one value
-    ///     for all sprites, because the alpha of a pixel holds the opacity while sprites are
-    ///     blended, and then the sum of the weights.
+    /// \param sample_weight  weight of the sprites in the mean of a pixel's samples, one for all.
+    ///     A sprite's alpha is its opacity, so it has no weight of its own.
     void draw(int eye, bool soft, float sample_weight);
 
    private:

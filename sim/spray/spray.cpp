@@ -21,8 +21,8 @@
 namespace pelagic {
 namespace {
 
-/// Candidates along the radius of the reach. A candidate stands for a cell, 1 m wide by default.
-constexpr int cells_of_reach = 80;
+/// Candidates along the radius of the reach. A candidate stands for a cell, 2 m wide by default.
+constexpr int cells_of_reach = 40;
 constexpr double ticks_per_s = 10;
 /// Rounding of times up to 1e9 s, in ticks.
 constexpr double max_rounding = 1e-4;
@@ -33,7 +33,7 @@ constexpr std::int64_t lifetime_ticks = 16;
 constexpr std::size_t max_in_tick = Spray::max_droplets / lifetime_ticks;
 constexpr double max_mean_in_tick = 0.9 * max_in_tick;
 /// Number of droplets of a cell in a tick, where waves break violently in a gale.
-constexpr double droplets_of_cell = 2.5;
+constexpr double droplets_of_cell = 60;
 /// Spray begins to leave crests in this wind (lower end of Beaufort 5), and has its full amount at
 /// the lower end of Beaufort 9, where spindrift begins.
 constexpr double first_wind_mps = 8, gale_mps = 20.8;
@@ -44,7 +44,7 @@ constexpr double wind_near_water = 0.75;
 /// deviations. Less throws in proportion.
 constexpr double full_excess = 0.6;
 /// Crests throw in bursts. A burst has the size of these many cells and ticks.
-constexpr std::int64_t cells_of_burst = 5, ticks_of_burst = 4;
+constexpr std::int64_t cells_of_burst = 2, ticks_of_burst = 4;
 
 constexpr std::array option_fields = {
     NumericField<SprayOptions>{"reach_m", &SprayOptions::reach_m, 10, 200, "[10, 200]"},
@@ -191,9 +191,9 @@ Stored launched(const SurfacePoint& water, double tick_time_s, double tick_s, co
         of_wind = is_torn ? 0.45 : 0.1 * energy;
         up_mps = is_torn ? 0.2 + 0.9 * energy : 0.3 + 1.6 * energy * strength;
         spread_mps = 0.5;
-        droplet.radius_m = static_cast<float>(0.06 + 0.09 * size);
-        droplet.growth_mps = static_cast<float>(0.25 + 0.25 * random.next());
-        droplet.opacity = is_torn ? 0.22f : 0.28f;
+        droplet.radius_m = static_cast<float>(0.07 + 0.13 * size);
+        droplet.growth_mps = static_cast<float>(0.3 + 0.5 * random.next());
+        droplet.opacity = is_torn ? 0.5f : 0.55f;
     }
     droplet.flight.relaxation_s = relaxation_of(drop_mm);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -312,8 +312,9 @@ struct Spray::State {
             Random random(split_mix(candidate.key));
             const auto droplets = static_cast<int>(std::floor(candidate.droplets * kept + random.next()));
             for (int n = 0; n < droplets && launches < max_in_tick; ++n, ++launches) {
-                const double x = candidate.x_m + (n == 0 ? 0 : 0.5 * cell_m * random.spread());
-                const double z = candidate.z_m + (n == 0 ? 0 : 0.5 * cell_m * random.spread());
+                const double x = candidate.x_m + (n == 0 ? 0 : 0.75 * cell_m * random.spread());
+                const double z = candidate.z_m + (n == 0 ? 0 : 0.75 * cell_m * random.spread());
+                if (n > 0 && surface.compression(x, z) < frame.statistics.foam_level) continue;
                 of_crests.add(launched(surface.at(x, z), time_of(tick), tick_s, wind, random));
             }
         }

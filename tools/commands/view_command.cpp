@@ -128,6 +128,7 @@ void ViewCommand::run() {
                                 .threads = scene.compute.threads};
     options.floor = scene.floor;
     options.shore = scene.shore;
+    if (scene.spray != SprayUse::automatic) options.spray = scene.spray == SprayUse::on;
     options.changes = forecast_of(scene.sea).changes;
     options.save_image = [&](std::span<const std::uint8_t> pixels, int width, int height) {
         const std::filesystem::path file = next_image(folder);
@@ -137,9 +138,11 @@ void ViewCommand::run() {
         std::fflush(stdout);
     };
     const viewer::ViewResult result = viewer::show_sea(options);
+    const std::string spray_text =
+        scene.spray == SprayUse::automatic ? "" : " --spray " + std::string(name_of(scene.spray));
     std::printf("%llu frames, by %s. Equivalent command without a window:\n  %s\n",
                 static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
-                (render_command_of(result) + scene_.typed_floor()).c_str());
+                (render_command_of(result) + scene_.typed_floor() + spray_text).c_str());
 }
 
 }  // namespace
