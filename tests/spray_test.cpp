@@ -255,7 +255,7 @@ TEST(Spray, RejectsBadInputInOneLine) {
     EXPECT_EQ(emit({.count = -1}), "count -1 is out of range [0, 8192]");
     EXPECT_EQ(emit({.count = 5000}, 2), "count 10000 is out of range [0, 8192] for all emitters of a call");
     EXPECT_EQ(spray.droplets_at(0).size(), 0u) << "a rejected call changes nothing";
-    EXPECT_EQ(message_of([] { Spray({.reach_m = nan}); }), "reach_m nan is out of range [10, 200]");
+    EXPECT_EQ(message_of([&] { Spray({.reach_m = nan}); }), "reach_m nan is out of range [10, 200]");
     EXPECT_EQ(message_of([] { Spray({.loop_period_s = 0.5}); }),
               "loop_period_s 0.5 is out of range [1, 1e6], or 0 for no loop");
     EXPECT_EQ(message_of([&] { spray.missing_tick_s(nan); }), "time_s nan is out of range [-1e9, 1e9]");

@@ -9,10 +9,8 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "pelagic/gl/meshes/boat.hpp"
@@ -21,13 +19,13 @@
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/spray.hpp"
 #include "pelagic/viewer/camera_view.hpp"
 #include "pelagic/viewer/panel_renderer.hpp"
 #include "pelagic/viewer/picked_place.hpp"
 #include "pelagic/viewer/render_scale.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/steered_boat.hpp"
+#include "pelagic/viewer/view_spray.hpp"
 #include "pelagic/viewer/window.hpp"
 
 namespace pelagic::viewer {
@@ -217,7 +215,7 @@ class Viewer {
             } else if (ocean_supports(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
-                if (spray_ocean_) spray_ocean_->schedule_sea(shown_sea_);
+                if (spray_) spray_->ocean().schedule_sea(shown_sea_);
                 statistics_.sea_is_baking = true;
             } else {
                 create_ocean();
@@ -243,7 +241,7 @@ class Viewer {
         if (settings_.frozen || settings_.change_over_s < min_change_s) return false;
         try {
             ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
-            if (spray_ocean_) spray_ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
+            if (spray_) spray_->ocean().schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
         } catch (const std::invalid_argument&) {
             // The sea has longer waves or other cascades, or a later transition is already
             // scheduled.
@@ -272,50 +270,20 @@ class Viewer {
                                     .foam = true,
                                     .dynamic_waves = dynamic_waves,
                                     .shore = has_shore ? options_.shore : std::nullopt});
-        create_spray(changes, has_shore);
+        spray_.reset();
+        if (options_.spray.value_or(true))
+            spray_ = std::make_unique<ViewSpray>(Forecast{.first = shown_sea_, .changes = changes},
+                                                 OceanOptions{.executor = make_default_executor(options_.threads),
+                                                              .shore = has_shore ? options_.shore : std::nullopt});
         boat_source_.reset();
         ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
 
-    void create_spray(const std::vector<SeaChange>& changes, bool has_shore) {
-        spray_.reset();
-        spray_ocean_.reset();
-        spray_scheduled_s_.reset();
-        if (!options_.spray.value_or(true)) return;
-        spray_.emplace(SprayOptions{.loop_period_s = shown_sea_.loop_period_s});
-        spray_ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
-                             OceanOptions{.executor = make_default_executor(options_.threads),
-                                          .velocities = true,
-                                          .shore = has_shore ? options_.shore : std::nullopt});
-    }
-
     bool draws_spray() const {
         const bool is_wanted = options_.spray.value_or(statistics_.shading != gl::Shading::headset);
         return spray_ && is_wanted && surface_ == gl::Surface::open && !settings_.wireframe;
-    }
-
-    /// Completes the tick that is in flight. Its frame is lost unless it is used now.
-    void complete_spray() {
-        if (std::exchange(spray_scheduled_s_, std::nullopt)) spray_ocean_->complete();
-    }
-
-    /// Returns the droplets of a time. Schedules the next tick, which is computed while images are
-    /// drawn.
-    std::span<const SprayDroplet> spray_at(double time_s, const glm::dvec3& viewer_m) {
-        if (!draws_spray()) return {};
-        while (const std::optional<double> tick_s = spray_->missing_tick_s(time_s)) {
-            const bool is_scheduled = spray_scheduled_s_ == tick_s;
-            complete_spray();
-            spray_->add_tick(is_scheduled ? spray_ocean_->complete() : spray_ocean_->frame_at(*tick_s), viewer_m.x,
-                             viewer_m.z);
-        }
-        if (!settings_.frozen && !spray_scheduled_s_) {
-            spray_scheduled_s_ = spray_->missing_tick_s(time_s + spray_->tick_s());
-            if (spray_scheduled_s_) spray_ocean_->schedule(*spray_scheduled_s_);
-        }
-        return spray_->droplets_at(time_s);
     }
 
     void apply_sky() {
@@ -390,10 +358,7 @@ class Viewer {
         stage_times_->end_frame();
         if (statistics_.sea_is_baking && ocean_->sea_is_ready()) {
             ocean_->complete_sea();
-            if (spray_ocean_) {
-                complete_spray();
-                spray_ocean_->complete_sea();
-            }
+            if (spray_) spray_->complete_sea();
             statistics_.sea_is_baking = false;
             ++changes_;
         }
@@ -568,7 +533,8 @@ class Viewer {
                              .weighs_samples = true,
                              .camera_water_plane = camera_water_plane(frame),
                              .application_scene = draw_boat(eye, exposure)});
-        renderer_->draw_spray({.droplets = spray_at(frame.time_s, camera.position_m)});
+        if (draws_spray())
+            renderer_->draw_spray({.droplets = spray_->at(frame.time_s, camera.position_m, !settings_.frozen)});
         statistics_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         statistics_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         statistics_.draw_calls = drawn.sea_calls + drawn.sky_calls;
@@ -633,9 +599,7 @@ class Viewer {
     std::optional<gl::Shading> followed_shading_;  ///< settings_.shading of scale_by_time_
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;
-    std::optional<Spray> spray_;
-    std::optional<Ocean> spray_ocean_;         ///< frames of the ticks of spray
-    std::optional<double> spray_scheduled_s_;  ///< time of its frame in flight
+    std::unique_ptr<ViewSpray> spray_;
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;
