@@ -33,7 +33,7 @@ constexpr std::int64_t lifetime_ticks = 16;
 constexpr std::size_t max_in_tick = Spray::max_droplets / lifetime_ticks;
 constexpr double max_mean_in_tick = 0.9 * max_in_tick;
 /// Number of droplets of a cell in a tick, where waves break violently in a gale.
-constexpr double droplets_of_cell = 60;
+constexpr double droplets_of_cell = 120;
 /// Spray begins to leave crests in this wind (lower end of Beaufort 5), and has its full amount at
 /// the lower end of Beaufort 9, where spindrift begins.
 constexpr double first_wind_mps = 8, gale_mps = 20.8;
@@ -189,11 +189,11 @@ Stored launched(const SurfacePoint& water, double tick_time_s, double tick_s, co
         const bool is_torn = random.next() < spindrift;
         drop_mm = is_torn ? 0.15 + 0.25 * size : 0.25 + 0.55 * size;
         of_wind = is_torn ? 0.45 : 0.1 * energy;
-        up_mps = is_torn ? 0.2 + 0.9 * energy : 0.3 + 1.6 * energy * strength;
+        up_mps = is_torn ? 0.3 + 1.2 * energy : 0.3 + 1.8 * energy * strength;
         spread_mps = 0.5;
-        droplet.radius_m = static_cast<float>(0.07 + 0.13 * size);
-        droplet.growth_mps = static_cast<float>(0.3 + 0.5 * random.next());
-        droplet.opacity = is_torn ? 0.5f : 0.55f;
+        droplet.radius_m = static_cast<float>(is_torn ? 0.12 + 0.25 * size : 0.08 + 0.14 * size);
+        droplet.growth_mps = static_cast<float>((is_torn ? 0.9 : 0.35) * (1 + random.next()));
+        droplet.opacity = 0.6f;
     }
     droplet.flight.relaxation_s = relaxation_of(drop_mm);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -290,8 +290,9 @@ struct Spray::State {
                 if (away >= 1) continue;
                 const double excess = surface.compression(x, z) - frame.statistics.foam_level;
                 if (excess <= 0) continue;
-                // Fewer droplets near the end of the reach, so that no edge is visible.
-                const double fade = std::min(1.0, 3 * (1 - away));
+                // Fewer droplets far away, where they are small in an image, and none at the end of
+                // the reach, so that no edge is visible.
+                const double fade = std::min(1.0, 3 * (1 - away)) / (1 + 4 * away);
                 const double droplets =
                     amount * fade * std::min(excess / full_excess, 1.0) * burst(tick, cell_x, cell_z);
                 candidates[count++] = {x, z, droplets, of_cell};
