@@ -35,6 +35,26 @@ OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
     return image;
 }
 
+// The shading of headsets leaves spray out, unless it is asked for.
+TEST(RenderCommand, DrawsSpray) {
+    const TemporaryFolder folder;
+    const auto droplets = [&](const std::string& file, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"render", "--preset", "beaufort-10", "--resolution",
+                                          "64",     "--size",   "96x54",       "--quality",
+                                          "low",    "--json",   "--out",       (folder / file).string()};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome run = run_pelagic(words);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return nlohmann::json::parse(run.out)["statistics"]["spray_droplets"].get<int>();
+    };
+    const int all = droplets("with.png", {});
+    EXPECT_GT(all, 500);
+    EXPECT_EQ(droplets("without.png", {"--spray", "off"}), 0);
+    EXPECT_GT(difference(read_pixels(folder / "with.png"), read_pixels(folder / "without.png")), 0);
+    EXPECT_EQ(droplets("headset.png", {"--shading", "headset"}), 0);
+    EXPECT_EQ(droplets("asked_for.png", {"--shading", "headset", "--spray", "on"}), all);
+}
+
 // The reference images were made by the command itself and inspected; PELAGIC_UPDATE_IMAGES=1 makes
 // new ones.
 TEST(RenderCommand, ImagesMatchTheReferences) {
@@ -355,6 +375,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --hdr is a.exr, expected a sea without --wireframe, whose colours are no radiance\n"},
         {{"--out", "a.png", "--surface", "sea"},
          "pelagic: --surface is sea, expected open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--spray", "some"}, "pelagic: --spray is some, expected auto, on or off\n"},
+        {{"--out", "a.png", "--spray", "on", "--surface", "lake"}, "pelagic: --spray on requires --surface open\n"},
         {{"--out", "a.png", "--flow", "a.png"}, "pelagic: --flow requires --surface river\n"},
         {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
          "pelagic: --flow is /dev/null, expected a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "

@@ -172,6 +172,7 @@ class OfflineRenderer {
                 {"patches", selection_.list().instances.size()},
                 {"uploaded_bytes", last.upload_bytes},
                 {"instance_bytes", last.instance_bytes},
+                {"spray_droplets", droplets_.size()},
                 {"median_ms",
                  {{"sea", median(measured_.sea_ms)},
                   {"select", median(measured_.select_ms)},

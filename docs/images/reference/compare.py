@@ -79,7 +79,7 @@ class Comparison:
         image, sky = self.folder / f"{name}_ours.exr", self.folder / f"{name}_sky.exr"
         said = subprocess.check_output([
             self.pelagic, "render", *scenes.sea, "--clouds", "0", "--camera", numbers(camera), "--target", numbers(target),
-            "--sun", numbers(sun), "--fov", str(scenes.fov_deg), "--size", f"{scenes.width}x{scenes.height}",
+            "--spray", "off", "--sun", numbers(sun), "--fov", str(scenes.fov_deg), "--size", f"{scenes.width}x{scenes.height}",
             "--hdr", str(image), "--sky", str(sky), "--json"])
         said = json.loads(said)
         return image, sky, said["sky"], said["water"]
