@@ -363,6 +363,7 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--out", "a.png", "--exposure", "21"},
          "pelagic: --exposure is 21, expected auto, or an exposure value in [-10, 20]\n"},
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, expected stops in [-5, 5]\n"},
+        {{"--out", "a.png", "--crest-glow", "11"}, "pelagic: --crest-glow is 11, expected a factor in [0, 10]\n"},
         {{"--out", "a.png", "--rock", "3"},
          "pelagic: --rock is 3, expected X,Z in metres, each in [-10000, 10000]\n"},
         {{"--out", "a.png", "--rock", "3,4", "--stereo"},

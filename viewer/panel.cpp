@@ -77,8 +77,8 @@ void choose_quality(std::string& quality) {
     ImGui::EndCombo();
 }
 
-/// Shows the light presets. A preset sets the whole sky and the exposure bias at once; the user can
-/// then change each value.
+/// Shows the light presets. A preset sets the whole sky, the exposure bias and the light through
+/// crests at once.
 void choose_light(ViewSettings& settings) {
     if (!ImGui::BeginCombo("light", settings.light.empty() ? "choose ..." : settings.light.c_str())) return;
     for (const gl::LightPreset& preset : gl::light_presets()) {
@@ -87,6 +87,7 @@ void choose_light(ViewSettings& settings) {
         settings.light = name;
         settings.sky = preset.sky;
         settings.camera.bias_stops = preset.bias_stops;
+        settings.crest_glow = preset.crest_glow;
     }
     ImGui::EndCombo();
 }

@@ -27,6 +27,7 @@ struct ViewSettings {
     /// high if the scale is fixed or the view is static.
     std::optional<gl::Shading> shading;
     gl::CameraSettings camera;
+    float crest_glow = 1;  ///< gl::DrawInput::crest_glow
     gl::Surface surface = gl::Surface::open;
     std::optional<gl::FlowMap> flow;  ///< flow of a river; if empty, a winding channel
     std::string quality = "high";

@@ -530,6 +530,7 @@ class Viewer {
                              .lod_scale = selection_->options().lod_scale,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = exposure,
+                             .crest_glow = settings_.crest_glow,
                              .weighs_samples = true,
                              .camera_water_plane = camera_water_plane(frame),
                              .application_scene = draw_boat(eye, exposure)});

@@ -17,7 +17,6 @@ const float fresh_foam_m = 0.12;  // height of fresh foam above the water
 
 struct Foam {
     float cover;      // covered fraction of the pixel
-    float fresh;      // fraction of the pixel that is breaking now
     float thickness;  // 0: a film of old bubbles, 1: fresh and opaque
     float plume;      // bubbles below the surface, 0 to 1
     vec2 slopes;      // slopes of the relief
@@ -137,7 +136,7 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
         thickness *= 1.0 - 0.25 * seen * (1.0 - third.w);
     }
 #endif
-    return Foam(cover, fresh, thickness, plume, relief, hollow);
+    return Foam(cover, thickness, plume, relief, hollow);
 }
 
 // Returns the albedo, from 0.2 for a translucent film to 0.7 for thick foam in visible light

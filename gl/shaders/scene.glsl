@@ -77,8 +77,11 @@ layout(std140) uniform Scene {
     highp vec4 water_absorption;
     // xyz: backscattering, 1/m; w: mean square slope of the detail
     highp vec4 water_backscattering;
-    // xyz: scattering in all directions, 1/m
-    highp vec4 water_scattering;
+    // xyz: direction of sunlight that has entered the back of a wave; w: 1 / y
+    highp vec4 crest_ray;
+    // xyz: sunlight and skylight through crests, with all factors of through_crests() that are
+    // uniform
+    highp vec4 crest_sun, crest_sky;
     // x: significant wave height; y: alpha of the unresolved (subgrid) waves; zw: wind direction
     highp vec4 waves;
     // xy: cosine and sine of a layer's rotation, divided by its period; zw: cosine and sine

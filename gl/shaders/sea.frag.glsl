@@ -133,7 +133,7 @@ void main() {
 #endif
 
     float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    water_light += through_crests(normal, to_eye, height, foam.fresh);
+    water_light += through_crests(normal, to_eye, height);
     vec3 mirrored = mirrored_light(normal, to_eye, surface.alpha2, water_light);
 #ifdef MIRRORS_SCENE
     mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);

@@ -16,18 +16,24 @@ vec3 upwelling(vec3 normal, vec3 to_eye) {
            (sunlight_below() / (cosine_in_water(max(sun.y, 0.0)) + seen) + skylight_below() / (sky_in_water + seen));
 }
 
-// Returns light that enters the back of a crest and leaves it towards the eye. The path through the
-// crest is short near the top of a high wave, and scattering is strongly forward. A crest that
-// begins to break is full of bubbles, which scatter much more than clear water.
-vec3 through_crests(vec3 normal, vec3 to_eye, float height, float breaking) {
-    float crest = clamp(height / (0.75 * waves.x), 0.0, 1.0);
-    float path = waves.x * mix(1.6, 0.25, crest);
-    vec3 taken = exp(-attenuation_of_water() * path);
-    float towards = dot(-to_eye, sun.xyz);
-    // Particles alone have g = 0.92. Refraction at both faces of the crest widens the lobe.
-    float phase = henyey_greenstein(towards, 0.8);
-    // Light passes through faces that point towards the eye and away from the sun.
-    float faces = clamp(2.0 * dot(normal, to_eye), 0.0, 1.0) * clamp(0.75 - 0.75 * dot(normal, sun.xyz), 0.0, 1.0);
-    float scattered = 1.0 - exp(-(water_scattering.g + 0.3 * breaking) * path);
-    return taken * (crest * crest * faces * scattered) * (sun_irradiance.rgb * phase + sky_irradiance.rgb / (4.0 * pi));
+// Returns the light of a face that is turned away from the sun, in excess of upwelling(), before
+// the Fresnel transmittance is applied. A flat sea has none.
+//
+// Sunlight enters the wave from behind, along crest_ray, and is scattered once towards the eye. At
+// the angle A, away from the forward peak, the phase function of Henyey and Greenstein is nearly
+// 0.096 bb / sin^3(A / 2), where bb is the backscattering: the asymmetry cancels. upwelling() has
+// 0.18 bb of it. The ray from the eye runs about parallel to the back of the wave, so the light
+// from all points of the ray is 0.75 / (a + bb) of that at its start. crest_sun has the factors
+// that are uniform (place_crest_light() of gl/water/scene_block.cpp).
+//
+// Sunlight reaches the face from the level of the crest. Heights of crests have a Rayleigh
+// distribution, whose mean is 0.31 times the significant wave height.
+vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
+    float away = clamp(6.0 * dot(normal.xz, crest_ray.xz), 0.0, 1.0);
+    float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / water_index), crest_ray.xyz), 0.1);
+    float scattered = max(0.27 * inversesqrt(narrow * narrow * narrow) - 0.18, 0.0);
+    float depth = max(0.31 * waves.x - height, 0.0);
+    vec3 k = attenuation_of_water();
+    return away * water_backscattering.rgb / k * exp(k * (depth * crest_ray.w)) *
+           (scattered * crest_sun.rgb + crest_sky.rgb);
 }

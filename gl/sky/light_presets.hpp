@@ -1,4 +1,5 @@
-// Named light presets: position of the sun or the moon, clouds, visibility, and exposure bias.
+// Named light presets: position of the sun or the moon, clouds, visibility, exposure bias and light
+// through crests.
 #pragma once
 
 #include <span>
@@ -13,6 +14,7 @@ struct LightPreset {
     std::string_view meaning;  ///< description for help texts, one line
     SkyOptions sky;
     float bias_stops = 0;  ///< value for CameraSettings::bias_stops
+    float crest_glow = 1;  ///< value for DrawInput::crest_glow
 };
 
 /// Returns all presets: noon, golden-hour, overcast, storm, moonlight.

@@ -192,6 +192,27 @@ void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm:
 
 }  // namespace
 
+void place_crest_light(SceneBlock& block, float gain) {
+    // The back of a wave faces the sun. Its slope, the path's factor, and the skylight fit
+    // docs/images/reference/crest_light.csv.
+    constexpr float back_slope = 0.25f, path_factor = 0.75f, skylight = 0.045f;
+    constexpr float index = 1.333f;  // water_index of water_light.glsl
+    const glm::vec3 sun(block.sun);
+    const float across = std::max(std::hypot(sun.x, sun.z), 1e-6f);
+    const glm::vec3 back = glm::normalize(glm::vec3(back_slope * sun.x / across, 1, back_slope * sun.z / across));
+    const float cosine = std::max(glm::dot(back, sun), 0.01f);
+    const glm::vec3 ray = glm::refract(-sun, back, 1 / index);
+    const float inner = -glm::dot(ray, back);
+    // Fresnel's reflectance of unpolarised light.
+    const float s = (cosine - index * inner) / (cosine + index * inner);
+    const float p = (index * cosine - inner) / (index * cosine + inner);
+    const float entering = (1 - 0.5f * (s * s + p * p)) * cosine / inner;
+    block.crest_ray = {ray, 1 / ray.y};
+    block.crest_sun =
+        glm::vec4(glm::vec3(block.sun_irradiance) * (gain * path_factor * entering / (index * index)), 0);
+    block.crest_sky = glm::vec4(glm::vec3(block.sky_irradiance) * (gain * skylight), 0);
+}
+
 SeaFacts facts_of(const Frame& frame) {
     SeaFacts facts{.sea = frame.sea,
                    .statistics = frame.statistics,
@@ -255,7 +276,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     const float alpha = static_cast<float>(facts.statistics.roughness);
     const float detail_square = detail_fraction * alpha * alpha;
     block.water_backscattering = {water.backscattering_per_m, detail_square};
-    block.water_scattering = {water.scattering_per_m, 0};
+    place_crest_light(block, input.crest_glow);
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.statistics.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_cascades(block, facts, viewer);

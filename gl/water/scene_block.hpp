@@ -27,7 +27,7 @@ struct SceneBlock {
     std::array<glm::vec4, max_cascades> cascade_place{}, cascade_scale{}, cascade_slope{}, cascade_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
-    glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
+    glm::vec4 water_absorption{}, water_backscattering{}, crest_ray{}, crest_sun{}, crest_sky{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{};
     // Values for rendering below the surface.
@@ -135,6 +135,9 @@ glm::ivec2 floor_cells(const FloorFacts& floor);
 struct DrawInput;
 /// Computes the uniform block, except for the members that place_below() sets.
 SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
+/// Sets the light through crests, from sun and sky of the block.
+/// \param gain  factor; 1 is true to nature
+void place_crest_light(SceneBlock& block, float gain);
 /// Sets the members for rendering below the surface: lens, floor and caustics.
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics);

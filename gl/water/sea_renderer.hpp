@@ -63,6 +63,8 @@ struct RendererOptions {
     bool dynamic_waves = false;
 };
 
+inline constexpr float max_crest_glow = 10;
+
 enum class DrawMode { shaded, wireframe };
 
 struct DrawInput {
@@ -75,6 +77,9 @@ struct DrawInput {
     bool draws_sky = true;
     /// Factor applied to radiance before the tone curve. If empty, the sky's exposure is used.
     std::optional<float> exposure = {};
+    /// Factor applied to the light that shines through wave crests; [0, max_crest_glow], 1 is true
+    /// to nature.
+    float crest_glow = 1;
     /// With PixelKind::radiance: multiplies each sample by a weight and writes the weight to alpha.
     /// The weight falls with the exposed luminance; gl/display.hpp divides by it. If false, alpha
     /// is 1, and samples average to true radiance.

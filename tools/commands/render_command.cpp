@@ -230,6 +230,7 @@ class OfflineRenderer {
                             .lod_scale = options_.scene.quadtree.lod_scale,
                             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                             .exposure = exposure(),
+                            .crest_glow = options_.scene.crest_glow,
                             .weighs_samples = weighs_samples,
                             .camera_water_plane = water,
                             .application_scene = application_scene});

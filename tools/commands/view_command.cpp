@@ -51,6 +51,7 @@ std::string light_text(const viewer::ViewSettings& settings) {
     if (settings.shading) text += " --shading " + std::string(name_of(*settings.shading));
     if (settings.camera.fixed_ev) text += " --exposure " + hundredths(*settings.camera.fixed_ev);
     if (settings.camera.bias_stops != 0) text += " --exposure-bias " + hundredths(settings.camera.bias_stops);
+    if (settings.crest_glow != 1) text += " --crest-glow " + hundredths(settings.crest_glow);
     if (settings.camera.bloom != defaults.bloom) text += " --bloom " + hundredths(settings.camera.bloom);
     return text;
 }
@@ -118,6 +119,7 @@ void ViewCommand::run() {
                                              .water = scene.water,
                                              .shading = scene.shading,
                                              .camera = scene.settings,
+                                             .crest_glow = scene.crest_glow,
                                              .surface = scene.surface,
                                              .flow = scene.flow,
                                              .quality = scene.quality,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/gl/sky/light_presets.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/encode/flow_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -122,6 +123,7 @@ void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
     add("moon", "AZIMUTH,ELEVATION", "direction in degrees (default: opposite the sun, full)");
     add("clouds", "FRACTION", "cloud cover; [0, 1] (default: depends on the wind)");
     add("visibility", "METRES", "distance of 2 % contrast; [500, 300000] (default: depends on the wind)");
+    add("crest-glow", "GAIN", "factor on light through wave crests; [0, 10]; 1 is true to nature (default: 1)");
     add("exposure", "EV", "exposure value at ISO 100; [-10, 20], or auto: metered (default: auto)");
     add("exposure-bias", "STOPS", "exposure compensation; [-5, 5] (default: 0)");
     add("bloom", "FRACTION", "light scattered in the lens; [0, 1] (default: 0.04)");
@@ -185,6 +187,7 @@ SceneOptions SceneFlags::resolve() const {
         options.light = light.name;
         options.sky = light.sky;
         options.settings.bias_stops = light.bias_stops;
+        options.crest_glow = light.crest_glow;
     });
     given("sun", [&](const auto& option, const auto& text) {
         read_direction(option, text, options.sky.sun_azimuth_rad, options.sky.sun_elevation_rad);
@@ -201,6 +204,10 @@ SceneOptions SceneFlags::resolve() const {
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
     given("visibility", [&](const auto& option, const auto& text) {
         options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
+    });
+    given("crest-glow", [&](const auto& option, const auto& text) {
+        const auto max = double{gl::max_crest_glow};
+        options.crest_glow = static_cast<float>(number_in(option, text, 0, max, "a factor in [0, 10]"));
     });
     read_camera_settings(options.settings);
     choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));

@@ -39,6 +39,7 @@ struct SceneOptions {
     gl::WaterOptics water;
     std::optional<gl::Shading> shading;  ///< unset: high, or adapted to a window's frame time
     gl::CameraSettings settings;
+    float crest_glow = 1;  ///< gl::DrawInput::crest_glow
     gl::SeaFloor floor;
     std::optional<ShoreOptions> shore;  ///< the floor's heights with --shore
     gl::Surface surface = gl::Surface::open;
