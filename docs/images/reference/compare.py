@@ -98,7 +98,7 @@ class Comparison:
                 cycles_scene.add_world(scene, None if sun else sky)
                 if sun:
                     cycles_scene.add_sun(scene, sun, light["sun_irradiance"])
-                cycles_scene.add_sea(scene, sea, water, sun)
+                cycles_scene.add_sea(scene, sea, cycles_scene.water_material(water, sun))
                 cycles_scene.add_camera(scene, camera, target, scenes.fov_deg)
                 cycles_scene.render(scene, file)
         _, _, of_sun = colours(files["sun"])

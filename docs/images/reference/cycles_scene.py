@@ -137,7 +137,7 @@ class Nodes:
 
 def rough_glass(nodes, alpha_root, part):
     """Returns reflection and refraction with Beckmann's distribution, which is the Gaussian of
-    slopes. \\param part  reflected fraction"""
+    slopes. \param part  reflected fraction"""
     mirror, lens = (nodes.bsdf(kind, alpha_root, "BECKMANN") for kind in ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction"))
     return nodes.mixed(part, lens, mirror)
 
@@ -193,10 +193,34 @@ def sky_share(nodes, eye, towards, mean_square):
     return nodes.math("MULTIPLY", nodes.math("GREATER_THAN", towards, 0.0), nodes.math("MULTIPLY_ADD", lit, 0.7, 0.3))
 
 
-def surface_in_skylight(nodes, geometry, mean_square):
+def ripple_slopes(nodes, ripples):
+    """Returns the slopes of ripples at a point, and their mean square around it.
+    \param ripples  `image` of slopes, `side_m` and `mean_square`"""
+    gust = nodes.add("ShaderNodeAttribute", attribute_name="gust").outputs["Fac"]
+    place = nodes.add("ShaderNodeAttribute", attribute_name="rest").outputs["Vector"]
+    axes = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.give(axes.inputs[0], place)
+    at = nodes.add("ShaderNodeCombineXYZ")
+    for axis, name in (("X", "X"), ("Y", "Z")):
+        nodes.give(at.inputs[axis], nodes.math("DIVIDE", axes.outputs[name], ripples.side_m))
+    texture = nodes.add("ShaderNodeTexImage", image=ripples.image, interpolation="Cubic", extension="REPEAT")
+    nodes.give(texture.inputs["Vector"], at.outputs["Vector"])
+    scaled = nodes.add("ShaderNodeVectorMath", operation="SCALE")
+    nodes.give(scaled.inputs[0], texture.outputs["Color"])
+    nodes.give(scaled.inputs["Scale"], nodes.math("SQRT", gust))
+    return scaled.outputs[0], nodes.math("MULTIPLY", gust, ripples.mean_square)
+
+
+def surface_in_skylight(nodes, geometry, mean_square, below=None, slopes_of_ripples=None, all_square=None):
     """Each sample hits one smooth facet, whose slopes are drawn from the Gaussian distribution and
     whose weight is its visible area. So the Fresnel reflectance and the direction of the light are
-    those of the same facet."""
+    those of the same facet.
+
+    \param below  returns the closure of light from below of a transmitted fraction; if None, the
+                  light is refracted into the mesh
+    \param slopes_of_ripples, all_square  if given, ripples lean each facet; their mean square is
+                  part of `all_square`, with `mean_square`"""
+    all_square = all_square or mean_square
     dice = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
     nodes.give(dice.inputs["Vector"], geometry.outputs["Position"])
     parts = nodes.add("ShaderNodeSeparateXYZ")
@@ -210,16 +234,18 @@ def surface_in_skylight(nodes, geometry, mean_square):
     nodes.give(slopes.inputs["Y"], nodes.math("MULTIPLY", far, nodes.math("SINE", angle)))
     eye, normal = geometry.outputs["Incoming"], geometry.outputs["Normal"]
     leaning = nodes.vector("ADD", normal, slopes.outputs["Vector"])
+    if slopes_of_ripples:
+        leaning = nodes.vector("ADD", leaning, slopes_of_ripples)
     facet = nodes.vector("NORMALIZE", leaning)
     weight = nodes.math("DIVIDE", nodes.math("MAXIMUM", nodes.vector("DOT_PRODUCT", eye, leaning), 0.0),
-                        area_seen(nodes, nodes.vector("DOT_PRODUCT", eye, normal), mean_square))
+                        area_seen(nodes, nodes.vector("DOT_PRODUCT", eye, normal), all_square))
     mirrored = nodes.math("MULTIPLY", weight, nodes.fresnel(facet))
     towards = nodes.vector("SUBTRACT", nodes.vector("MULTIPLY", facet, doubled(nodes, nodes.vector("DOT_PRODUCT", eye, facet))), eye)
-    share = sky_share(nodes, nodes.vector("DOT_PRODUCT", eye, normal), nodes.vector("DOT_PRODUCT", towards, normal), mean_square)
+    share = sky_share(nodes, nodes.vector("DOT_PRODUCT", eye, normal), nodes.vector("DOT_PRODUCT", towards, normal), all_square)
     through = nodes.math("SUBTRACT", weight, mirrored)
     mirrored = nodes.math("MULTIPLY", mirrored, share)
     mirror = nodes.bsdf("ShaderNodeBsdfGlossy", 0.0, "SHARP", mirrored, facet)
-    lens = nodes.bsdf("ShaderNodeBsdfRefraction", 0.0, "SHARP", through, facet)
+    lens = below(through) if below else nodes.bsdf("ShaderNodeBsdfRefraction", 0.0, "SHARP", through, facet)
     return nodes.sum(mirror, lens)
 
 
@@ -243,7 +269,7 @@ def add_surface(tree, sun):
 
 
 def water_material(optics, sun):
-    """Returns a rough surface over a medium. \\param optics  "water" of `pelagic render --json`
+    """Returns a rough surface over a medium. \param optics  "water" of `pelagic render --json`
 
     Forward scattering hardly changes the light, so only backward scattering matters, and its shape.
     That of real water is nearly uniform from 120 to 180 degrees (Petzold 1972), while the phase
@@ -278,7 +304,58 @@ def water_material(optics, sun):
     return material
 
 
-def add_sea(scene, sea, optics, sun):
+def surface_with_ripples_in_sunlight(nodes, geometry, mean_square, sun, slopes_of_ripples, all_square):
+    """The light of a rippled facet counts by its visible area."""
+    eye, normal = geometry.outputs["Incoming"], geometry.outputs["Normal"]
+    leaning = nodes.vector("ADD", normal, slopes_of_ripples)
+    weight = nodes.math("DIVIDE", nodes.math("MAXIMUM", nodes.vector("DOT_PRODUCT", eye, leaning), 0.0),
+                        area_seen(nodes, nodes.vector("DOT_PRODUCT", eye, normal), all_square))
+    middle = nodes.vector("NORMALIZE", nodes.vector("ADD", eye, tuple(blender(sun))))
+    colour = nodes.math("MULTIPLY", weight, nodes.fresnel(middle))
+    return nodes.bsdf("ShaderNodeBsdfGlossy", nodes.math("POWER", mean_square, 0.25), "BECKMANN", colour,
+                      nodes.vector("NORMALIZE", leaning))
+
+
+def opaque_water_material(optics, light, sun, ripples):
+    """Returns a rough surface over water whose upwelling radiance is uniform and in closed form
+    (Gordon 1973): 0.57 / pi bb / (a + bb) E / (s + v), with the cosines s and v of light and view
+    in the water, and E just below the surface.
+
+    \param light    "sky" of `pelagic render --json`
+    \param ripples  `image` of slopes, `side_m` and `mean_square`"""
+    material = bpy.data.materials.new("water")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    nodes = Nodes(tree)
+    mean_square = nodes.add("ShaderNodeAttribute", attribute_name="roughness").outputs["Fac"]
+    geometry = nodes.add("ShaderNodeNewGeometry")
+    high = max(light["sun_direction"][1], 0)
+    sun_below, sky_below = math.sqrt(1 - (1 - high * high) / water_index ** 2), 0.86
+    seen = 0.75  # of rays 12 to 30 degrees below the horizon
+    radiance = [0.57 / (math.pi * water_index ** 2) * bb / (a + bb) *
+                (0.97 * high * e / (sun_below + seen) + 0.934 * sky / (sky_below + seen))
+                for a, bb, e, sky in zip(optics["absorption_per_m"], optics["backscattering_per_m"],
+                                         light["sun_irradiance"], light["sky_irradiance"])]
+
+    def upwelling(transmitted):
+        node = nodes.add("ShaderNodeEmission")
+        node.inputs["Color"].default_value = radiance + [1]
+        nodes.give(node.inputs["Strength"], transmitted)
+        return node.outputs["Emission"]
+
+    slopes, of_ripples = ripple_slopes(nodes, ripples)
+    all_square = nodes.math("ADD", mean_square, of_ripples)
+    if sun:
+        surface = surface_with_ripples_in_sunlight(nodes, geometry, mean_square, sun, slopes, all_square)
+    else:
+        surface = surface_in_skylight(nodes, geometry, mean_square, upwelling, slopes, all_square)
+    tree.links.new(surface, nodes.add("ShaderNodeOutputMaterial").inputs["Surface"])
+    return material
+
+
+def add_sea(scene, sea, material, smooth=False):
+    """\param smooth  interpolate normals between vertices"""
     vertices, quads = len(sea.places) // 3, len(sea.quads) // 4
     mesh = bpy.data.meshes.new("sea")
     mesh.vertices.add(vertices)
@@ -289,9 +366,13 @@ def add_sea(scene, sea, optics, sun):
     mesh.polygons.foreach_set("loop_start", range(0, 4 * quads, 4))
     mesh.polygons.foreach_set("loop_total", [4] * quads)
     mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
+    if hasattr(sea, "rest"):
+        mesh.attributes.new("rest", "FLOAT_VECTOR", "POINT").data.foreach_set("vector", sea.rest)
+        mesh.attributes.new("gust", "FLOAT", "POINT").data.foreach_set("value", sea.gust)
+    mesh.polygons.foreach_set("use_smooth", [smooth] * quads)
     mesh.update(calc_edges=True)
     mesh.validate()
-    mesh.materials.append(water_material(optics, sun))
+    mesh.materials.append(material)
     thing = bpy.data.objects.new("sea", mesh)
     thing.rotation_euler.x = math.radians(90)
     scene.collection.objects.link(thing)
