@@ -137,7 +137,7 @@ class Nodes:
 
 def rough_glass(nodes, alpha_root, part):
     """Returns reflection and refraction with Beckmann's distribution, which is the Gaussian of
-    slopes. \param part  reflected fraction"""
+    slopes. \\param part  reflected fraction"""
     mirror, lens = (nodes.bsdf(kind, alpha_root, "BECKMANN") for kind in ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction"))
     return nodes.mixed(part, lens, mirror)
 
@@ -195,7 +195,7 @@ def sky_share(nodes, eye, towards, mean_square):
 
 def ripple_slopes(nodes, ripples):
     """Returns the slopes of ripples at a point, and their mean square around it.
-    \param ripples  `image` of slopes, `side_m` and `mean_square`"""
+    \\param ripples  `image` of slopes, `side_m` and `mean_square`"""
     gust = nodes.add("ShaderNodeAttribute", attribute_name="gust").outputs["Fac"]
     place = nodes.add("ShaderNodeAttribute", attribute_name="rest").outputs["Vector"]
     axes = nodes.add("ShaderNodeSeparateXYZ")
@@ -216,9 +216,9 @@ def surface_in_skylight(nodes, geometry, mean_square, below=None, slopes_of_ripp
     whose weight is its visible area. So the Fresnel reflectance and the direction of the light are
     those of the same facet.
 
-    \param below  returns the closure of light from below of a transmitted fraction; if None, the
+    \\param below  returns the closure of light from below of a transmitted fraction; if None, the
                   light is refracted into the mesh
-    \param slopes_of_ripples, all_square  if given, ripples lean each facet; their mean square is
+    \\param slopes_of_ripples, all_square  if given, ripples lean each facet; their mean square is
                   part of `all_square`, with `mean_square`"""
     all_square = all_square or mean_square
     dice = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
@@ -269,7 +269,7 @@ def add_surface(tree, sun):
 
 
 def water_material(optics, sun):
-    """Returns a rough surface over a medium. \param optics  "water" of `pelagic render --json`
+    """Returns a rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
     Forward scattering hardly changes the light, so only backward scattering matters, and its shape.
     That of real water is nearly uniform from 120 to 180 degrees (Petzold 1972), while the phase
@@ -321,8 +321,8 @@ def opaque_water_material(optics, light, sun, ripples):
     (Gordon 1973): 0.57 / pi bb / (a + bb) E / (s + v), with the cosines s and v of light and view
     in the water, and E just below the surface.
 
-    \param light    "sky" of `pelagic render --json`
-    \param ripples  `image` of slopes, `side_m` and `mean_square`"""
+    \\param light    "sky" of `pelagic render --json`
+    \\param ripples  `image` of slopes, `side_m` and `mean_square`"""
     material = bpy.data.materials.new("water")
     material.use_nodes = True
     tree = material.node_tree
@@ -355,7 +355,7 @@ def opaque_water_material(optics, light, sun, ripples):
 
 
 def add_sea(scene, sea, material, smooth=False):
-    """\param smooth  interpolate normals between vertices"""
+    """\\param smooth  interpolate normals between vertices"""
     vertices, quads = len(sea.places) // 3, len(sea.quads) // 4
     mesh = bpy.data.meshes.new("sea")
     mesh.vertices.add(vertices)

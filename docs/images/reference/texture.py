@@ -4,9 +4,9 @@
 #   blender -b --python-exit-code 1 -P texture.py -- PELAGIC FOLDER
 #     [--renew] [--reuse] [--only SCENE] [--samples K]
 #
-# FOLDER receives images. --reuse keeps Pelagic's images that exist there. --renew path-traces the references of both seeds, which takes half an
-# hour, and writes their measures to `texture.json`. Otherwise the measures of Pelagic's images are
-# compared with those in `texture.json`, and the exit status is 1 if one is out of bounds.
+# FOLDER receives images. --renew path-traces the references of both seeds and writes their measures
+# to `texture.json`. --reuse keeps Pelagic's images that exist in FOLDER. Measures of these images
+# are compared with those in `texture.json`, and the exit status is 1 if one is out of bounds.
 import argparse
 import json
 import math
@@ -152,7 +152,7 @@ def main():
     parser = argparse.ArgumentParser(prog="texture.py")
     parser.add_argument("pelagic")
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--samples", type=int, default=128)
+    parser.add_argument("--samples", type=int, default=48)
     parser.add_argument("--only", choices=list(scenes), action="append")
     parser.add_argument("--renew", action="store_true")
     parser.add_argument("--reuse", action="store_true")

@@ -4,22 +4,23 @@
 # They must differ by at most a fifth of the tolerance.
 tolerance = 0.2  # of contrast and mean, relative to the reference
 seeds_apart = tolerance / 5
-jumps = 0.0017  # of calm's rows, as the path tracer's
+jumps = 0.0017  # of all calm rows
 glitter_bright, glitter_dark = (0.02, 0.04), (0.0, 0.018)
 
 # Quantities out of bounds, as measured. A test fails if one is within its bounds or is further from
 # them than listed by more than `drift`, relative to the value.
 known_gaps = {
+    # Sparkle of single pixels is too strong; larger boxes agree.
+    ("rough", "glitter", "contrast 4"): 1.662,
+    # The reference is too dark: reflections below the mesh's plane are black there, 14 % of the light
+    # of the sky.
+    ("rough", "left near", "mean"): 0.01077,
 }
 drift = 0.05
 
-# Seeds that differ by more, as measured: relative difference.
-known_apart = {
-}
 
-
-def bounded(key):
-    return key.startswith("contrast") or key == "mean"
+def bounded(region, key):
+    return region != "both" and (key.startswith("contrast") or key == "mean")
 
 
 def truth(references, scene, region, key):
@@ -29,10 +30,10 @@ def truth(references, scene, region, key):
 
 def bounds(references, scene, region, key):
     """Returns the least and the greatest accepted value, or None."""
-    if bounded(key):
+    if bounded(region, key):
         middle = truth(references, scene, region, key)
         return middle * (1 - tolerance), middle * (1 + tolerance)
-    if (scene, key) == ("calm", "jumps"):
+    if (region, key) == ("both", "jumps"):
         return 0.0, jumps
     if region == "glitter" and key in ("bright", "dark"):
         return glitter_bright if key == "bright" else glitter_dark
@@ -76,9 +77,9 @@ def unsteady(references):
     for scene, (one, other) in references.items():
         for region, values in one.items():
             for key, value in values.items():
-                if not bounded(key):
+                if not bounded(region, key):
                     continue
                 apart = abs(value - other[region][key]) / truth(references, scene, region, key)
-                if apart > known_apart.get((scene, region, key), seeds_apart):
+                if apart > seeds_apart:
                     found.append(f"{scene}, {region}, {key}: the seeds differ by {apart:.3f}")
     return found

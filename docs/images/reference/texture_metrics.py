@@ -4,7 +4,7 @@ import numpy as np
 # Scene: region: first row, last row, first column, last column; of 480 x 270 pixels.
 regions = {
     "rough": {"glitter": (200, 266, 170, 330), "left near": (190, 266, 20, 150)},
-    "calm": {"near": (200, 266, 0, 480), "middle": (160, 200, 0, 480)},
+    "calm": {"near": (200, 266, 0, 480), "middle": (160, 200, 0, 480), "both": (160, 266, 0, 480)},
 }
 boxes = (4, 8, 16, 32)
 outlier_stops, jump_stops = 0.4, 0.5
