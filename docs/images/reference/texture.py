@@ -88,7 +88,8 @@ class Comparison:
         file = self.folder / f"{name}_ours.exr"
         said = self.folder / f"{name}.json"
         if not (self.reuse and file.exists() and said.exists()):
-            said.write_bytes(subprocess.check_output(["render", *sea, *light, "--camera", numbers(camera),
+            said.write_bytes(subprocess.check_output([
+                self.pelagic, "render", *sea, *light, "--camera", numbers(camera),
                 "--target", numbers(target), "--fov", str(fov_deg), "--size", f"{width}x{height}", "--hdr", str(file),
                 "--out", str(self.folder / f"{name}_shown.png"), "--sky", str(self.sky(name)), "--quiet", "--json"]))
         printed, image = json.loads(said.read_text()), texels(file)
