@@ -12,8 +12,8 @@ glitter_bright, glitter_dark = (0.02, 0.04), (0.0, 0.018)
 known_gaps = {
     # Sparkle of single pixels is too strong; larger boxes agree.
     ("rough", "glitter", "contrast 4"): 1.662,
-    # The reference is too dark: reflections below the mesh's plane are black there, 14 % of the light
-    # of the sky.
+    # Partly the reference's: reflections below the mesh's plane are black there, 14 % of the sky's
+    # light.
     ("rough", "left near", "mean"): 0.01077,
 }
 drift = 0.05
