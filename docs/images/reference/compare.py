@@ -44,17 +44,17 @@ def colours(file):
 
 def write_png(file, images, width, height, exposure):
     """Writes images side by side, with one exposure, in sRGB without a filmic curve."""
-    image = bpy.data.images.new("pair", width * len(images), height)
+    pair = bpy.data.images.new("pair", width * len(images), height)
     values = []
     for j in reversed(range(height)):
         for image in images:
             for colour in image[width * j:width * (j + 1)]:
                 shown = [min(1, max(0, exposure * c)) for c in colour]
                 values += [12.92 * c if c < 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in shown] + [1]
-    image.pixels.foreach_set(values)
-    image.filepath_raw, image.file_format = str(file), "PNG"
-    image.save()
-    bpy.data.images.remove(image)
+    pair.pixels.foreach_set(values)
+    pair.filepath_raw, pair.file_format = str(file), "PNG"
+    pair.save()
+    bpy.data.images.remove(pair)
 
 
 def numbers(values):
