@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace pelagic::gl {
 namespace {
@@ -60,9 +61,9 @@ SprayRenderer::SprayRenderer(const Functions& gl, bool multiview)
 SprayRenderer::Sprites& SprayRenderer::sprites(bool soft) {
     std::optional<Sprites>& chosen = sprites_[soft ? 1 : 0];
     if (!chosen) {
-        chosen.emplace();
-        chosen->program = SeaProgram(gl_, spray_program_files(multiview_, soft));
-        chosen->sample_weight = chosen->program.program.uniform("sample_weight");
+        SeaProgram program(gl_, spray_program_files(multiview_, soft));
+        const GLint sample_weight = program.program.uniform("sample_weight");
+        chosen = Sprites{std::move(program), sample_weight};
     }
     return *chosen;
 }

@@ -39,7 +39,7 @@ class SprayRenderer {
     };
     struct Sprites {
         SeaProgram program;
-        GLint sample_weight = -1;
+        GLint sample_weight;
     };
     Sprites& sprites(bool soft);
 
