@@ -35,7 +35,7 @@ OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
     return image;
 }
 
-// The shading of headsets leaves spray out, unless it is asked for.
+// Headset shading draws no spray by default.
 TEST(RenderCommand, DrawsSpray) {
     const TemporaryFolder folder;
     const auto droplets = [&](const std::string& file, const std::vector<std::string>& more) {
