@@ -58,6 +58,7 @@ struct SnapshotFoam {
     static constexpr std::size_t slot_of(std::int64_t number) {
         return static_cast<std::size_t>((number & 1) * 8 + (number >> 1 & 7));
     }
+    /// Returns the compression q that a byte stands for.
     static constexpr float value_of(std::uint8_t byte) { return lowest + step * static_cast<float>(byte); }
     /// Returns the foam of water that breaks with this sum, [0, 1].
     float fresh(float sum) const { return std::clamp(0.5f + (sum - level) * (1 / ramp), 0.f, 1.f); }
