@@ -139,7 +139,7 @@ test('the first image has a plain sky; the baked one agrees with EGL, hash and h
   assertAlike("canvas and a framebuffer of the page's", baked, saved('own', drawn.own), 50);
 });
 
-test('200 frames with resizes cause no GL error', {timeout: 150000}, async () => {
+test('200 frames with resizes cause no GL error', {timeout: 400000}, async () => {
   const {errors, simulateMs, drawMs, triangles} = await page.evaluate((camera, options) => {
     const {module, eyeOf, resize} = tested;
     tested.view.delete();
