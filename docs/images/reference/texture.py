@@ -90,7 +90,8 @@ class Comparison:
         if not (self.reuse and file.exists() and said.exists()):
             said.write_bytes(subprocess.check_output([
                 self.pelagic, "render", *sea, *light, "--camera", numbers(camera),
-                "--target", numbers(target), "--fov", str(fov_deg), "--size", f"{width}x{height}", "--hdr", str(file),
+                "--target", numbers(target), "--fov", str(fov_deg), "--size", f"{width}x{height}",
+                "--spray", "off", "--crest-glow", "0", "--hdr", str(file),
                 "--out", str(self.folder / f"{name}_shown.png"), "--sky", str(self.sky(name)), "--quiet", "--json"]))
         printed, image = json.loads(said.read_text()), texels(file)
         write_png(self.folder / f"{name}_ours.png", image, printed["sky"]["exposure"] * 0.5)
