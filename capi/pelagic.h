@@ -663,7 +663,7 @@ typedef struct pelagic_frame_buffers {
     uint32_t* gradient_rgba8;
     size_t slopes_count; /* the length of each of the two chains, equal to rgba8_count */
     uint32_t *slopes_rgba8, *moments_rgba8;
-    size_t foam_count; /* equal to rgba8_count */
+    size_t foam_count; /* equal to rgba8_count; only of a frame with one cascade */
     uint8_t* foam_r8;
 } pelagic_frame_buffers;
 
