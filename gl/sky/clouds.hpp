@@ -24,15 +24,34 @@ class CloudShape {
     static constexpr int side = 256, layers = 48;
     static constexpr float width_m = 4600, height_m = 900;
 
-    CloudShape() : values_(std::size_t{side} * side * layers) {}
+    static constexpr int block_side = 4, block_layers = 8;
+    static constexpr int blocks = side / block_side, layers_of_blocks = layers / block_layers;
+
+    CloudShape()
+        : values_(std::size_t{side} * side * layers), maxima_(std::size_t{blocks} * blocks * layers_of_blocks) {}
     /// Computes one row of all layers. Threads may fill different rows concurrently.
     /// \param row  [0, side)
     void fill_row(int row, unsigned seed);
+    /// Computes the maxima of a row of blocks. Threads may measure different rows concurrently.
+    /// \pre all rows are filled
+    /// \param row  [0, blocks)
+    void measure_blocks(int row);
     /// Returns the noise at a point with trilinear interpolation, [0, 1]. Periodic along x and z.
-    float at(glm::vec3 point_m) const;
+    /// Noise below `least` may be returned as 0.
+    /// \pre all blocks are measured
+    float at(glm::vec3 point_m, float least) const;
 
    private:
+    static std::size_t column_at(int x, int z) {
+        return (static_cast<std::size_t>(z) * side + static_cast<std::size_t>(x)) * layers;
+    }
+    static std::size_t block_at(int x, int z, int layer) {
+        return (static_cast<std::size_t>(z) * blocks + static_cast<std::size_t>(x)) * layers_of_blocks +
+               static_cast<std::size_t>(layer);
+    }
+
     std::vector<std::uint8_t> values_;  ///< the layer is the fastest index, because rays ascend
+    std::vector<std::uint8_t> maxima_;  ///< of each block and of the next values along each axis
 };
 
 /// Cloud light along a ray from sea level.
@@ -47,7 +66,7 @@ class CloudLayer {
     /// \param shape  must outlive this object; may be filled later
     CloudLayer(const CloudOptions& options, const ClearSky& sky, const CloudShape& shape);
 
-    /// Computes the cloud light along a ray from sea level. \pre the CloudShape is filled
+    /// Computes the cloud light along a ray from sea level. \pre the CloudShape is filled and measured
     /// \param direction  unit vector
     CloudLight along(glm::vec3 direction) const;
     /// Returns the transmittance of the clouds in a direction; 0 below the horizon.

@@ -39,7 +39,8 @@ float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f)
 
 // Stages in order:
 //   * `sky air`: lines of the atmosphere tables;
-//   * `sky light` (sum of the tables) and `sky heaps` (cloud noise, once for each seed);
+//   * `sky light` (sum of the tables), `sky heaps` and `sky blocks` (cloud noise and its maxima,
+//     once for each seed);
 //   * `sky faces`: level 0 above the horizon, rows of each face;
 //   * `sky below`: level 0 below the horizon, the sea's reflection of the faces;
 //   * `sky averages`: box mips, which the next stage samples;
@@ -71,10 +72,16 @@ struct SkyBaker::State {
                            for (std::size_t row = begin; row < end; ++row)
                                shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
                        }});
+        const StageId blocks =
+            graph.add({"sky blocks", CloudShape::blocks, 8, {noise}, [this](std::size_t begin, std::size_t end) {
+                           if (has_noise() || target().options.cloud_cover <= 0) return;
+                           for (std::size_t row = begin; row < end; ++row)
+                               shape.measure_blocks(static_cast<int>(row));
+                       }});
         const StageId faces = graph.add({"sky faces",
                                          6 * static_cast<std::size_t>(size),
                                          4,
-                                         {light, noise},
+                                         {light, blocks},
                                          [this](std::size_t begin, std::size_t end) {
                                              for (std::size_t row = begin; row < end; ++row)
                                                  bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);

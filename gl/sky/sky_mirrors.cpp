@@ -1,6 +1,7 @@
 #include "pelagic/gl/sky/sky_mirrors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -30,9 +31,27 @@ void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mir
     const int face = static_cast<int>(row) / cube.side, y = static_cast<int>(row) % cube.side;
     const float perceptual = static_cast<float>(level) / static_cast<float>(mirrors.size() - 1);
     const float alpha = perceptual * perceptual;
-    const std::uint32_t samples = level == 1 ? 24 : 64;
+    constexpr std::uint32_t most_samples = 64;
+    const std::uint32_t samples = level == 1 ? 24 : most_samples;
     const auto size = static_cast<float>(mirrors[0].side);
     const float texel_angle = 4 * pi / (6 * size * size);
+    /// Facets of a GGX distribution, in coordinates along tangent, across, normal.
+    struct Facet {
+        float tangent, across, normal;
+        std::size_t average;  ///< level of `averages` whose texels are as wide as the sample
+    };
+    std::array<Facet, most_samples> facets;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+        const glm::vec2 u = hammersley(i, samples);
+        const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
+        const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
+        const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
+        const float density = alpha * alpha / (pi * denominator * denominator) / 4;
+        const float sample_angle = 1 / (static_cast<float>(samples) * density);
+        const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
+                                      static_cast<float>(averages.size() - 1));
+        facets[i] = {sine * std::cos(angle), sine * std::sin(angle), cosine, static_cast<std::size_t>(from + 0.5f)};
+    }
     for (int x = 0; x < cube.side; ++x) {
         const glm::vec3 n = cube.direction(face, x, y);
         const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -40,19 +59,12 @@ void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mir
         glm::vec3 sum(0);
         float weights = 0;
         for (std::uint32_t i = 0; i < samples; ++i) {
-            const glm::vec2 u = hammersley(i, samples);
-            const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
-            const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
-            const glm::vec3 h = tangent * (sine * std::cos(angle)) + across * (sine * std::sin(angle)) + n * cosine;
-            const glm::vec3 light = 2 * cosine * h - n;
+            const Facet& facet = facets[i];
+            const glm::vec3 h = tangent * facet.tangent + across * facet.across + n * facet.normal;
+            const glm::vec3 light = 2 * facet.normal * h - n;
             const float to_light = glm::dot(light, n);
             if (to_light <= 0) continue;
-            const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
-            const float density = alpha * alpha / (pi * denominator * denominator) / 4;
-            const float sample_angle = 1 / (static_cast<float>(samples) * density);
-            const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
-                                          static_cast<float>(averages.size() - 1));
-            sum += averages[static_cast<std::size_t>(from + 0.5f)].sample(light) * to_light;
+            sum += averages[facet.average].sample(light) * to_light;
             weights += to_light;
         }
         cube.at(face, x, y) = sum / std::max(weights, 1e-6f);
