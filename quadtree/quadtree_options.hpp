@@ -29,20 +29,24 @@ std::string check(const QuadtreeOptions& options);
 /// The level is at most 8, and the root has level 0.
 int deepest_level(double size_m, double finest_patch_m = 64);
 
+/// Side of the paper's smallest patches (equation 56).
+inline constexpr double paper_patch_m = 64;
+
 struct QuadtreePreset {
     std::string_view name;
     int vertices;
     double lod_scale;
     double cull_scale;
-    double finest_patch_near_water_m = 64;
+    double finest_patch_near_water_m = paper_patch_m;
 
     /// Returns options for a square of this side in metres.
     QuadtreeOptions options(double size_m) const { return {size_m, vertices, lod_scale, cull_scale}; }
     /// Returns options for eyes near an open sea, where waves of 1 to 3 m hide others: `high` and
-    /// `ultra` then have patches of 16 m.
+    /// `ultra` then have patches of 16 m, and a lower lod_scale for about as many triangles in all.
     QuadtreeOptions options_near_water(double size_m) const {
         QuadtreeOptions near_water = options(size_m);
         near_water.finest_patch_m = finest_patch_near_water_m;
+        if (finest_patch_near_water_m < paper_patch_m) near_water.lod_scale *= 0.8;
         return near_water;
     }
 };

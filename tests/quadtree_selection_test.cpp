@@ -128,6 +128,20 @@ TEST(Selection, DeepestLevelIsEquation56) {
             << preset.name;
 }
 
+// Two levels more would add half as many triangles. A smaller lod_scale, tau, makes up for them:
+// their number is proportional to tau^2 at each level.
+TEST(Selection, NearWaterHasAboutAsManyTriangles) {
+    for (const char* name : {"high", "ultra"}) {
+        const QuadtreePreset& preset = *quadtree_preset_named(name);
+        Selection usual(preset.options(4096)), near_water(preset.options_near_water(4096));
+        const SelectionInput input{.viewer_m = {0, 2, 0}};
+        const auto triangles = [&](Selection& selection) {
+            return static_cast<double>(selection.select(input).statistics.triangles);
+        };
+        EXPECT_NEAR(triangles(near_water) / triangles(usual), 1, 0.2) << name;
+    }
+}
+
 // The drawn patches cover the grid once, with the levels of the level map.
 TEST(Selection, LevelMapHoldsTheDrawnAndTheCulledLevels) {
     Random random(3);
