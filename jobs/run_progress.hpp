@@ -1,0 +1,75 @@
+// The progress of one run of a graph: which blocks are ready, and which are done. Lock-free.
+//
+// A core reads a cache line that another core has written in 100 to 300 ns, and a block takes 2 to
+// 20 us. So each stage has as many ranges of blocks as there are threads, each with a counter in a
+// line of its own. A thread takes the blocks of its own range first, then those of others.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/jobs/run_failure.hpp"
+
+namespace pelagic {
+
+class RunProgress {
+   public:
+    /// \param graph    must outlive all runs
+    /// \param threads  number of threads that work on it, at least 1
+    RunProgress(const JobGraph& graph, int threads);
+
+    /// Begins a run. Returns the number of blocks that are ready. \pre is_done()
+    std::size_t start();
+
+    /// Position of a thread in the graph.
+    struct Place {
+        int thread;         ///< 0: the thread that completes the run
+        StageId stage = 0;  ///< stage of its last block
+    };
+    /// Returns the place where a thread begins. Threads begin in different cascades, so that each
+    /// keeps its cascades in the cache of its core.
+    Place first_place(int thread) const;
+
+    struct Outcome {
+        bool has_worked = false;       ///< false if no block was ready
+        bool is_last = false;          ///< the run is done, and this was its last work
+        std::size_t ready_blocks = 0;  ///< blocks of other stages that became ready by this work
+    };
+    /// Runs blocks of one stage until none of them remains to be taken. The search begins at the
+    /// thread's place and continues to later stages, then to earlier ones.
+    Outcome work(Place& place) noexcept;
+
+    bool is_done() const { return remaining_stages_.load() == 0; }
+
+    /// Throws the first exception of the run's blocks, if there is one. \pre is_done()
+    void rethrow_failure() { failure_.rethrow(); }
+
+   private:
+    static constexpr std::size_t cache_line = 64;
+
+    struct alignas(cache_line) Range {
+        std::atomic<std::size_t> next = 0;
+        std::size_t begin = 0, end = 0;
+    };
+    struct alignas(cache_line) State {
+        std::atomic<std::size_t> waiting_for = 0, remaining_blocks = 0;
+        std::size_t blocks = 0;
+        std::vector<StageId> followers = {};
+        std::vector<Range> ranges = {};
+    };
+
+    void make_ready(StageId, Outcome&);
+    void end_stage(StageId, Outcome&);
+    std::size_t run_blocks(StageId, int thread) noexcept;
+
+    const JobGraph& graph_;
+    std::size_t threads_;
+    std::vector<State> stages_;
+    std::vector<StageId> first_stages_;  ///< stages that wait for none
+    alignas(cache_line) std::atomic<std::size_t> remaining_stages_ = 0;
+    RunFailure failure_;
+};
+
+}  // namespace pelagic
