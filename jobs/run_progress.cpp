@@ -12,6 +12,7 @@ RunProgress::RunProgress(const JobGraph& graph, int threads)
         for (const StageId earlier : stage.waits_for) stages_[earlier].followers.push_back(id);
         State& state = stages_[id];
         state.blocks = block_count(stage);
+        blocks_ += state.blocks;
         state.ranges = std::vector<Range>(std::min(state.blocks, static_cast<std::size_t>(threads)));
         std::size_t begin = 0;
         for (std::size_t i = 0; i < state.ranges.size(); ++i) {
@@ -20,36 +21,40 @@ RunProgress::RunProgress(const JobGraph& graph, int threads)
             range.next = range.end = begin += (state.blocks - begin) / (state.ranges.size() - i);
         }
     }
+    for (const State& state : stages_) ends_ += state.followers.empty();
 }
 
 std::size_t RunProgress::start() {
     for (StageId id = 0; id < stages_.size(); ++id) {
-        stages_[id].waiting_for = graph_.stages()[id].waits_for.size();
-        stages_[id].remaining_blocks = stages_[id].blocks;
+        stages_[id].waiting_for.store(graph_.stages()[id].waits_for.size(), std::memory_order_relaxed);
+        stages_[id].remaining_blocks.store(stages_[id].blocks, std::memory_order_relaxed);
     }
-    remaining_stages_ = stages_.size();
+    number_.store(number_ + 1, std::memory_order_relaxed);
+    unfinished_ends_.store(ends_, std::memory_order_release);
     Outcome outcome;
     for (const StageId id : first_stages_) make_ready(id, outcome);
     return outcome.ready_blocks;
 }
 
-RunProgress::Place RunProgress::first_place(int thread) const {
-    if (first_stages_.empty()) return {thread};
-    const std::size_t number = static_cast<std::size_t>(thread) * first_stages_.size() / threads_;
-    return {thread, first_stages_[number % first_stages_.size()]};
+StageId RunProgress::first_stage(int thread) const {
+    return first_stages_[static_cast<std::size_t>(thread) * first_stages_.size() / threads_];
 }
 
 RunProgress::Outcome RunProgress::work(Place& place) noexcept {
     if (is_done()) return {};
+    if (const std::uint32_t number = number_.load(std::memory_order_relaxed); place.number != number)
+        place = {place.thread, number, first_stage(place.thread)};
     StageId id = place.stage;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
-        if (const std::size_t done = run_blocks(id, place.thread)) {
-            place.stage = id;
-            Outcome outcome{.has_worked = true};
-            if (stages_[id].remaining_blocks.fetch_sub(done) == done) end_stage(id, outcome);
+        const std::size_t next = id + 1 == stages_.size() ? 0 : id + 1;
+        if (const std::size_t blocks = run_blocks(id, place.thread)) {
+            place.stage = next;
+            Outcome outcome{.blocks = blocks};
+            if (stages_[id].remaining_blocks.fetch_sub(blocks, std::memory_order_acq_rel) == blocks)
+                end_stage(id, outcome);
             return outcome;
         }
-        if (++id == stages_.size()) id = 0;
+        id = next;
     }
     return {};
 }
@@ -65,7 +70,7 @@ std::size_t RunProgress::run_blocks(StageId id, int thread) noexcept {
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         Range& range = ranges[(static_cast<std::size_t>(thread) + i) % ranges.size()];
         while (range.next.load(std::memory_order_relaxed) < range.end) {
-            const std::size_t block = range.next.fetch_add(1);
+            const std::size_t block = range.next.fetch_add(1, std::memory_order_acquire);
             if (block >= range.end) break;
             try {
                 run_block(graph_.stages()[id], block);
@@ -82,14 +87,19 @@ void RunProgress::make_ready(StageId id, Outcome& outcome) {
     State& stage = stages_[id];
     if (stage.blocks == 0) return end_stage(id, outcome);
     outcome.ready_blocks += stage.blocks;
-    for (Range& range : stage.ranges) range.next = range.begin;
+    for (Range& range : stage.ranges) range.next.store(range.begin, std::memory_order_release);
 }
 
 /// After the last stage, the run may start again at any time.
 void RunProgress::end_stage(StageId id, Outcome& outcome) {
+    if (stages_[id].followers.empty()) {
+        if (unfinished_ends_.fetch_sub(1, std::memory_order_acq_rel) == 1) outcome.is_last = true;
+        return;
+    }
     for (const StageId follower : stages_[id].followers)
-        if (stages_[follower].waiting_for.fetch_sub(1) == 1) make_ready(follower, outcome);
-    if (remaining_stages_.fetch_sub(1) == 1) outcome.is_last = true;
+        if (graph_.stages()[follower].waits_for.size() == 1 ||
+            stages_[follower].waiting_for.fetch_sub(1, std::memory_order_acq_rel) == 1)
+            make_ready(follower, outcome);
 }
 
 }  // namespace pelagic

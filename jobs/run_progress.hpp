@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
@@ -25,23 +26,25 @@ class RunProgress {
 
     /// Position of a thread in the graph.
     struct Place {
-        int thread;         ///< 0: the thread that completes the run
-        StageId stage = 0;  ///< stage of its last block
+        int thread = 0;            ///< 0: the thread that completes the run
+        std::uint32_t number = 0;  ///< of the run
+        StageId stage = 0;         ///< where the thread looks for work first
     };
-    /// Returns the place where a thread begins. Threads begin in different cascades, so that each
-    /// keeps its cascades in the cache of its core.
-    Place first_place(int thread) const;
 
     struct Outcome {
-        bool has_worked = false;       ///< false if no block was ready
+        std::size_t blocks = 0;        ///< blocks that were run; 0 if none was ready
         bool is_last = false;          ///< the run is done, and this was its last work
         std::size_t ready_blocks = 0;  ///< blocks of other stages that became ready by this work
     };
     /// Runs blocks of one stage until none of them remains to be taken. The search begins at the
-    /// thread's place and continues to later stages, then to earlier ones.
+    /// thread's place and continues to later stages, then to earlier ones. Threads begin a run in
+    /// different cascades, so that each keeps its cascades in the cache of its core.
     Outcome work(Place& place) noexcept;
 
-    bool is_done() const { return remaining_stages_.load() == 0; }
+    bool is_done() const { return unfinished_ends_.load(std::memory_order_acquire) == 0; }
+
+    /// Returns the number of blocks of a run.
+    std::size_t blocks() const { return blocks_; }
 
     /// Throws the first exception of the run's blocks, if there is one. \pre is_done()
     void rethrow_failure() { failure_.rethrow(); }
@@ -53,9 +56,9 @@ class RunProgress {
         std::atomic<std::size_t> next = 0;
         std::size_t begin = 0, end = 0;
     };
-    struct alignas(cache_line) State {
-        std::atomic<std::size_t> waiting_for = 0, remaining_blocks = 0;
-        std::size_t blocks = 0;
+    struct State {
+        alignas(cache_line) std::atomic<std::size_t> remaining_blocks = 0, waiting_for = 0;
+        alignas(cache_line) std::size_t blocks = 0;  // constant from here on
         std::vector<StageId> followers = {};
         std::vector<Range> ranges = {};
     };
@@ -63,12 +66,15 @@ class RunProgress {
     void make_ready(StageId, Outcome&);
     void end_stage(StageId, Outcome&);
     std::size_t run_blocks(StageId, int thread) noexcept;
+    StageId first_stage(int thread) const;
 
     const JobGraph& graph_;
     std::size_t threads_;
     std::vector<State> stages_;
     std::vector<StageId> first_stages_;  ///< stages that wait for none
-    alignas(cache_line) std::atomic<std::size_t> remaining_stages_ = 0;
+    std::size_t blocks_ = 0, ends_ = 0;  ///< numbers of blocks, and of stages that none waits for
+    alignas(cache_line) std::atomic<std::size_t> unfinished_ends_ = 0;
+    std::atomic<std::uint32_t> number_ = 0;
     RunFailure failure_;
 };
 

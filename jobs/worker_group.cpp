@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -91,7 +92,6 @@ void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= cores() ? ticks_of_u
 
 void WorkerGroup::start(Run& run) {
     run.wakes_workers = true;
-    starting_cpu_ = current_cpu();
     const std::size_t ready_blocks = run.progress.start();
     ++changes_;
     wake_for(ready_blocks);
@@ -101,7 +101,6 @@ void WorkerGroup::start_and_finish(Run& run) {
     const bool is_soon = now() - last_end_ < spin_;
     runs_in_a_row_ = is_soon ? runs_in_a_row_ + 1 : 0;
     run.wakes_workers = awake_ > 0 || pays_to_wake(run);
-    starting_cpu_ = current_cpu();
     const std::size_t ready_blocks = run.progress.start();
     ++changes_;
     if (run.wakes_workers)
@@ -122,30 +121,46 @@ bool WorkerGroup::pays_to_wake(const Run& run) const {
 }
 
 void WorkerGroup::finish(Run& run) {
+    RunProgress::Place place;
+    Clock::rep busy = 0;
+    std::size_t blocks = 0;
     for (;;) {
         const std::uint32_t seen = changes_;
-        if (work_while_ready(run, 0)) continue;
+        const Clock::rep start = now();
+        if (const std::size_t done = work_while_ready(run, place)) {
+            busy += now() - start;
+            blocks += done;
+            continue;
+        }
         if (run.progress.is_done()) break;
         if (!spin_until_change(seen)) wait_while(changes_, seen);
     }
-    if (const Clock::rep busy = run.busy.exchange(0)) adjust(run.work, busy);
+    if (blocks == 0) return;
+    const double part = static_cast<double>(blocks) / static_cast<double>(run.progress.blocks());
+    adjust(run.work, static_cast<Clock::rep>(static_cast<double>(busy) / part));
 }
 
 void WorkerGroup::work(int thread) noexcept {
     if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
     // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
     // each time if the two CPUs share no cache.
-    if (const int cpu = current_cpu(); cpu >= 0 && cpu == starting_cpu_) leave_cpu(cpu);
+    if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu);
+    RunProgress::Place place{thread};
+    const Run* last = nullptr;
     std::uint32_t seen;
     do {
         seen = changes_;
-    } while (work_on_all_runs(thread) || stays_awake(seen));
+    } while (work_on_all_runs(place, last) || stays_awake(seen));
 }
 
-bool WorkerGroup::work_on_all_runs(int thread) noexcept {
+/// \param place  of the thread in the run `last`, on which it has worked last
+bool WorkerGroup::work_on_all_runs(RunProgress::Place& place, const Run*& last) noexcept {
     bool has_worked = false;
     std::size_t index = 0;
-    while (const std::shared_ptr<Run> run = unfinished_run(index)) has_worked |= work_while_ready(*run, thread);
+    while (const std::shared_ptr<Run> run = unfinished_run(index)) {
+        if (run.get() != std::exchange(last, run.get())) place = {place.thread};
+        has_worked |= work_while_ready(*run, place) > 0;
+    }
     return has_worked;
 }
 
@@ -157,26 +172,26 @@ std::shared_ptr<WorkerGroup::Run> WorkerGroup::unfinished_run(std::size_t& index
     return {};
 }
 
-/// Works on one run until no block is ready. Returns true if there was one.
-bool WorkerGroup::work_while_ready(Run& run, int thread) noexcept {
-    RunProgress::Place place = run.progress.first_place(thread);
-    const Clock::rep start = now();
-    RunProgress::Outcome outcome = run.progress.work(place);
-    if (!outcome.has_worked) return false;
-    for (; outcome.has_worked; outcome = run.progress.work(place)) {
-        // This thread continues with one of the blocks.
-        if (outcome.ready_blocks <= 1 && !outcome.is_last) continue;
+/// Works on one run until no block is ready. Returns the number of blocks that this thread ran.
+std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place) noexcept {
+    std::size_t blocks = 0;
+    for (;;) {
+        const RunProgress::Outcome outcome = run.progress.work(place);
+        if (outcome.blocks == 0) return blocks;
+        blocks += outcome.blocks;
+        // This thread continues with one of the ready blocks. Only the thread that completes a run
+        // waits for its end.
+        if (outcome.ready_blocks <= 1 && (!outcome.is_last || place.thread == 0)) continue;
         ++changes_;
         wake_all(changes_);  // threads in finish(); a system call only if there are any
         if (outcome.ready_blocks > 1 && run.wakes_workers) wake_for(outcome.ready_blocks - 1);
     }
-    run.busy += now() - start;
-    return true;
 }
 
 /// Wakes as many workers as can work on `blocks` blocks, except those that look for work already.
 void WorkerGroup::wake_for(std::size_t blocks) noexcept {
     const int workers = threads_ - 1;
+    if (awake_ >= workers) return;
     const int wanted = static_cast<int>(std::min(blocks, static_cast<std::size_t>(workers))) - spinning_;
     int count = 0;
     for (int awake = awake_; count < wanted && awake < workers;)
@@ -184,6 +199,7 @@ void WorkerGroup::wake_for(std::size_t blocks) noexcept {
     if (count <= 0) return;
     const Clock::rep start = now();
     woken_at_ = start;
+    waking_cpu_ = current_cpu();
     awake_ -= count - wake(count);
     adjust(wake_cost_, now() - start);
 }

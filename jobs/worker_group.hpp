@@ -49,7 +49,6 @@ class WorkerGroup {
 
         RunProgress progress;
         std::atomic<bool> wakes_workers = true;
-        std::atomic<Clock::rep> busy = 0;  ///< time that threads have worked on the current run
         std::atomic<Clock::rep> work = 0;  ///< time that a thread needs alone; 0: unknown
     };
 
@@ -62,8 +61,8 @@ class WorkerGroup {
     void start_and_finish(Run&);
     bool pays_to_wake(const Run&) const;
     void wake_for(std::size_t blocks) noexcept;
-    bool work_while_ready(Run&, int thread) noexcept;
-    bool work_on_all_runs(int thread) noexcept;
+    std::size_t work_while_ready(Run&, RunProgress::Place&) noexcept;
+    bool work_on_all_runs(RunProgress::Place&, const Run*& last) noexcept;
     bool spin_until_change(std::uint32_t seen) const noexcept;
     bool stays_awake(std::uint32_t seen) noexcept;
     std::shared_ptr<Run> unfinished_run(std::size_t& index) noexcept;
@@ -76,11 +75,12 @@ class WorkerGroup {
     // Measured, and used by pays_to_wake(). Results do not depend on them.
     std::atomic<Clock::rep> wake_cost_, wake_delay_;  ///< of the waking thread; until a worker works
     std::atomic<Clock::rep> woken_at_ = 0, last_end_ = 0;
-    std::atomic<int> runs_in_a_row_ = 0, starting_cpu_ = -1;
+    std::atomic<int> runs_in_a_row_ = 0, waking_cpu_ = -1;
 
+    // In separate cache lines, because other cores read them for each stage.
     alignas(64) std::atomic<std::uint32_t> changes_ = 0;  ///< incremented when blocks become ready
-    alignas(64) std::atomic<int> awake_ = 0;  ///< workers that work or have been woken
-    std::atomic<int> spinning_ = 0;           ///< those of them that look for work
+    alignas(64) std::atomic<int> awake_ = 0;              ///< workers that work or have been woken
+    alignas(64) std::atomic<int> spinning_ = 0;           ///< those of them that look for work
 };
 
 }  // namespace pelagic
