@@ -7,9 +7,14 @@
 // time is from schedule() to the end of complete(). Executors take turns, because other load on the
 // machine varies; a speed-up is the median over the turns. Context switches and processor time are
 // those of the whole process per frame, so the row of one thread includes the sleep between frames.
+//
+// The row "apart" has two oceans on two threads that share no work, and its time is half of theirs.
+// Its speed-up is that of the machine: it is low if the two processors are hardware threads of one
+// core, or if two frames exceed the caches.
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
@@ -55,8 +61,9 @@ Usage usage() {
 /// An ocean on an executor, and its measurements.
 class Contestant {
    public:
-    Contestant(const SeaState& sea, Isa isa, std::shared_ptr<Executor> executor, double every_ms)
-        : name_(executor->name()),
+    Contestant(const SeaState& sea, Isa isa, std::shared_ptr<Executor> executor, double every_ms,
+               std::string name = {})
+        : name_(name.empty() ? std::string(executor->name()) : std::move(name)),
           threads_(executor->thread_limit()),
           every_ms_(every_ms),
           ocean_(sea, {.executor = std::move(executor), .isa = isa}) {
@@ -72,12 +79,31 @@ class Contestant {
         const Usage before = usage();
         std::vector<double> frames_ms;
         for (int i = 0; i < frames_a_turn_; ++i) frames_ms.push_back(time_frame());
-        const Usage after = usage();
-        frames_ += frames_a_turn_;
-        cpu_us_ += after.cpu_us - before.cpu_us;
-        waits_ += after.waits - before.waits;
-        preemptions_ += after.preemptions - before.preemptions;
+        count(before, frames_a_turn_);
         turns_ms_.push_back(median(frames_ms));
+    }
+
+    /// Takes a turn together with another contestant, on another thread.
+    void take_turn_beside(Contestant& other) {
+        std::atomic<int> ready = 0;
+        const auto warm_up = [&ready](Contestant& contestant) {
+            for (int i = 0; i < warm_frames; ++i) contestant.time_frame();
+            ++ready;
+            while (ready < 2) {
+            }
+        };
+        std::thread beside([&] {
+            warm_up(other);
+            for (int i = 0; i < frames_a_turn_; ++i) other.time_frame();
+        });
+        warm_up(*this);
+        const Usage before = usage();
+        const Clock::time_point start = Clock::now();
+        for (int i = 0; i < frames_a_turn_; ++i) time_frame();
+        beside.join();
+        const double frames = 2 * frames_a_turn_;
+        turns_ms_.push_back(Milliseconds(Clock::now() - start).count() / frames);
+        count(before, frames);
     }
 
     void print(const std::string& sea, const Contestant& one_thread) const {
@@ -92,6 +118,14 @@ class Contestant {
     }
 
    private:
+    void count(const Usage& before, double frames) {
+        const Usage after = usage();
+        frames_ += frames;
+        cpu_us_ += after.cpu_us - before.cpu_us;
+        waits_ += after.waits - before.waits;
+        preemptions_ += after.preemptions - before.preemptions;
+    }
+
     double time_frame() {
         if (every_ms_ > 0) std::this_thread::sleep_for(Milliseconds(every_ms_));
         const Clock::time_point start = Clock::now();
@@ -117,9 +151,14 @@ void compare(const std::string& name, const SeaState& sea, Isa isa, double every
 #endif
     for (auto& executor : executors)
         contestants.push_back(std::make_unique<Contestant>(sea, isa, std::move(executor), every_ms));
-    for (int turn = 0; turn < turns; ++turn)
+    Contestant apart(sea, isa, make_serial_executor(), every_ms, "apart");
+    Contestant beside(sea, isa, make_serial_executor(), every_ms);
+    for (int turn = 0; turn < turns; ++turn) {
         for (const auto& contestant : contestants) contestant->take_turn();
+        if (every_ms == 0) apart.take_turn_beside(beside);
+    }
     for (const auto& contestant : contestants) contestant->print(name, *contestants.front());
+    if (every_ms == 0) apart.print(name, *contestants.front());
 }
 
 int run(double every_ms, int turns, std::string_view isa_name) {

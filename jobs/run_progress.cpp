@@ -36,6 +36,13 @@ std::size_t RunProgress::start() {
     return outcome.ready_blocks;
 }
 
+void RunProgress::run_alone() noexcept {
+    unfinished_ends_.store(ends_, std::memory_order_relaxed);
+    for (StageId id = 0; id < stages_.size(); ++id)
+        for (std::size_t block = 0; block < stages_[id].blocks; ++block) run(id, block);
+    unfinished_ends_.store(0, std::memory_order_release);
+}
+
 StageId RunProgress::first_stage(int thread) const {
     return first_stages_[static_cast<std::size_t>(thread) * first_stages_.size() / threads_];
 }
@@ -72,15 +79,19 @@ std::size_t RunProgress::run_blocks(StageId id, int thread) noexcept {
         while (range.next.load(std::memory_order_relaxed) < range.end) {
             const std::size_t block = range.next.fetch_add(1, std::memory_order_acquire);
             if (block >= range.end) break;
-            try {
-                run_block(graph_.stages()[id], block);
-            } catch (...) {
-                failure_.keep_current();
-            }
+            run(id, block);
             ++done;
         }
     }
     return done;
+}
+
+void RunProgress::run(StageId id, std::size_t block) noexcept {
+    try {
+        run_block(graph_.stages()[id], block);
+    } catch (...) {
+        failure_.keep_current();
+    }
 }
 
 void RunProgress::make_ready(StageId id, Outcome& outcome) {

@@ -24,6 +24,9 @@ class RunProgress {
     /// Begins a run. Returns the number of blocks that are ready. \pre is_done()
     std::size_t start();
 
+    /// Runs all blocks on this thread, in order. \pre is_done()
+    void run_alone() noexcept;
+
     /// Position of a thread in the graph.
     struct Place {
         int thread = 0;            ///< 0: the thread that completes the run
@@ -66,6 +69,7 @@ class RunProgress {
     void make_ready(StageId, Outcome&);
     void end_stage(StageId, Outcome&);
     std::size_t run_blocks(StageId, int thread) noexcept;
+    void run(StageId, std::size_t block) noexcept;
     StageId first_stage(int thread) const;
 
     const JobGraph& graph_;

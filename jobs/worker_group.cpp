@@ -36,12 +36,16 @@ void pause() {
 #endif
 }
 
-/// Moves an estimate towards a sample. A thread that was preempted gives a sample that is much too
-/// large, so that its weight is limited.
+/// Moves an estimate towards a sample. Limits the weight of a sample that is much too large because
+/// the thread was preempted.
 void adjust(std::atomic<Clock::rep>& estimate, Clock::rep sample) {
     const Clock::rep before = estimate;
-    estimate = before == 0 ? sample : before + (std::min(sample, 2 * before) - before) / 8;
+    if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 4 * before) - before) / 4;
 }
+
+/// Decreases the estimate of a choice that has not been made, so that it is measured again after some
+/// hundreds of runs.
+void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 1024; }
 
 }  // namespace
 
@@ -60,7 +64,7 @@ class WorkerGroup::BoundRun final : public GraphRun {
 
     void schedule() override {
         assert(is_done() && "complete() the run before schedule()");
-        group_->start(*run_);
+        group_->start(*run_, 0);
     }
     void complete() override {
         group_->finish(*run_);
@@ -90,54 +94,61 @@ std::unique_ptr<GraphRun> WorkerGroup::prepare(const JobGraph& graph, std::share
 // More threads than cores would delay each other.
 void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= cores() ? ticks_of_us(us) : 0; }
 
-void WorkerGroup::start(Run& run) {
-    run.wakes_workers = true;
+/// \param blocks_of_this_thread  blocks that need no worker, because this thread runs them
+void WorkerGroup::start(Run& run, std::size_t blocks_of_this_thread) {
     const std::size_t ready_blocks = run.progress.start();
     ++changes_;
-    wake_for(ready_blocks);
+    wake_for(ready_blocks - std::min(ready_blocks, blocks_of_this_thread));
 }
 
 void WorkerGroup::start_and_finish(Run& run) {
-    const bool is_soon = now() - last_end_ < spin_;
-    runs_in_a_row_ = is_soon ? runs_in_a_row_ + 1 : 0;
-    run.wakes_workers = awake_ > 0 || pays_to_wake(run);
-    const std::size_t ready_blocks = run.progress.start();
-    ++changes_;
-    if (run.wakes_workers)
-        wake_for(ready_blocks - std::min(ready_blocks, std::size_t{1}));
-    else
-        // Without waking, the estimates would never be measured again. They decrease, so that a
-        // worker is woken after some tens of runs.
-        for (auto* const estimate : {&wake_cost_, &wake_delay_}) *estimate -= *estimate / 64;
-    finish(run);
+    const Clock::rep start_time = now();
+    runs_in_a_row_ = start_time - last_end_ < spin_ ? runs_in_a_row_ + 1 : 0;
+    if (!pays_to_share(run)) {
+        run.progress.run_alone();
+        last_end_ = now();
+        adjust(run.alone, last_end_ - start_time);
+        for (auto* const estimate : {&wake_cost_, &wake_delay_, &run.helped}) fade(*estimate);
+        return;
+    }
+    const bool is_awake = awake_ > 0 && woken_at_ == 0;
+    start(run, 1);
+    const double alone = finish(run);
     last_end_ = now();
+    if (is_awake) {
+        adjust(run.helped, last_end_ - start_time);
+        fade(run.alone);
+    } else {
+        adjust(run.alone, static_cast<Clock::rep>(alone));
+    }
 }
 
-/// A worker that is woken does half of the work that remains when it begins. In a series of runs it
-/// is awake from the second one on.
-bool WorkerGroup::pays_to_wake(const Run& run) const {
-    if (run.work == 0 || runs_in_a_row_ >= runs_of_a_series) return true;
-    return run.work > wake_delay_ + 2 * wake_cost_;
+/// A worker that is woken does half of the work that remains when it begins. It must save a tenth of
+/// the time, because estimates vary. In a series of runs it stays awake.
+bool WorkerGroup::pays_to_share(const Run& run) const {
+    if (threads_ == 1 || run.alone == 0) return false;
+    if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
+    return run.alone - run.alone / 5 > wake_delay_ + 2 * wake_cost_;
 }
 
-void WorkerGroup::finish(Run& run) {
+/// Returns an estimate of the time on one thread, from the part of this thread.
+double WorkerGroup::finish(Run& run) {
     RunProgress::Place place;
     Clock::rep busy = 0;
     std::size_t blocks = 0;
     for (;;) {
         const std::uint32_t seen = changes_;
-        const Clock::rep start = now();
+        const Clock::rep start_time = now();
         if (const std::size_t done = work_while_ready(run, place)) {
-            busy += now() - start;
+            busy += now() - start_time;
             blocks += done;
             continue;
         }
         if (run.progress.is_done()) break;
         if (!spin_until_change(seen)) wait_while(changes_, seen);
     }
-    if (blocks == 0) return;
-    const double part = static_cast<double>(blocks) / static_cast<double>(run.progress.blocks());
-    adjust(run.work, static_cast<Clock::rep>(static_cast<double>(busy) / part));
+    return static_cast<double>(busy) * static_cast<double>(run.progress.blocks()) /
+           static_cast<double>(std::max(blocks, std::size_t{1}));
 }
 
 void WorkerGroup::work(int thread) noexcept {
@@ -184,7 +195,7 @@ std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place) n
         if (outcome.ready_blocks <= 1 && (!outcome.is_last || place.thread == 0)) continue;
         ++changes_;
         wake_all(changes_);  // threads in finish(); a system call only if there are any
-        if (outcome.ready_blocks > 1 && run.wakes_workers) wake_for(outcome.ready_blocks - 1);
+        if (outcome.ready_blocks > 1) wake_for(outcome.ready_blocks - 1);
     }
 }
 

@@ -3,8 +3,9 @@
 //
 // Threads look for work for 20 us before they sleep, because stages follow each other within
 // microseconds and waking a thread takes longer: 5 to 160 us until it works, and up to 40 us of the
-// calling thread in a virtual machine. GraphRun::run() therefore wakes no thread for a run that the
-// calling thread completes sooner by itself.
+// calling thread in a virtual machine. If cores share no cache, a worker may slow down a short run
+// even when it is awake. GraphRun::run() therefore measures both, and uses no worker for a run that
+// the calling thread completes sooner by itself.
 #pragma once
 
 #include <atomic>
@@ -48,18 +49,18 @@ class WorkerGroup {
         Run(const JobGraph& graph, int threads) : progress(graph, threads) {}
 
         RunProgress progress;
-        std::atomic<bool> wakes_workers = true;
-        std::atomic<Clock::rep> work = 0;  ///< time that a thread needs alone; 0: unknown
+        /// Measured times of run(), 0 if unknown: on one thread, and with a worker that is awake.
+        std::atomic<Clock::rep> alone = 0, helped = 0;
     };
 
     /// Wakes `count` threads that do not work, each of which calls work() once. Returns the number
     /// of threads, which is less if memory is exhausted; complete() then does the work.
     virtual int wake(int count) noexcept = 0;
 
-    void start(Run&);
-    void finish(Run&);
+    void start(Run&, std::size_t blocks_of_this_thread);
+    double finish(Run&);
     void start_and_finish(Run&);
-    bool pays_to_wake(const Run&) const;
+    bool pays_to_share(const Run&) const;
     void wake_for(std::size_t blocks) noexcept;
     std::size_t work_while_ready(Run&, RunProgress::Place&) noexcept;
     bool work_on_all_runs(RunProgress::Place&, const Run*& last) noexcept;
@@ -72,9 +73,10 @@ class WorkerGroup {
     std::mutex mutex_;  ///< of runs_
     std::vector<std::shared_ptr<Run>> runs_;
 
-    // Measured, and used by pays_to_wake(). Results do not depend on them.
+    // Measured, and used by pays_to_share(). Results do not depend on them.
     std::atomic<Clock::rep> wake_cost_, wake_delay_;  ///< of the waking thread; until a worker works
-    std::atomic<Clock::rep> woken_at_ = 0, last_end_ = 0;
+    std::atomic<Clock::rep> woken_at_ = 0;  ///< 0 when the worker that was woken works
+    std::atomic<Clock::rep> last_end_ = 0;
     std::atomic<int> runs_in_a_row_ = 0, waking_cpu_ = -1;
 
     // In separate cache lines, because other cores read them for each stage.
