@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 constexpr int threads = 2;
-constexpr double turn_ms = 4;                 // frame after frame
+constexpr double turn_ms = 4;                     // frame after frame
 constexpr int warm_frames = 4, paced_frames = 8;  // each slot twice; at a display's rate
 
 double median(std::vector<double> values) {

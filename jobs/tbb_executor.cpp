@@ -77,7 +77,9 @@ class TbbExecutor final : public Executor {
         allow_threads(threads);
         workers_ = std::make_shared<ArenaWorkers>(threads);
     }
-    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override { return WorkerGroup::prepare(graph, workers_); }
+    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
+        return WorkerGroup::prepare(graph, workers_);
+    }
     int thread_limit() const override { return workers_->threads(); }
     std::string_view name() const override { return "tbb"; }
     void set_spin_us(int us) override { workers_->set_spin_us(checked_spin_us(us)); }

@@ -30,7 +30,8 @@ class Pool final : public WorkerGroup {
             const std::size_t given = threads_.size() + 1;
             stop();
             throw std::system_error(
-                error.code(), number_text(threads) + " threads are wanted, and the system gives " + number_text(given));
+                error.code(),
+                number_text(threads) + " threads are wanted, and the system gives " + number_text(given));
         }
     }
     ~Pool() override { stop(); }

@@ -43,8 +43,8 @@ void adjust(std::atomic<Clock::rep>& estimate, Clock::rep sample) {
     if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 4 * before) - before) / 4;
 }
 
-/// Decreases the estimate of a choice that has not been made, so that it is measured again after some
-/// hundreds of runs.
+/// Decreases the estimate of a choice that has not been made, so that it is measured again after
+/// some hundreds of runs.
 void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 1024; }
 
 }  // namespace
@@ -123,8 +123,8 @@ void WorkerGroup::start_and_finish(Run& run) {
     }
 }
 
-/// A worker that is woken does half of the work that remains when it begins. It must save a tenth of
-/// the time, because estimates vary. In a series of runs it stays awake.
+/// A worker that is woken does half of the work that remains when it begins. It must save a tenth
+/// of the time, because estimates vary. In a series of runs it stays awake.
 bool WorkerGroup::pays_to_share(const Run& run) const {
     if (threads_ == 1 || run.alone == 0) return false;
     if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
@@ -230,8 +230,8 @@ bool WorkerGroup::spin_until_change(std::uint32_t seen) const noexcept {
 
 /// Returns false if the thread must sleep, because there has been no change for a while.
 ///
-/// A thread that changes something reads the numbers of workers afterwards. It therefore counts this
-/// worker as asleep, or this worker reads the change.
+/// A thread that changes something reads the numbers of workers afterwards. It therefore counts
+/// this worker as asleep, or this worker reads the change.
 bool WorkerGroup::stays_awake(std::uint32_t seen) noexcept {
     ++spinning_;
     spin_until_change(seen);

@@ -74,8 +74,8 @@ class WorkerGroup {
     std::vector<std::shared_ptr<Run>> runs_;
 
     // Measured, and used by pays_to_share(). Results do not depend on them.
-    std::atomic<Clock::rep> wake_cost_, wake_delay_;  ///< of the waking thread; until a worker works
-    std::atomic<Clock::rep> woken_at_ = 0;  ///< 0 when the worker that was woken works
+    std::atomic<Clock::rep> wake_cost_, wake_delay_;  ///< of the waking thread; of the worker
+    std::atomic<Clock::rep> woken_at_ = 0;            ///< 0 when the worker that was woken works
     std::atomic<Clock::rep> last_end_ = 0;
     std::atomic<int> runs_in_a_row_ = 0, waking_cpu_ = -1;
 
