@@ -47,15 +47,15 @@ StageId RunProgress::first_stage(int thread) const {
     return first_stages_[static_cast<std::size_t>(thread) * first_stages_.size() / threads_];
 }
 
-RunProgress::Outcome RunProgress::work(Place& place) noexcept {
+RunProgress::Outcome RunProgress::work(Place& place, const Interrupt* interrupt) noexcept {
     if (is_done()) return {};
     if (const std::uint32_t number = number_.load(std::memory_order_relaxed); place.number != number)
         place = {place.thread, number, first_stage(place.thread)};
     StageId id = place.stage;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
         const std::size_t next = id + 1 == stages_.size() ? 0 : id + 1;
-        if (const std::size_t blocks = run_blocks(id, place.thread)) {
-            place.stage = next;
+        if (const std::size_t blocks = run_blocks(id, place.thread, interrupt)) {
+            place.stage = interrupt && interrupt->has_come() ? id : next;
             Outcome outcome{.blocks = blocks};
             if (stages_[id].remaining_blocks.fetch_sub(blocks, std::memory_order_acq_rel) == blocks)
                 end_stage(id, outcome);
@@ -71,7 +71,7 @@ RunProgress::Outcome RunProgress::work(Place& place) noexcept {
 ///
 /// A range has no blocks to take until make_ready() resets its counter. A thread that is late and
 /// increments the counter of a later run takes a block that is ready in that run.
-std::size_t RunProgress::run_blocks(StageId id, int thread) noexcept {
+std::size_t RunProgress::run_blocks(StageId id, int thread, const Interrupt* interrupt) noexcept {
     std::vector<Range>& ranges = stages_[id].ranges;
     std::size_t done = 0;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -81,6 +81,7 @@ std::size_t RunProgress::run_blocks(StageId id, int thread) noexcept {
             if (block >= range.end) break;
             run(id, block);
             ++done;
+            if (interrupt && interrupt->has_come()) return done;
         }
     }
     return done;

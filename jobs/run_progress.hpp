@@ -39,10 +39,18 @@ class RunProgress {
         bool is_last = false;          ///< the run is done, and this was its last work
         std::size_t ready_blocks = 0;  ///< blocks of other stages that became ready by this work
     };
+    /// A counter of other threads, and the value that this thread has seen.
+    struct Interrupt {
+        const std::atomic<std::uint32_t>& changes;
+        std::uint32_t seen;
+        bool has_come() const { return changes.load(std::memory_order_relaxed) != seen; }
+    };
+
     /// Runs blocks of one stage until none of them remains to be taken. The search begins at the
     /// thread's place and continues to later stages, then to earlier ones. Threads begin a run in
     /// different cascades, so that each keeps its cascades in the cache of its core.
-    Outcome work(Place& place) noexcept;
+    /// \param interrupt  if not null, the thread takes no further block after a change
+    Outcome work(Place& place, const Interrupt* interrupt) noexcept;
 
     bool is_done() const { return unfinished_ends_.load(std::memory_order_acquire) == 0; }
 
@@ -68,7 +76,7 @@ class RunProgress {
 
     void make_ready(StageId, Outcome&);
     void end_stage(StageId, Outcome&);
-    std::size_t run_blocks(StageId, int thread) noexcept;
+    std::size_t run_blocks(StageId, int thread, const Interrupt*) noexcept;
     void run(StageId, std::size_t block) noexcept;
     StageId first_stage(int thread) const;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -157,20 +156,28 @@ void WorkerGroup::work(int thread) noexcept {
     // each time if the two CPUs share no cache.
     if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu);
     RunProgress::Place place{thread};
-    const Run* last = nullptr;
+    std::shared_ptr<Run> last;
     std::uint32_t seen;
     do {
         seen = changes_;
-    } while (work_on_all_runs(place, last) || stays_awake(seen));
+    } while (work_on_all_runs(place, last, seen) || stays_awake(seen));
 }
 
+/// Runs that were bound earlier take precedence, for instance frames before spectra of later seas.
+/// A change therefore interrupts work on the others.
 /// \param place  of the thread in the run `last`, on which it has worked last
-bool WorkerGroup::work_on_all_runs(RunProgress::Place& place, const Run*& last) noexcept {
+/// \param seen   value of changes_
+bool WorkerGroup::work_on_all_runs(RunProgress::Place& place, std::shared_ptr<Run>& last,
+                                   std::uint32_t seen) noexcept {
+    const RunProgress::Interrupt interrupt{changes_, seen};
     bool has_worked = false;
     std::size_t index = 0;
     while (const std::shared_ptr<Run> run = unfinished_run(index)) {
-        if (run.get() != std::exchange(last, run.get())) place = {place.thread};
-        has_worked |= work_while_ready(*run, place) > 0;
+        if (run != last) place = {place.thread};
+        last = run;
+        const bool is_first = index == 1;
+        has_worked |= work_while_ready(*run, place, is_first ? nullptr : &interrupt) > 0;
+        if (has_worked && !is_first && interrupt.has_come()) break;
     }
     return has_worked;
 }
@@ -183,11 +190,13 @@ std::shared_ptr<WorkerGroup::Run> WorkerGroup::unfinished_run(std::size_t& index
     return {};
 }
 
-/// Works on one run until no block is ready. Returns the number of blocks that this thread ran.
-std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place) noexcept {
+/// Works on one run until no block is ready, or until a change interrupts it. Returns the number of
+/// blocks that this thread ran.
+std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place,
+                                          const RunProgress::Interrupt* interrupt) noexcept {
     std::size_t blocks = 0;
-    for (;;) {
-        const RunProgress::Outcome outcome = run.progress.work(place);
+    while (!(blocks > 0 && interrupt && interrupt->has_come())) {
+        const RunProgress::Outcome outcome = run.progress.work(place, interrupt);
         if (outcome.blocks == 0) return blocks;
         blocks += outcome.blocks;
         // This thread continues with one of the ready blocks. Only the thread that completes a run
@@ -197,6 +206,7 @@ std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place) n
         wake_all(changes_);  // threads in finish(); a system call only if there are any
         if (outcome.ready_blocks > 1) wake_for(outcome.ready_blocks - 1);
     }
+    return blocks;
 }
 
 /// Wakes as many workers as can work on `blocks` blocks, except those that look for work already.

@@ -62,8 +62,8 @@ class WorkerGroup {
     void start_and_finish(Run&);
     bool pays_to_share(const Run&) const;
     void wake_for(std::size_t blocks) noexcept;
-    std::size_t work_while_ready(Run&, RunProgress::Place&) noexcept;
-    bool work_on_all_runs(RunProgress::Place&, const Run*& last) noexcept;
+    std::size_t work_while_ready(Run&, RunProgress::Place&, const RunProgress::Interrupt* = nullptr) noexcept;
+    bool work_on_all_runs(RunProgress::Place&, std::shared_ptr<Run>& last, std::uint32_t seen) noexcept;
     bool spin_until_change(std::uint32_t seen) const noexcept;
     bool stays_awake(std::uint32_t seen) noexcept;
     std::shared_ptr<Run> unfinished_run(std::size_t& index) noexcept;

@@ -312,6 +312,41 @@ TEST_P(ParallelExecutor, WorkRunsWithoutComplete) {
     EXPECT_EQ(done, 10);
 }
 
+/// With one worker, beside the completing thread.
+class TwoThreadExecutor : public EachExecutor {};
+INSTANTIATE_TEST_SUITE_P(Kinds, TwoThreadExecutor, testing::ValuesIn([] {
+                             std::vector<ExecutorKind> all = executor_kinds();
+                             std::erase_if(all, [](const ExecutorKind& kind) { return kind.threads != 2; });
+                             return all;
+                         }()),
+                         [](const auto& test) { return test.param.name; });
+
+// A run that was bound first, as that of frames, is done before the rest of a long one, as that of
+// the spectrum of a later sea.
+TEST_P(TwoThreadExecutor, RunBoundFirstTakesPrecedence) {
+    std::latch is_scheduled(1);
+    std::atomic<bool> begun = false, first_ran = false;
+    std::atomic<int> too_early = 0;
+    JobGraph frame, spectrum;
+    frame.add({.name = "frame", .count = 1, .body = [&](std::size_t, std::size_t) { first_ran = true; }});
+    spectrum.add({.name = "spectrum", .count = 100, .body = [&](std::size_t, std::size_t) {
+                      if (begun.exchange(true)) {
+                          if (!first_ran) ++too_early;
+                      } else {
+                          wait_until([&] { return is_scheduled.try_wait(); });
+                      }
+                  }});
+    const auto frame_run = executor_->prepare(frame), spectrum_run = executor_->prepare(spectrum);
+    spectrum_run->schedule();
+    ASSERT_TRUE(wait_until([&] { return begun.load(); }));
+    frame_run->schedule();
+    is_scheduled.count_down();
+    EXPECT_TRUE(wait_until([&] { return spectrum_run->is_done(); }));
+    EXPECT_EQ(too_early, 0);
+    frame_run->complete();
+    spectrum_run->complete();
+}
+
 // The second stage of one chain runs while the first stage of another chain is running, as stages
 // of different cascades do.
 TEST_P(ParallelExecutor, StagesOfDifferentChainsOverlap) {
