@@ -24,6 +24,9 @@ constexpr Clock::rep usual_wake_cost = ticks_of_us(5), usual_wake_delay = ticks_
 /// application has at most a few in a row, one for each of its graphs.
 constexpr int runs_of_a_series = 8;
 
+/// A worker has the data of a frame in its caches after each slot of frames has been used twice.
+constexpr int runs_until_warm = 4;
+
 Clock::rep now() { return Clock::now().time_since_epoch().count(); }
 
 /// Hints to the core that this thread spins.
@@ -106,6 +109,7 @@ void WorkerGroup::start_and_finish(Run& run) {
     if (!pays_to_share(run)) {
         run.progress.run_alone();
         last_end_ = now();
+        helped_in_a_row_ = 0;
         adjust(run.alone, last_end_ - start_time);
         for (auto* const estimate : {&wake_cost_, &wake_delay_, &run.helped}) fade(*estimate);
         return;
@@ -114,11 +118,12 @@ void WorkerGroup::start_and_finish(Run& run) {
     start(run, 1);
     const double alone = finish(run);
     last_end_ = now();
-    if (is_awake) {
+    helped_in_a_row_ = is_awake ? helped_in_a_row_ + 1 : 0;
+    if (!is_awake) {
+        adjust(run.alone, static_cast<Clock::rep>(alone));
+    } else if (helped_in_a_row_ > runs_until_warm) {
         adjust(run.helped, last_end_ - start_time);
         fade(run.alone);
-    } else {
-        adjust(run.alone, static_cast<Clock::rep>(alone));
     }
 }
 
