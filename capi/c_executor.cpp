@@ -43,3 +43,7 @@ pelagic_status pelagic_executor_create(const pelagic_executor_options* options, 
 }
 
 void pelagic_executor_destroy(pelagic_executor* executor) { delete executor; }
+
+pelagic_status pelagic_executor_set_spin_us(pelagic_executor* executor, int32_t us) {
+    return guarded([&] { needed(executor, "executor").executor->set_spin_us(us); });
+}

@@ -331,6 +331,15 @@ PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_option
  * Threads: one thread per object. */
 PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
+/* Sets how long threads look for work before they sleep. 0 saves battery; then frames take longer.
+ * Has no effect on executors without threads of their own, or with more threads than cores.
+ *
+ * us: microseconds; [0, 1000]; 20 at first.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a null pointer or a value out of range.
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_executor_set_spin_us(pelagic_executor* executor, int32_t us);
+
 /* ---- The ocean ------------------------------------------------------------------------------- */
 
 /* Allocates memory. Written by the application. Must return `bytes` bytes (more than 0) at a

@@ -33,6 +33,14 @@ class GraphRun {
     /// \throws                       the first exception of a job's body
     virtual void complete() = 0;
 
+    /// Calls schedule() and complete(). Executors of Pelagic with threads do not wake a sleeping
+    /// thread for a run that the calling thread completes sooner by itself.
+    /// \pre no run is in flight (asserted)
+    virtual void run() {
+        schedule();
+        complete();
+    }
+
     /// Returns true if no run is in flight or all of its stages are done. Never blocks.
     virtual bool is_done() const = 0;
 };
@@ -57,7 +65,17 @@ class Executor {
 
     /// Returns a short name for reports, such as "tbb".
     virtual std::string_view name() const = 0;
+
+    /// Sets how long threads look for work before they sleep. 0 saves battery; then frames with
+    /// several stages take longer. Has no effect on executors without threads of their own, or with
+    /// more threads than cores. oneTBB's own threads look for work for a while longer.
+    /// \param us  microseconds, 0 to 1000; default_spin_us at first
+    /// \throws std::invalid_argument  if `us` is out of range
+    virtual void set_spin_us(int us) { static_cast<void>(us); }
 };
+
+/// Stages follow each other within microseconds. See Executor::set_spin_us().
+inline constexpr int default_spin_us = 20;
 
 /// Creates an executor without threads: complete() does all work on the calling thread, in order.
 std::shared_ptr<Executor> make_serial_executor();
@@ -113,10 +131,8 @@ struct ApplicationJobs {
 std::shared_ptr<Executor> make_callback_executor(const ApplicationJobs& jobs);
 
 #if defined(PELAGIC_HAS_TBB)
-/// Creates an executor on oneTBB: a flow graph with one node per stage, each a parallel loop. Every
-/// graph has an arena of `threads` slots, one of which is reserved for the thread that calls
-/// schedule() and complete(). All graphs share oneTBB's workers, so a graph may not start before
-/// its complete() while another graph uses them.
+/// Creates an executor whose threads are those of oneTBB, in one arena. The program's other arenas
+/// share them, so a graph may not start before its complete() while others use the threads.
 /// \param threads  0 to 1024. 0: oneTBB's default, one per core that the process may use; 1:
 ///                 complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range

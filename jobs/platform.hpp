@@ -31,11 +31,21 @@ std::uint64_t cpus_of_this_process();
 /// the process may use none of them. \pre has_cpu_masks()
 void keep_this_thread_on_cpus(std::uint64_t mask);
 
+/// Returns the number of the CPU that runs the calling thread, or -1 if the system does not provide
+/// it.
+int current_cpu();
+
+/// Moves the calling thread to another CPU that it may use, if there is one. It may use the same
+/// CPUs as before. Has no effect if the system has no such function.
+void leave_cpu(int cpu);
+
 /// Replacement of std::atomic's wait(): blocks until `word` differs from `value`. A thread that
 /// changes `word` must call wake_all() afterwards. Without a futex, as on Windows, the wait() of
 /// libstdc++ 12 compares the word before it takes its lock, and misses a change in between.
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value);
 /// Wakes all threads that wait for a change of `word`.
 void wake_all(std::atomic<std::uint32_t>& word);
+/// Wakes at least one of them.
+void wake_one(std::atomic<std::uint32_t>& word);
 
 }  // namespace pelagic

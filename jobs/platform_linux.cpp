@@ -46,7 +46,20 @@ void keep_this_thread_on_cpus(std::uint64_t mask) {
     sched_setaffinity(0, sizeof cpus, &cpus);
 }
 
+int current_cpu() { return sched_getcpu(); }
+
+void leave_cpu(int cpu) {
+    cpu_set_t all;
+    CPU_ZERO(&all);
+    if (sched_getaffinity(0, sizeof all, &all) != 0) return;
+    cpu_set_t others = all;
+    CPU_CLR(static_cast<unsigned>(cpu), &others);
+    // The first call moves the thread, and fails if there is no other CPU.
+    if (sched_setaffinity(0, sizeof others, &others) == 0) sched_setaffinity(0, sizeof all, &all);
+}
+
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }
 void wake_all(std::atomic<std::uint32_t>& word) { word.notify_all(); }
+void wake_one(std::atomic<std::uint32_t>& word) { word.notify_one(); }
 
 }  // namespace pelagic

@@ -46,6 +46,9 @@ void keep_this_thread_on_cpus(std::uint64_t mask) {
     SetThreadAffinityMask(GetCurrentThread(), mask & cpus_of_this_process());
 }
 
+int current_cpu() { return static_cast<int>(GetCurrentProcessorNumber()); }
+void leave_cpu(int) {}
+
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) {
     WaitQueue& queue = queue_of(word);
     AcquireSRWLockExclusive(&queue.lock);
@@ -61,5 +64,8 @@ void wake_all(std::atomic<std::uint32_t>& word) {
     ReleaseSRWLockExclusive(&queue.lock);
     WakeAllConditionVariable(&queue.changed);
 }
+
+// Several words share a queue.
+void wake_one(std::atomic<std::uint32_t>& word) { wake_all(word); }
 
 }  // namespace pelagic

@@ -29,12 +29,12 @@ class SerialRun final : public GraphRun {
    private:
     void finish() noexcept {
         if (!scheduled_) return;
-        try {
-            for (const Stage& stage : graph_.stages())
-                for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
-        } catch (...) {
-            failure_.keep_current();
-        }
+        for (const Stage& stage : graph_.stages())
+            for (std::size_t block = 0; block < block_count(stage); ++block) try {
+                    run_block(stage, block);
+                } catch (...) {
+                    failure_.keep_current();
+                }
         scheduled_ = false;
     }
 

@@ -1,103 +1,49 @@
-// Executor on oneTBB: one flow graph node per stage, with a parallel loop in each node.
-#include <oneapi/tbb/blocked_range.h>
+// Executor on the threads of oneTBB.
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <atomic>
-#include <cassert>
-#include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
-#include "pelagic/jobs/run_failure.hpp"
 #include "pelagic/jobs/thread_count.hpp"
+#include "pelagic/jobs/worker_group.hpp"
 
 namespace pelagic {
 namespace {
 
-using tbb::flow::continue_msg;
-
-/// A flow graph in a separate arena. A thread that completes one graph therefore never runs jobs of
-/// another graph, and the reserved slot is always free for it.
-class TbbRun final : public GraphRun {
+/// Threads of oneTBB that work in an arena. One slot of the arena is reserved for the thread that
+/// destroys the group.
+class ArenaWorkers final : public WorkerGroup {
    public:
-    TbbRun(const JobGraph& graph, int threads) : arena_(threads, 1) {
-        // A flow graph enqueues its tasks in the arena in which it was constructed.
-        arena_.execute([&] { build(graph); });
+    explicit ArenaWorkers(int threads) : WorkerGroup(threads), arena_(threads, 1) {}
+    /// Waits until all tasks have ended, and runs those that no thread has begun.
+    ~ArenaWorkers() override {
+        arena_.execute([this] { tasks_.wait_for_all(); });
     }
-    ~TbbRun() override { finish(); }
-
-    void schedule() override {
-        assert(is_done());
-        remaining_stages_ = nodes_.size();
-        try {
-            arena_.execute([&] { start_->try_put(continue_msg()); });
-        } catch (...) {
-            remaining_stages_ = 0;
-            throw;
-        }
-    }
-    void complete() override {
-        finish();
-        failure_.rethrow();
-    }
-    bool is_done() const override { return remaining_stages_ == 0; }
 
    private:
-    using Node = tbb::flow::continue_node<continue_msg>;
-
-    void finish() {
-        arena_.execute([&] { flow_->wait_for_all(); });
-    }
-
-    void build(const JobGraph& graph) {
-        flow_.emplace();
-        start_.emplace(*flow_);
-        for (const Stage& stage : graph.stages()) {
-            Node& node = nodes_.emplace_back(*flow_, [this, &stage](const continue_msg&) { run(stage); });
-            if (stage.waits_for.empty()) tbb::flow::make_edge(*start_, node);
-            for (const StageId earlier : stage.waits_for) tbb::flow::make_edge(nodes_[earlier], node);
+    int wake(int count) noexcept override {
+        for (int woken = 0; woken < count; ++woken) {
+            tasks_.reserve_wait();
+            try {
+                arena_.enqueue([this] {
+                    work(tbb::this_task_arena::current_thread_index());
+                    tasks_.release_wait();
+                });
+            } catch (...) {  // no memory for a task
+                tasks_.release_wait();
+                return woken;
+            }
         }
-    }
-
-    /// Catches every exception, because oneTBB would cancel the graph's other nodes.
-    void run(const Stage& stage) {
-        try {
-            const std::size_t blocks = block_count(stage);
-            if (blocks == 1)
-                run_block(stage, 0);
-            else if (blocks > 1)
-                tbb::this_task_arena::isolate([&] { run_blocks(stage, blocks); });
-        } catch (...) {
-            failure_.keep_current();
-        }
-        --remaining_stages_;
-    }
-
-    /// The caller isolates this function. Otherwise a thread that waits here for the last blocks
-    /// would run another stage on the same stack, and would delay the stages that wait for this
-    /// stage.
-    static void run_blocks(const Stage& stage, std::size_t blocks) {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, blocks, 1),
-            [&stage](const tbb::blocked_range<std::size_t>& range) {
-                for (std::size_t block = range.begin(); block < range.end(); ++block) run_block(stage, block);
-            },
-            tbb::simple_partitioner());
+        return count;
     }
 
     tbb::task_arena arena_;
-    std::optional<tbb::flow::graph> flow_;
-    std::optional<tbb::flow::broadcast_node<continue_msg>> start_;
-    std::deque<Node> nodes_;
-    std::atomic<std::size_t> remaining_stages_ = 0;
-    RunFailure failure_;
+    tbb::flow::graph tasks_;  ///< counts tasks; it has no nodes
 };
 
 // The stack size of oneTBB's workers on 64-bit systems, 4 MiB, and its guard page.
@@ -127,15 +73,19 @@ void allow_threads(int threads) {
 
 class TbbExecutor final : public Executor {
    public:
-    explicit TbbExecutor(int threads) : threads_(threads) { allow_threads(threads); }
-    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
-        return std::make_unique<TbbRun>(graph, threads_);
+    explicit TbbExecutor(int threads) {
+        allow_threads(threads);
+        workers_ = std::make_shared<ArenaWorkers>(threads);
     }
-    int thread_limit() const override { return threads_; }
+    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
+        return WorkerGroup::prepare(graph, workers_);
+    }
+    int thread_limit() const override { return workers_->threads(); }
     std::string_view name() const override { return "tbb"; }
+    void set_spin_us(int us) override { workers_->set_spin_us(checked_spin_us(us)); }
 
    private:
-    int threads_;
+    std::shared_ptr<ArenaWorkers> workers_;
 };
 
 }  // namespace

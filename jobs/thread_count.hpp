@@ -1,4 +1,4 @@
-// Validation of thread counts of executors.
+// Validation of executors' options.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,12 @@ inline int checked_thread_count(int threads) {
     if (threads < 0 || threads > 1024)
         throw std::invalid_argument(invalid_value_message("threads", threads, "0 to 1024"));
     return threads == 0 ? cores() : threads;
+}
+
+/// Returns `us`. \throws std::invalid_argument  if `us` is outside [0, 1000]
+inline int checked_spin_us(int us) {
+    if (us < 0 || us > 1000) throw std::invalid_argument(invalid_value_message("spin_us", us, "0 to 1000"));
+    return us;
 }
 
 }  // namespace pelagic

@@ -39,17 +39,25 @@ class TracedRun final : public GraphRun {
         timed_run_->schedule();
     }
 
+    void run() override {
+        start_ = TraceClock::now();
+        scheduled_ = true;
+        const EndOfRun at_the_end{*this};
+        timed_run_->run();
+    }
+
     void complete() override {
-        const EndOfRun at_the_end{*this};  // runs also if the run failed
+        const EndOfRun at_the_end{*this};
         timed_run_->complete();
     }
 
     bool is_done() const override { return timed_run_->is_done(); }
 
    private:
+    /// Ends a run, also if it failed.
     struct EndOfRun {
-        TracedRun& run;
-        ~EndOfRun() { run.end(); }
+        TracedRun& traced;
+        ~EndOfRun() { traced.end(); }
     };
 
     void end() {

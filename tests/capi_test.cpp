@@ -214,6 +214,7 @@ TEST(CInterface, NullPointersAreNamed) {
     expect_invalid(pelagic_sea_check(nullptr), "sea is NULL");
     expect_invalid(pelagic_executor_create(nullptr, &executor), "options is NULL");
     expect_invalid(pelagic_executor_create(&options, nullptr), "executor is NULL");
+    expect_invalid(pelagic_executor_set_spin_us(nullptr, 0), "executor is NULL");
     expect_invalid(pelagic_ocean_create(nullptr, nullptr, &made), "sea is NULL");
     expect_invalid(pelagic_ocean_create(&sea, nullptr, nullptr), "ocean is NULL");
     expect_invalid(pelagic_ocean_describe(nullptr, &info), "ocean is NULL");
@@ -345,6 +346,10 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
     expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_APPLICATION; }), "parallel_for is null");
     expect_invalid(create_with([](auto& o) { o.cpu_mask = 1; }),
                    "cpu_mask is set, expected PELAGIC_EXECUTOR_THREADS");
+
+    const auto threads = executor_of(PELAGIC_EXECUTOR_THREADS, 2);
+    EXPECT_EQ(pelagic_executor_set_spin_us(threads.get(), 0), PELAGIC_OK);
+    expect_invalid(pelagic_executor_set_spin_us(threads.get(), 1001), "spin_us is 1001, expected 0 to 1000");
 
     const pelagic_sea sea = small_sea();
     const auto ocean_with = [&](const std::function<void(pelagic_ocean_options&)>& change) {

@@ -221,6 +221,56 @@ TEST_P(EachExecutor, DestroyingARunWaitsForIt) {
     EXPECT_EQ(done, 8);
 }
 
+// A worker that is awake, asleep or about to sleep: runs in a row, after a pause, and after pauses
+// near the time of spinning.
+TEST_P(EachExecutor, RunsInOneCallRunEveryBlockOnce) {
+    std::atomic<int> first = 0, last = 0, too_early = 0;
+    JobGraph graph;
+    const StageId before =
+        graph.add({.name = "first", .count = 9, .body = [&](std::size_t, std::size_t) { ++first; }});
+    graph.add({.name = "last", .count = 5, .waits_for = {before}, .body = [&](std::size_t, std::size_t) {
+                   if (first % 9 != 0) ++too_early;
+                   ++last;
+               }});
+    const auto run = executor_->prepare(graph);
+    for (int round = 1; round <= 2000; ++round) {
+        if (round % 50 == 0) std::this_thread::sleep_for(std::chrono::microseconds(round % 300));
+        run->run();
+        ASSERT_TRUE(run->is_done());
+        ASSERT_EQ(first, 9 * round);
+        ASSERT_EQ(last, 5 * round);
+    }
+    EXPECT_EQ(too_early, 0);
+}
+
+TEST_P(EachExecutor, RunInOneCallThrowsABodysExceptionOnce) {
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    graph.add({.name = "throws", .count = 20, .body = [&](std::size_t begin, std::size_t) {
+                   if (begin == 13) throw std::runtime_error("thirteen");
+                   ++done;
+               }});
+    const auto run = executor_->prepare(graph);
+    for (int round = 1; round <= 20; ++round) {
+        EXPECT_THROW(run->run(), std::runtime_error);
+        run->complete();
+        ASSERT_EQ(done, 19 * round);
+    }
+}
+
+TEST_P(EachExecutor, WorksWithoutSpinning) {
+    executor_->set_spin_us(0);
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    const StageId first = graph.add({.name = "first", .count = 6, .body = [&](std::size_t, std::size_t) { ++done; }});
+    graph.add({.name = "last", .count = 6, .waits_for = {first}, .body = [&](std::size_t, std::size_t) { ++done; }});
+    const auto run = executor_->prepare(graph);
+    for (int round = 1; round <= 500; ++round) {
+        round % 2 == 0 ? run->run() : run_once(*run);
+        ASSERT_EQ(done, 12 * round);
+    }
+}
+
 TEST_P(EachExecutor, CompletingAnIdleRunReturns) {
     JobGraph graph;
     graph.add({.name = "never", .count = 1, .body = [](std::size_t, std::size_t) { FAIL(); }});
@@ -260,6 +310,62 @@ TEST_P(ParallelExecutor, WorkRunsWithoutComplete) {
     run->schedule();
     EXPECT_TRUE(wait_until([&] { return run->is_done(); }));
     EXPECT_EQ(done, 10);
+}
+
+/// With one worker, beside the completing thread.
+class TwoThreadExecutor : public EachExecutor {};
+INSTANTIATE_TEST_SUITE_P(Kinds, TwoThreadExecutor, testing::ValuesIn([] {
+                             std::vector<ExecutorKind> all = executor_kinds();
+                             std::erase_if(all, [](const ExecutorKind& kind) { return kind.threads != 2; });
+                             return all;
+                         }()),
+                         [](const auto& test) { return test.param.name; });
+
+// A run that was bound first, as that of frames, is done before the rest of a long one, as that of
+// the spectrum of a later sea.
+TEST_P(TwoThreadExecutor, RunBoundFirstTakesPrecedence) {
+    std::latch is_scheduled(1);
+    std::atomic<bool> begun = false, first_ran = false;
+    std::atomic<int> too_early = 0;
+    JobGraph frame, spectrum;
+    frame.add({.name = "frame", .count = 1, .body = [&](std::size_t, std::size_t) { first_ran = true; }});
+    spectrum.add({.name = "spectrum", .count = 100, .body = [&](std::size_t, std::size_t) {
+                      if (begun.exchange(true)) {
+                          if (!first_ran) ++too_early;
+                      } else {
+                          wait_until([&] { return is_scheduled.try_wait(); });
+                      }
+                  }});
+    const auto frame_run = executor_->prepare(frame), spectrum_run = executor_->prepare(spectrum);
+    spectrum_run->schedule();
+    ASSERT_TRUE(wait_until([&] { return begun.load(); }));
+    frame_run->schedule();
+    is_scheduled.count_down();
+    EXPECT_TRUE(wait_until([&] { return spectrum_run->is_done(); }));
+    EXPECT_EQ(too_early, 0);
+    frame_run->complete();
+    spectrum_run->complete();
+}
+
+// The second stage of one chain runs while the first stage of another chain is running, as stages
+// of different cascades do.
+TEST_P(ParallelExecutor, StagesOfDifferentChainsOverlap) {
+    std::atomic<bool> second_ran = false;
+    std::atomic<int> waited_in_vain = 0;
+    JobGraph graph;
+    const StageId first = graph.add({.name = "first", .count = 1, .body = [](std::size_t, std::size_t) {}});
+    graph.add({.name = "second", .count = 1, .waits_for = {first}, .body = [&](std::size_t, std::size_t) {
+                   second_ran = true;
+               }});
+    graph.add({.name = "other chain", .count = 1, .body = [&](std::size_t, std::size_t) {
+                   if (!wait_until([&] { return second_ran.load(); })) ++waited_in_vain;
+               }});
+    const auto run = executor_->prepare(graph);
+    for (int round = 0; round < 20; ++round) {
+        second_ran = false;
+        run_once(*run);
+    }
+    EXPECT_EQ(waited_in_vain, 0);
 }
 
 /// One thread for each block of `stage` and one for a neighbour.
@@ -431,6 +537,13 @@ TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
     for (const auto make : {make_thread_executor, make_default_executor}) {
         EXPECT_EQ(reason_of([&] { make(-3); }), "threads is -3, expected 0 to 1024");
         EXPECT_EQ(reason_of([&] { make(1025); }), "threads is 1025, expected 0 to 1024");
+    }
+}
+
+TEST(ExecutorOptions, BadSpinTimesThrowTheRange) {
+    for (const auto& executor : {make_thread_executor(2), make_default_executor(2)}) {
+        EXPECT_EQ(reason_of([&] { executor->set_spin_us(-1); }), "spin_us is -1, expected 0 to 1000");
+        EXPECT_EQ(reason_of([&] { executor->set_spin_us(1001); }), "spin_us is 1001, expected 0 to 1000");
     }
 }
 

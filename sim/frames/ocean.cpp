@@ -178,7 +178,7 @@ struct Ocean::State {
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< false: complete() does all the work
     bool frame_in_flight = false;
-    /// Null for a frame that needs several ticks until complete() starts it.
+    /// Null if complete() starts the run: for a frame that needs several ticks, and in frame_at().
     GraphRun* run_in_flight = nullptr;
     Bake bake_in_flight = Bake::nothing;
     std::size_t baking_stage = 0, baking_block = 0;  ///< next block of bake_blocks()
@@ -190,9 +190,7 @@ struct Ocean::State {
     void bake_shore() {
         JobGraph graph;
         shore->add_bake_stages(graph);
-        const std::unique_ptr<GraphRun> run = executor->prepare(graph);
-        run->schedule();
-        run->complete();
+        executor->prepare(graph)->run();
         shore->end_bake();
     }
     void require_constant_sea() const {
@@ -210,23 +208,43 @@ struct Ocean::State {
         ensure_resident(Pass::tick, frames.next_tick_s());
         frames.begin_tick();
     }
-    /// Starts the run that computes the frame, with its last tick if it needs one.
+    /// Returns the run that computes the frame, with its last tick if it needs one.
+    GraphRun& prepared_run() {
+        if (frames.ticks_due() == 0) return *frame_run;
+        begin_tick();
+        return *tick_and_frame_run;
+    }
     void begin_run() {
-        const bool with_tick = frames.ticks_due() > 0;
-        if (with_tick) begin_tick();
-        run_in_flight = with_tick ? tick_and_frame_run.get() : frame_run.get();
+        run_in_flight = &prepared_run();
         run_in_flight->schedule();
     }
     void complete_run() {
-        if (!run_in_flight) {
-            while (frames.ticks_due() > 1) {
-                begin_tick();
-                tick_run->schedule();
-                tick_run->complete();
-            }
-            begin_run();
+        if (run_in_flight) return run_in_flight->complete();
+        while (frames.ticks_due() > 1) {
+            begin_tick();
+            tick_run->run();
         }
-        run_in_flight->complete();
+        prepared_run().run();
+    }
+    /// \param is_ahead  whether work starts before complete()
+    void begin_frame(double time_s, std::span<const TextureTargets> cascades, bool is_ahead) {
+        assert(!frame_in_flight && "complete() the frame in flight first");
+        assert(std::isfinite(time_s));
+        adopt_ahead();
+        ensure_resident(Pass::frame, time_s);
+        bake_ahead(time_s);
+        run_in_flight = nullptr;
+        turn();
+        try {
+            if (dynamic_waves) dynamic_waves->begin_frame(time_s);
+            if (shore) shore->begin_frame(time_s);
+            frames.begin_frame(time_s, cascades);
+            if (is_ahead && frames.ticks_due() <= 1) begin_run();
+        } catch (...) {
+            drop_frame();
+            throw;
+        }
+        frame_in_flight = true;
     }
     /// Swaps all of a frame's buffers, before any step that may fail; drop_frame() swaps them back.
     void turn() {
@@ -264,25 +282,9 @@ Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
 Ocean::~Ocean() = default;
 
 void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    assert(std::isfinite(time_s));
     require(cascades.empty() ? std::string()
                              : check(cascades, cascade_count(), resolution(), state_->frames.contents()));
-    state_->adopt_ahead();
-    state_->ensure_resident(Pass::frame, time_s);
-    state_->bake_ahead(time_s);
-    state_->run_in_flight = nullptr;
-    state_->turn();
-    try {
-        if (state_->dynamic_waves) state_->dynamic_waves->begin_frame(time_s);
-        if (state_->shore) state_->shore->begin_frame(time_s);
-        state_->frames.begin_frame(time_s, cascades);
-        if (state_->frames.ticks_due() <= 1) state_->begin_run();
-    } catch (...) {
-        state_->drop_frame();
-        throw;
-    }
-    state_->frame_in_flight = true;
+    state_->begin_frame(time_s, cascades, true);
 }
 
 bool Ocean::is_ready() const {
@@ -313,7 +315,7 @@ const Frame& Ocean::complete() {
 }
 
 const Frame& Ocean::frame_at(double time_s) {
-    schedule(time_s);
+    state_->begin_frame(time_s, {}, false);
     return complete();
 }
 

@@ -1,0 +1,262 @@
+#include "pelagic/jobs/worker_group.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include "pelagic/jobs/platform.hpp"
+#include "pelagic/jobs/thread_count.hpp"
+
+namespace pelagic {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr Clock::rep ticks_of_us(int us) { return Clock::duration(std::chrono::microseconds(us)).count(); }
+
+/// First estimates, of a desktop processor that is idle.
+constexpr Clock::rep usual_wake_cost = ticks_of_us(5), usual_wake_delay = ticks_of_us(40);
+
+/// Runs that follow each other within the time of spinning are a series after this number. A paced
+/// application has at most a few in a row, one for each of its graphs.
+constexpr int runs_of_a_series = 8;
+
+/// A worker has the data of a frame in its caches after each slot of frames has been used twice.
+constexpr int runs_until_warm = 4;
+
+Clock::rep now() { return Clock::now().time_since_epoch().count(); }
+
+/// Hints to the core that this thread spins.
+void pause() {
+#if defined(__x86_64__)
+    _mm_pause();
+#elif defined(__aarch64__)
+    __asm__ __volatile__("yield");
+#endif
+}
+
+/// Moves an estimate towards a sample. Limits the weight of a sample that is much too large because
+/// the thread was preempted.
+void adjust(std::atomic<Clock::rep>& estimate, Clock::rep sample) {
+    const Clock::rep before = estimate;
+    if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 4 * before) - before) / 4;
+}
+
+/// Decreases the estimate of a choice that has not been made, so that it is measured again after
+/// some hundreds of runs.
+void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 1024; }
+
+}  // namespace
+
+class WorkerGroup::BoundRun final : public GraphRun {
+   public:
+    BoundRun(const JobGraph& graph, std::shared_ptr<WorkerGroup> group)
+        : group_(std::move(group)), run_(std::make_shared<Run>(graph, group_->threads())) {
+        const std::lock_guard lock(group_->mutex_);
+        group_->runs_.push_back(run_);
+    }
+    ~BoundRun() override {
+        group_->finish(*run_);
+        const std::lock_guard lock(group_->mutex_);
+        std::erase(group_->runs_, run_);
+    }
+
+    void schedule() override {
+        assert(is_done() && "complete() the run before schedule()");
+        group_->start(*run_, 0);
+    }
+    void complete() override {
+        group_->finish(*run_);
+        run_->progress.rethrow_failure();
+    }
+    void run() override {
+        assert(is_done() && "complete() the run before run()");
+        group_->start_and_finish(*run_);
+        run_->progress.rethrow_failure();
+    }
+    bool is_done() const override { return run_->progress.is_done(); }
+
+   private:
+    std::shared_ptr<WorkerGroup> group_;
+    std::shared_ptr<Run> run_;
+};
+
+WorkerGroup::WorkerGroup(int threads)
+    : threads_(threads), wake_cost_(usual_wake_cost), wake_delay_(usual_wake_delay) {
+    set_spin_us(default_spin_us);
+}
+
+std::unique_ptr<GraphRun> WorkerGroup::prepare(const JobGraph& graph, std::shared_ptr<WorkerGroup> group) {
+    return std::make_unique<BoundRun>(graph, std::move(group));
+}
+
+// More threads than cores would delay each other.
+void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= cores() ? ticks_of_us(us) : 0; }
+
+/// \param blocks_of_this_thread  blocks that need no worker, because this thread runs them
+void WorkerGroup::start(Run& run, std::size_t blocks_of_this_thread) {
+    const std::size_t ready_blocks = run.progress.start();
+    ++changes_;
+    wake_for(ready_blocks - std::min(ready_blocks, blocks_of_this_thread));
+}
+
+void WorkerGroup::start_and_finish(Run& run) {
+    const Clock::rep start_time = now();
+    runs_in_a_row_ = start_time - last_end_ < spin_ ? runs_in_a_row_ + 1 : 0;
+    if (!pays_to_share(run)) {
+        run.progress.run_alone();
+        last_end_ = now();
+        helped_in_a_row_ = 0;
+        adjust(run.alone, last_end_ - start_time);
+        for (auto* const estimate : {&wake_cost_, &wake_delay_, &run.helped}) fade(*estimate);
+        return;
+    }
+    const bool is_awake = awake_ > 0 && woken_at_ == 0;
+    start(run, 1);
+    const double alone = finish(run);
+    last_end_ = now();
+    helped_in_a_row_ = is_awake ? helped_in_a_row_ + 1 : 0;
+    if (!is_awake) {
+        adjust(run.alone, static_cast<Clock::rep>(alone));
+    } else if (helped_in_a_row_ > runs_until_warm) {
+        adjust(run.helped, last_end_ - start_time);
+        fade(run.alone);
+    }
+}
+
+/// A worker that is woken does half of the work that remains when it begins. It must save a tenth
+/// of the time, because estimates vary. In a series of runs it stays awake.
+bool WorkerGroup::pays_to_share(const Run& run) const {
+    if (threads_ == 1 || run.alone == 0) return false;
+    if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
+    return run.alone - run.alone / 5 > wake_delay_ + 2 * wake_cost_;
+}
+
+/// Returns an estimate of the time on one thread, from the part of this thread.
+double WorkerGroup::finish(Run& run) {
+    RunProgress::Place place;
+    Clock::rep busy = 0;
+    std::size_t blocks = 0;
+    for (;;) {
+        const std::uint32_t seen = changes_;
+        const Clock::rep start_time = now();
+        if (const std::size_t done = work_while_ready(run, place)) {
+            busy += now() - start_time;
+            blocks += done;
+            continue;
+        }
+        if (run.progress.is_done()) break;
+        if (!spin_until_change(seen)) wait_while(changes_, seen);
+    }
+    return static_cast<double>(busy) * static_cast<double>(run.progress.blocks()) /
+           static_cast<double>(std::max(blocks, std::size_t{1}));
+}
+
+void WorkerGroup::work(int thread) noexcept {
+    if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
+    // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
+    // each time if the two CPUs share no cache.
+    if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu);
+    RunProgress::Place place{thread};
+    std::shared_ptr<Run> last;
+    std::uint32_t seen;
+    do {
+        seen = changes_;
+    } while (work_on_all_runs(place, last, seen) || stays_awake(seen));
+}
+
+/// Runs that were bound earlier take precedence, for instance frames before spectra of later seas.
+/// A change therefore interrupts work on the others.
+/// \param place  of the thread in the run `last`, on which it has worked last
+/// \param seen   value of changes_
+bool WorkerGroup::work_on_all_runs(RunProgress::Place& place, std::shared_ptr<Run>& last,
+                                   std::uint32_t seen) noexcept {
+    const RunProgress::Interrupt interrupt{changes_, seen};
+    bool has_worked = false;
+    std::size_t index = 0;
+    while (const std::shared_ptr<Run> run = unfinished_run(index)) {
+        if (run != last) place = {place.thread};
+        last = run;
+        const bool is_first = index == 1;
+        has_worked |= work_while_ready(*run, place, is_first ? nullptr : &interrupt) > 0;
+        if (has_worked && !is_first && interrupt.has_come()) break;
+    }
+    return has_worked;
+}
+
+/// Returns the next unfinished run from `index` on, and increments the index beyond it.
+std::shared_ptr<WorkerGroup::Run> WorkerGroup::unfinished_run(std::size_t& index) noexcept {
+    const std::lock_guard lock(mutex_);
+    while (index < runs_.size())
+        if (const std::shared_ptr<Run>& run = runs_[index++]; !run->progress.is_done()) return run;
+    return {};
+}
+
+/// Works on one run until no block is ready, or until a change interrupts it. Returns the number of
+/// blocks that this thread ran.
+std::size_t WorkerGroup::work_while_ready(Run& run, RunProgress::Place& place,
+                                          const RunProgress::Interrupt* interrupt) noexcept {
+    std::size_t blocks = 0;
+    while (!(blocks > 0 && interrupt && interrupt->has_come())) {
+        const RunProgress::Outcome outcome = run.progress.work(place, interrupt);
+        if (outcome.blocks == 0) return blocks;
+        blocks += outcome.blocks;
+        // This thread continues with one of the ready blocks. Only the thread that completes a run
+        // waits for its end.
+        if (outcome.ready_blocks <= 1 && (!outcome.is_last || place.thread == 0)) continue;
+        ++changes_;
+        wake_all(changes_);  // threads in finish(); a system call only if there are any
+        if (outcome.ready_blocks > 1) wake_for(outcome.ready_blocks - 1);
+    }
+    return blocks;
+}
+
+/// Wakes as many workers as can work on `blocks` blocks, except those that look for work already.
+void WorkerGroup::wake_for(std::size_t blocks) noexcept {
+    const int workers = threads_ - 1;
+    if (awake_ >= workers) return;
+    const int wanted = static_cast<int>(std::min(blocks, static_cast<std::size_t>(workers))) - spinning_;
+    int count = 0;
+    for (int awake = awake_; count < wanted && awake < workers;)
+        if (awake_.compare_exchange_weak(awake, awake + 1)) ++count, ++awake;
+    if (count <= 0) return;
+    const Clock::rep start = now();
+    woken_at_ = start;
+    waking_cpu_ = current_cpu();
+    awake_ -= count - wake(count);
+    adjust(wake_cost_, now() - start);
+}
+
+/// Returns true if there is a change, or false after the time of spinning.
+bool WorkerGroup::spin_until_change(std::uint32_t seen) const noexcept {
+    const Clock::rep spin = spin_;
+    if (spin == 0) return changes_ != seen;
+    constexpr int pauses_per_clock_read = 8;
+    for (const Clock::rep end = now() + spin; now() < end;)
+        for (int i = 0; i < pauses_per_clock_read; ++i) {
+            if (changes_ != seen) return true;
+            pause();
+        }
+    return false;
+}
+
+/// Returns false if the thread must sleep, because there has been no change for a while.
+///
+/// A thread that changes something reads the numbers of workers afterwards. It therefore counts
+/// this worker as asleep, or this worker reads the change.
+bool WorkerGroup::stays_awake(std::uint32_t seen) noexcept {
+    ++spinning_;
+    spin_until_change(seen);
+    --spinning_;
+    if (changes_ != seen) return true;
+    --awake_;
+    if (changes_ == seen) return false;
+    for (int awake = awake_; awake < threads_ - 1;)
+        if (awake_.compare_exchange_weak(awake, awake + 1)) return true;
+    return false;  // others have been woken instead
+}
+
+}  // namespace pelagic
