@@ -176,7 +176,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
         const SearchCascade& cascade = cascades_[t];
         const CellPlace place = place_in(cascade, point, t, offset);
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        height += point.weight[t] * cell.values_at(CascadeCell::Planar<1>{cascade.texels.height}, place.u, place.v)[0];
+        height +=
+            point.weight[t] * cell.values_at(CascadeCell::Planar<1>{cascade.texels.height}, place.u, place.v)[0];
     }
     return height;
 }
