@@ -124,9 +124,9 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
     }
 }
 
-// A texel changes only after a neighbour with an earlier phase has changed, so all others are skipped (locking:
-// Bak, McLaughlin and Renzi 2010, SIAM J. Sci. Comput. 32, 2853-2874). The result is that of plain
-// sweeps.
+// A texel changes only after a neighbour with an earlier phase has changed, so all others are
+// skipped (locking: Bak, McLaughlin and Renzi 2010, SIAM J. Sci. Comput. 32, 2853-2874). The result
+// is that of plain sweeps.
 void Refraction::sweep() {
     std::vector<std::uint8_t> may_change(bed_.texels());
     for (int j = 0; j < bed_.rows; ++j)
