@@ -55,8 +55,8 @@ class StackSearch {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE void begin(const InvertStackJob& job, std::size_t at) {
-        if (Interpolation::begins_at_the_point) return;
+    /// Starts at the offsets of an earlier search.
+    PELAGIC_INLINE void begin_at_offset(const InvertStackJob& job, std::size_t at) {
         x_ = V::load_aligned(job.offset_x + at);
         z_ = V::load_aligned(job.offset_z + at);
     }
@@ -126,34 +126,153 @@ class StackSearch {
     V squared_, step_x_, step_z_;
 };
 
+/// Several registers of searches, so that the loads of one overlap the arithmetic of the others.
 template <class Arch, class Interpolation, bool HasWeights, std::size_t Registers>
-PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_t at) {
+class StackSearches {
     using V = xsimd::batch<float, Arch>;
-    const V enough(job.target * job.target), reach(job.reach);
-    StackSearch<Arch, Interpolation, HasWeights> searches[Registers];
-    for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
-    if (Interpolation::begins_at_the_point && job.cascade_count > InvertStackJob::first_cascades) {
+
+   public:
+    StackSearches(const InvertStackJob& job, std::size_t at)
+        : job_(job), at_(at), enough_(job.target * job.target), reach_(job.reach) {}
+
+    PELAGIC_INLINE void begin_at_offset() {
+        for (std::size_t r = 0; r < Registers; ++r) searches_[r].begin_at_offset(job_, place(r));
+    }
+    PELAGIC_INLINE void step_with_first_cascades() {
         for (std::size_t r = 0; r < Registers; ++r)
-            searches[r].evaluate(job, InvertStackJob::first_cascades, at + r * V::size);
-        for (auto& search : searches) search.step(reach);
+            searches_[r].evaluate(job_, InvertStackJob::first_cascades, place(r));
+        for (auto& search : searches_) search.step(reach_);
     }
-    for (int step = 0;; ++step) {
-        for (std::size_t r = 0; r < Registers; ++r) searches[r].evaluate(job, job.cascade_count, at + r * V::size);
-        auto open = searches[0].open(enough);
-        for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
-        if (step == InvertStackJob::max_steps || !xsimd::any(open)) break;
-        for (auto& search : searches) search.step(reach, enough);
+    /// Runs steps until all lanes have converged. Returns false if some have not in the last step.
+    PELAGIC_INLINE bool converge(int step, int last_step) {
+        for (;; ++step) {
+            for (std::size_t r = 0; r < Registers; ++r) searches_[r].evaluate(job_, job_.cascade_count, place(r));
+            auto open = searches_[0].open(enough_);
+            for (std::size_t r = 1; r < Registers; ++r) open = open | searches_[r].open(enough_);
+            if (!xsimd::any(open)) return true;
+            if (step == last_step) return false;
+            for (auto& search : searches_) search.step(reach_, enough_);
+        }
     }
-    for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
-}
+    /// Steps the lanes that have not converged, and adds their numbers to `open`.
+    PELAGIC_INLINE std::size_t step_open(std::uint32_t* open) {
+        std::size_t count = 0;
+        for (std::size_t r = 0; r < Registers; ++r) {
+            alignas(64) float is_open[V::size];
+            xsimd::select(searches_[r].open(enough_), V(1.f), V(0.f)).store_aligned(is_open);
+            for (std::size_t lane = 0; lane < V::size; ++lane) {
+                open[count] = static_cast<std::uint32_t>(place(r) + lane);
+                count += is_open[lane] != 0;
+            }
+            searches_[r].step(reach_, enough_);
+        }
+        return count;
+    }
+    PELAGIC_INLINE void store() const {
+        for (std::size_t r = 0; r < Registers; ++r) searches_[r].store(job_, place(r));
+    }
+
+   private:
+    PELAGIC_INLINE std::size_t place(std::size_t r) const { return at_ + r * V::size; }
+
+    const InvertStackJob& job_;
+    std::size_t at_;
+    V enough_, reach_;
+    StackSearch<Arch, Interpolation, HasWeights> searches_[Registers];
+};
+
+/// Searches that few lanes of their registers still need. They continue in registers of their own.
+/// Lanes are independent, so this changes no result.
+template <class Arch, class Interpolation, bool HasWeights>
+class OpenSearches {
+    static constexpr std::size_t lanes = xsimd::batch<float, Arch>::size, together = 2 * lanes;
+
+   public:
+    /// The last step before searches move to registers of their own. Most searches need no other.
+    static constexpr int last_step = 2;
+
+    explicit OpenSearches(const InvertStackJob& job) : job_(job) {}
+
+    /// Adds the open searches of two registers.
+    template <std::size_t Registers>
+    PELAGIC_INLINE void add(StackSearches<Arch, Interpolation, HasWeights, Registers>& searches) {
+        count_ += searches.step_open(open_ + count_);
+    }
+    void run_full() {
+        if (count_ < together) return;
+        count_ -= together;
+        run<2>(open_ + count_, together);
+    }
+    void run_rest() {
+        if (count_ > lanes)
+            run<2>(open_, count_);
+        else if (count_ > 0)
+            run<1>(open_, count_);
+    }
+
+   private:
+    template <std::size_t Registers>
+    void run(const std::uint32_t* open, std::size_t count) {
+        Inputs in;
+        InvertStackJob job = job_;
+        job.offset_x = in.offset_x, job.offset_z = in.offset_z, job.error = in.error;
+        for (std::size_t t = 0; t < job.cascade_count; ++t) {
+            StackCascade& cascade = job.cascades[t];
+            cascade.world = {in.cell_x[t], in.cell_z[t], in.u[t], in.v[t]};
+            if (HasWeights) cascade.weight = in.weight[t];
+            job.blocks[t] = in.blocks[t];
+        }
+        for (std::size_t i = 0; i < Registers * lanes; ++i) {
+            const std::size_t from = open[i < count ? i : 0];
+            in.offset_x[i] = job_.offset_x[from], in.offset_z[i] = job_.offset_z[from];
+            for (std::size_t t = 0; t < job.cascade_count; ++t) {
+                const StackCascade& cascade = job_.cascades[t];
+                in.cell_x[t][i] = cascade.world.cell_x[from], in.cell_z[t][i] = cascade.world.cell_z[from];
+                in.u[t][i] = cascade.world.u[from], in.v[t][i] = cascade.world.v[from];
+                if (HasWeights) in.weight[t][i] = cascade.weight[from];
+            }
+        }
+        StackSearches<Arch, Interpolation, HasWeights, Registers> searches(job, 0);
+        searches.begin_at_offset();
+        searches.converge(last_step + 1, InvertStackJob::max_steps);
+        searches.store();
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t to = open[i];
+            job_.offset_x[to] = in.offset_x[i], job_.offset_z[to] = in.offset_z[i], job_.error[to] = in.error[i];
+            for (std::size_t t = 0; t < job.cascade_count; ++t) job_.blocks[t][to] = in.blocks[t][i];
+        }
+    }
+
+    struct Inputs {
+        alignas(64) std::int32_t cell_x[max_cascades][together], cell_z[max_cascades][together];
+        alignas(64) std::int32_t blocks[max_cascades][together];
+        alignas(64) float u[max_cascades][together], v[max_cascades][together], weight[max_cascades][together];
+        alignas(64) float offset_x[together], offset_z[together], error[together];
+    };
+
+    const InvertStackJob& job_;
+    std::uint32_t open_[2 * together + 1];
+    std::size_t count_ = 0;
+};
 
 template <class Arch, class Interpolation, bool HasWeights>
 void invert_stack_points(const InvertStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    OpenSearches<Arch, Interpolation, HasWeights> open(job);
+    const auto search = [&](auto searches) PELAGIC_INLINE_LAMBDA {
+        if (!Interpolation::begins_at_the_point)
+            searches.begin_at_offset();
+        else if (job.cascade_count > InvertStackJob::first_cascades)
+            searches.step_with_first_cascades();
+        if (!searches.converge(0, open.last_step)) open.add(searches);
+        searches.store();
+        open.run_full();
+    };
     std::size_t at = 0;
     for (; at + 2 * lanes <= job.count; at += 2 * lanes)
-        invert_stack_registers<Arch, Interpolation, HasWeights, 2>(job, at);
-    if (at < job.count) invert_stack_registers<Arch, Interpolation, HasWeights, 1>(job, at);
+        search(StackSearches<Arch, Interpolation, HasWeights, 2>(job, at));
+    if (at < job.count) search(StackSearches<Arch, Interpolation, HasWeights, 1>(job, at));
+    open.run_rest();
 }
 
 template <class Arch, class Interpolation>

@@ -58,14 +58,21 @@ PELAGIC_INLINE xsimd::batch<float, Arch> bilinear(const Corners<Arch>& c, xsimd:
 /// Gathers values at the corners of W cells.
 template <class Arch>
 class CellGather {
+    using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
     PELAGIC_INLINE CellGather(const TexelPlaces<Arch>& places, I x, I z)
         : CellGather(places.column(x), places.column(x + I(1)), places.row(z), places.row(z + I(1))) {}
 
-    PELAGIC_INLINE Corners<Arch> corners(const float* plane) const {
-        return {at00_.from(plane), at10_.from(plane), at01_.from(plane), at11_.from(plane)};
+    template <std::size_t Planes>
+    PELAGIC_INLINE void corners(const float* const (&planes)[Planes], Corners<Arch> (&corners)[Planes]) const {
+        V v00[Planes], v10[Planes], v01[Planes], v11[Planes];
+        at00_.from(planes, v00);
+        at10_.from(planes, v10);
+        at01_.from(planes, v01);
+        at11_.from(planes, v11);
+        for (std::size_t p = 0; p < Planes; ++p) corners[p] = {v00[p], v10[p], v01[p], v11[p]};
     }
 
    private:
@@ -117,6 +124,8 @@ class CellReader {
             (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
             (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
         }
+        keep_in_memory(first_);
+        keep_in_memory(second_);
     }
 
     template <std::size_t Planes>
@@ -169,8 +178,9 @@ class LinearPlace {
     PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
                              V (&values)[Planes]) const {
         const CellGather<Arch> cell(places, x, z);
-        for (std::size_t plane = 0; plane < Planes; ++plane)
-            values[plane] = bilinear<Arch>(cell.corners(planes[plane]), u_, v_);
+        Corners<Arch> corners[Planes];
+        cell.corners(planes, corners);
+        for (std::size_t plane = 0; plane < Planes; ++plane) values[plane] = bilinear<Arch>(corners[plane], u_, v_);
     }
 
    private:
@@ -265,14 +275,13 @@ class LinearCells {
    public:
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
         const CellGather<Arch> cell(places, x, z);
-        dx_ = cell.corners(surface.dx);
-        dz_ = cell.corners(surface.dz);
+        cell.corners({surface.dx, surface.dz}, texels_);
     }
-    PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const { return {dx_, u, v, texels_per_m}; }
-    PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const { return {dz_, u, v, texels_per_m}; }
+    PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const { return {texels_[0], u, v, texels_per_m}; }
+    PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const { return {texels_[1], u, v, texels_per_m}; }
 
    private:
-    Corners<Arch> dx_, dz_;
+    Corners<Arch> texels_[2];
 };
 
 /// The horizontal displacement at the 4 x 4 texels around W cells.

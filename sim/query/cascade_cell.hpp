@@ -32,17 +32,63 @@ class CascadeCell {
     struct Value {
         double value, along_u, along_v;  ///< derivatives along the cascade's axes, per texel
     };
+    /// Planes that are read at one position.
+    template <std::size_t Planes>
+    using Planar = std::array<const float*, Planes>;
 
     CascadeCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation)
         : interpolation_(interpolation) {
-        const int first = interpolation == Interpolation::cubic ? -1 : 0, side = 2 - 2 * first;
-        for (int b = 0; b < side; ++b)
-            for (int a = 0; a < side; ++a)
-                places_[static_cast<std::size_t>(b * side + a)] = place_of(texels, i + first + a, j + first + b);
+        const int first = interpolation == Interpolation::cubic ? -1 : 0;
+        for (int a = 0; a < 2 - 2 * first; ++a) {
+            columns_[static_cast<std::size_t>(a)] = place_of(texels, i + first + a, 0);
+            rows_[static_cast<std::size_t>(a)] = place_of(texels, 0, j + first + a);
+        }
     }
 
-    Value at(const float* plane, double u, double v) const {
-        return interpolation_ == Interpolation::cubic ? cubic(plane, u, v) : bilinear(plane, u, v);
+    Value at(const float* plane, double u, double v) const { return at(Planar<1>{plane}, u, v)[0]; }
+
+    template <std::size_t Planes>
+    std::array<Value, Planes> at(const Planar<Planes>& planes, double u, double v) const {
+        std::array<Value, Planes> values{};
+        if (interpolation_ == Interpolation::linear) {
+            for (std::size_t p = 0; p < Planes; ++p) values[p] = bilinear(planes[p], u, v);
+            return values;
+        }
+        const CubicWeightsInDouble along(u), across(v);
+        for (std::size_t row = 0; row < 4; ++row) {
+            std::array<double, Planes> value{}, slope{};
+            for (std::size_t column = 0; column < 4; ++column)
+                for (std::size_t p = 0; p < Planes; ++p) {
+                    const double texel = texel_of(planes[p], column, row);
+                    value[p] += along.value[column] * texel;
+                    slope[p] += along.slope[column] * texel;
+                }
+            for (std::size_t p = 0; p < Planes; ++p) {
+                values[p].value += across.value[row] * value[p];
+                values[p].along_u += across.value[row] * slope[p];
+                values[p].along_v += across.slope[row] * value[p];
+            }
+        }
+        return values;
+    }
+
+    /// Returns the values of at() without derivatives.
+    template <std::size_t Planes>
+    std::array<double, Planes> values_at(const Planar<Planes>& planes, double u, double v) const {
+        std::array<double, Planes> values{};
+        if (interpolation_ == Interpolation::linear) {
+            for (std::size_t p = 0; p < Planes; ++p) values[p] = bilinear(planes[p], u, v).value;
+            return values;
+        }
+        const CubicWeightsInDouble along(u), across(v);
+        for (std::size_t row = 0; row < 4; ++row) {
+            std::array<double, Planes> value{};
+            for (std::size_t column = 0; column < 4; ++column)
+                for (std::size_t p = 0; p < Planes; ++p)
+                    value[p] += along.value[column] * texel_of(planes[p], column, row);
+            for (std::size_t p = 0; p < Planes; ++p) values[p] += across.value[row] * value[p];
+        }
+        return values;
     }
 
     struct Range {
@@ -50,40 +96,29 @@ class CascadeCell {
     };
     /// Returns bounds of a cubic cell's values.
     Range range(const float* plane) const {
-        Range texels{plane[places_[0]], plane[places_[0]]};
-        for (const std::ptrdiff_t place : places_) {
-            texels.min = std::min(texels.min, static_cast<double>(plane[place]));
-            texels.max = std::max(texels.max, static_cast<double>(plane[place]));
-        }
+        Range texels{texel_of(plane, 0, 0), texel_of(plane, 0, 0)};
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column) {
+                texels.min = std::min(texels.min, texel_of(plane, column, row));
+                texels.max = std::max(texels.max, texel_of(plane, column, row));
+            }
         const double beyond = (max_cubic_value - 1) / 2 * (texels.max - texels.min);
         return {texels.min - beyond, texels.max + beyond};
     }
 
    private:
+    double texel_of(const float* plane, std::size_t column, std::size_t row) const {
+        return plane[rows_[row] + columns_[column]];
+    }
     Value bilinear(const float* plane, double u, double v) const {
-        const double a = plane[places_[0]], b = plane[places_[1]], c = plane[places_[2]], d = plane[places_[3]];
+        const double a = texel_of(plane, 0, 0), b = texel_of(plane, 1, 0), c = texel_of(plane, 0, 1),
+                     d = texel_of(plane, 1, 1);
         const double low = a + u * (b - a), high = c + u * (d - c);
         return {low + v * (high - low), (b - a) + v * ((d - c) - (b - a)), high - low};
     }
-    Value cubic(const float* plane, double u, double v) const {
-        const CubicWeightsInDouble along(u), across(v);
-        Value sum{};
-        for (std::size_t row = 0; row < 4; ++row) {
-            double value = 0, slope = 0;
-            for (std::size_t column = 0; column < 4; ++column) {
-                const double texel = plane[places_[4 * row + column]];
-                value += along.value[column] * texel;
-                slope += along.slope[column] * texel;
-            }
-            sum.value += across.value[row] * value;
-            sum.along_u += across.value[row] * slope;
-            sum.along_v += across.slope[row] * value;
-        }
-        return sum;
-    }
 
     Interpolation interpolation_;
-    std::array<std::ptrdiff_t, 16> places_;
+    std::array<std::ptrdiff_t, 4> columns_, rows_;  ///< offsets; two each of a linear cell
 };
 
 }  // namespace pelagic

@@ -29,6 +29,10 @@ constexpr int max_steps = 16;
 // Upper bound of the residual of a solution, as a fraction of the search's target.
 constexpr double same = 1.0 / 4;
 
+// Factor on the remaining cascades' bounds, and metres added to them, so that rounding never
+// discards a box early that all cascades together would keep.
+constexpr double above_rounding = 1.001, min_remaining_m = 1e-9;
+
 constexpr double square_root_of_2 = 1.41421356237309515;
 
 double length_of(double x, double z) { return std::sqrt(x * x + z * z); }
@@ -44,6 +48,22 @@ CellPlace place_in(const SearchCascade& cascade, const StackPoint& point, std::s
     const double column = std::floor(u), row = std::floor(v);
     return {point.cell_x[number] + static_cast<int>(column), point.cell_z[number] + static_cast<int>(row), u - column,
             v - row};
+}
+
+/// Returns the horizontal displacement of one cascade, metres.
+Offset displacement_at(const SearchCascade& cascade, const StackPoint& point, std::size_t number, Offset offset) {
+    const CellPlace place = place_in(cascade, point, number, offset);
+    const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
+    const auto [x, z] =
+        cell.values_at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, place.u, place.v);
+    return {x, z};
+}
+
+/// Returns an upper bound of what a cascade adds to the distance of a box's centre and to the
+/// distance below which the box is kept.
+double remaining_of(const SearchCascade& cascade, double radius) {
+    const double largest_m = static_cast<double>(cascade.contraction.largest_m);
+    return largest_m + std::min(static_cast<double>(cascade.contraction.stretch) * radius, 2 * largest_m);
 }
 
 }  // namespace
@@ -64,8 +84,7 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
 /// Displaced position of an offset's reference point, relative to the query position, metres.
 struct StackSearch::Drawn {
     double x, z;
-    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;           ///< derivatives along the world's axes
-    std::array<double, max_cascades> displacement = {};  ///< length of each cascade's
+    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;  ///< derivatives along the world's axes
 
     double distance() const { return length_of(x, z); }
 };
@@ -104,8 +123,7 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
         const SearchCascade& cascade = cascades_[t];
         const CellPlace place = place_in(cascade, point, t, offset);
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        const CascadeCell::Value dx = cell.at(cascade.texels.dx, place.u, place.v),
-                                 dz = cell.at(cascade.texels.dz, place.u, place.v);
+        const auto [dx, dz] = cell.at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, place.u, place.v);
         const double weight = point.weight[t];
         drawn.x += weight * dx.value;
         drawn.z += weight * dz.value;
@@ -113,9 +131,43 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
         drawn.x_z += weight * (cascade.across * dx.along_u + cascade.along * dx.along_v);
         drawn.z_x += weight * (cascade.along * dz.along_u - cascade.across * dz.along_v);
         drawn.z_z += weight * (cascade.across * dz.along_u + cascade.along * dz.along_v);
-        drawn.displacement[t] = weight * length_of(dx.value, dz.value);
     }
     return drawn;
+}
+
+/// Returns the distance of drawn_at(), without derivatives.
+double StackSearch::distance_at(const StackPoint& point, Offset offset) const {
+    double x = offset.x, z = offset.z;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const Offset moved = displacement_at(cascades_[t], point, t, offset);
+        x += point.weight[t] * moved.x;
+        z += point.weight[t] * moved.z;
+    }
+    return length_of(x, z);
+}
+
+/// Returns whether a point of a box may be displaced to the query position. Sets the distance of
+/// the box's centre if so. Coarse cascades are added first, and a box is discarded as soon as the
+/// others cannot bring it back.
+bool StackSearch::may_reach(const StackPoint& point, const Box& box, double& distance) const {
+    const double radius = box.half * square_root_of_2;
+    // Upper bounds of what the remaining cascades add to the distance and to its maximum.
+    double remaining = 0;
+    for (const SearchCascade& cascade : cascades_) remaining += remaining_of(cascade, radius);
+    double x = box.centre.x, z = box.centre.z, max = radius + target_m_;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const SearchCascade& cascade = cascades_[t];
+        const Offset moved = displacement_at(cascade, point, t, box.centre);
+        const double weight = point.weight[t];
+        x += weight * moved.x;
+        z += weight * moved.z;
+        max += std::min(static_cast<double>(cascade.contraction.stretch) * radius,
+                        static_cast<double>(cascade.contraction.largest_m) + weight * length_of(moved.x, moved.z));
+        remaining -= remaining_of(cascade, radius);
+        distance = length_of(x, z);
+        if (t + 1 < cascades_.size() && distance > max + above_rounding * remaining + min_remaining_m) return false;
+    }
+    return !(distance > max);
 }
 
 double StackSearch::height_at(const StackPoint& point, Offset offset) const {
@@ -124,7 +176,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
         const SearchCascade& cascade = cascades_[t];
         const CellPlace place = place_in(cascade, point, t, offset);
         const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        height += point.weight[t] * cell.at(cascade.texels.height, place.u, place.v).value;
+        height +=
+            point.weight[t] * cell.values_at(CascadeCell::Planar<1>{cascade.texels.height}, place.u, place.v)[0];
     }
     return height;
 }
@@ -218,13 +271,8 @@ void StackSearch::search_box(const StackPoint& point, const Box& box, Intersecti
     waiting[count++] = box;
     while (count > 0) {
         const Box here = waiting[--count];
-        const Drawn drawn = drawn_at(point, here.centre);
-        const double radius = here.half * square_root_of_2;
-        double max = radius + target_m_;
-        for (std::size_t t = 0; t < cascades_.size(); ++t)
-            max += std::min(static_cast<double>(cascades_[t].contraction.stretch) * radius,
-                            static_cast<double>(cascades_[t].contraction.largest_m) + drawn.displacement[t]);
-        if (drawn.distance() > max) continue;
+        double distance = 0;
+        if (!may_reach(point, here, distance)) continue;
         const bool is_small = here.half <= small;
         if (is_small ||
             slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
@@ -232,14 +280,14 @@ void StackSearch::search_box(const StackPoint& point, const Box& box, Intersecti
             if (intersections.has_one_in(here, near)) continue;
             Offset found = here.centre;
             if (step_towards(point, found)) {
-                intersections.add(*this, point, found, drawn_at(point, found).distance());
+                intersections.add(*this, point, found, distance_at(point, found));
                 if (here.contains(found, near)) continue;
             }
         }
         if (here.half <= target_m_ || count + 4 > waiting.size()) {
             // At the edge of a fold, where Newton's method does not converge, the centre is the
             // solution.
-            if (drawn.distance() <= target_m_) intersections.add(*this, point, here.centre, drawn.distance());
+            if (distance <= target_m_) intersections.add(*this, point, here.centre, distance);
             continue;
         }
         const double half = here.half / 2;
@@ -254,7 +302,7 @@ StackIntersection StackSearch::highest_intersection(const StackPoint& point, con
     if (known) {
         Offset exact = *known;
         if (step_towards(point, exact)) {
-            intersections.add(*this, point, exact, drawn_at(point, exact).distance());
+            intersections.add(*this, point, exact, distance_at(point, exact));
             box = around_known(point, exact);
         }
     }

@@ -73,6 +73,8 @@ class StackSearch {
     struct Intersections;
     struct Box;
 
+    bool may_reach(const StackPoint& point, const Box& box, double& distance) const;
+    double distance_at(const StackPoint& point, Offset offset) const;
     Drawn drawn_at(const StackPoint& point, Offset offset) const;
     double height_at(const StackPoint& point, Offset offset) const;
     double slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t cascades,

@@ -1,9 +1,12 @@
 #include "pelagic/sim/shore/refraction.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/wave_numbers.hpp"
 #include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
@@ -50,12 +53,17 @@ Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_stra
         open_k = wave_number(wave.omega, wave.depth_m);
         const double open_speed = group_velocity(open_k, wave.depth_m);
         const double max_k = std::max(open_k, two_pi / (min_texels * bed.texel_m));
-        for (std::size_t texel = 0; texel < bed.texels(); ++texel) {
-            k_[texel] = open_k;
-            if (!bed.is_water(texel)) continue;
-            const double k = wave_number(wave.omega, bed.depth_m[texel]);
-            k_[texel] = std::min(k, max_k);
-            shoaling_[texel] = std::sqrt(open_speed / group_velocity(k, bed.depth_m[texel]));
+        std::fill(k_.begin(), k_.end(), open_k);
+        std::vector<std::size_t> water;
+        std::vector<double> depths_m;
+        for (std::size_t texel = 0; texel < bed.texels(); ++texel)
+            if (bed.is_water(texel)) water.push_back(texel), depths_m.push_back(bed.depth_m[texel]);
+        std::vector<double> wave_numbers_of_water(water.size());
+        wave_numbers(wave.omega, depths_m, wave_numbers_of_water);
+        for (std::size_t i = 0; i < water.size(); ++i) {
+            const double k = wave_numbers_of_water[i];
+            k_[water[i]] = std::min(k, max_k);
+            shoaling_[water[i]] = std::sqrt(open_speed / group_velocity(k, depths_m[i]));
         }
     }
     come_in(wave, open_k);
@@ -116,21 +124,46 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
     }
 }
 
+// A texel changes only after a neighbour with an earlier phase has changed, so all others are
+// skipped (locking: Bak, McLaughlin and Renzi 2010, SIAM J. Sci. Comput. 32, 2853-2874). The result
+// is that of plain sweeps.
 void Refraction::sweep() {
+    std::vector<std::uint8_t> may_change(bed_.texels());
+    for (int j = 0; j < bed_.rows; ++j)
+        for (int i = 0; i < bed_.columns; ++i)
+            if (comes_in_[bed_.at(i, j)]) mark_later_neighbours(i, j, may_change);
     for (int round = 0; round < max_rounds; ++round) {
         bool has_moved = false;
         for (const int order : {0, 1, 2, 3}) {
             const bool left = (order & 1) != 0, up = (order & 2) != 0;
-            for (int row = 0; row < bed_.rows; ++row)
-                for (int column = 0; column < bed_.columns; ++column)
-                    has_moved |= arrive(left ? bed_.columns - 1 - column : column, up ? bed_.rows - 1 - row : row);
+            for (int row = 0; row < bed_.rows; ++row) {
+                const int j = up ? bed_.rows - 1 - row : row;
+                for (int column = 0; column < bed_.columns; ++column) {
+                    const int i = left ? bed_.columns - 1 - column : column;
+                    if (may_change[bed_.at(i, j)]) has_moved |= arrive(i, j, may_change);
+                }
+            }
         }
         if (!has_moved) break;
     }
 }
 
-bool Refraction::arrive(int i, int j) {
+/// A neighbour that the wave reached earlier keeps its phase.
+void Refraction::mark_later_neighbours(int i, int j, std::vector<std::uint8_t>& may_change) const {
+    const std::size_t here = bed_.at(i, j), columns = static_cast<std::size_t>(bed_.columns);
+    const double earliest = phase_[here] - still_rad;
+    const auto mark = [&](std::size_t texel) {
+        if (phase_[texel] > earliest) may_change[texel] = 1;
+    };
+    if (i > 0) mark(here - 1);
+    if (i + 1 < bed_.columns) mark(here + 1);
+    if (j > 0) mark(here - columns);
+    if (j + 1 < bed_.rows) mark(here + columns);
+}
+
+bool Refraction::arrive(int i, int j, std::vector<std::uint8_t>& may_change) {
     const std::size_t here = bed_.at(i, j);
+    may_change[here] = 0;
     if (comes_in_[here] || !bed_.is_water(here)) return false;
     const double left = i > 0 ? phase_[here - 1] : nowhere, right = i + 1 < bed_.columns ? phase_[here + 1] : nowhere;
     const double up = j > 0 ? phase_[bed_.at(i, j - 1)] : nowhere;
@@ -142,22 +175,26 @@ bool Refraction::arrive(int i, int j) {
     if (!(phase < phase_[here])) return false;
     const bool is_new = phase_[here] == nowhere || phase_[here] - phase > still_rad;
     phase_[here] = phase;
+    mark_later_neighbours(i, j, may_change);
     return is_new;
 }
 
 Refraction::Upstream Refraction::upstream(std::size_t texel) const {
     const auto columns = static_cast<std::size_t>(bed_.columns);
-    const std::size_t i = texel % columns, j = texel / columns;
+    // Divides 32 bits, which is faster.
+    const std::uint32_t j = static_cast<std::uint32_t>(texel) / static_cast<std::uint32_t>(bed_.columns);
+    const std::size_t i = texel - j * columns;
     const auto earlier = [&](bool has_before, std::size_t before, bool has_after, std::size_t after) {
         const double at_before = has_before ? phase_[before] : nowhere,
                      at_after = has_after ? phase_[after] : nowhere;
         if (at_before == nowhere && at_after == nowhere) return texel;
         return at_before <= at_after ? before : after;
     };
-    Upstream from{.x = earlier(i > 0, texel - 1, i + 1 < columns, texel + 1),
-                  .z = earlier(j > 0, texel - columns, j + 1 < static_cast<std::size_t>(bed_.rows), texel + columns),
-                  .share_x = 0,
-                  .share_z = 0};
+    Upstream from{
+        .x = earlier(i > 0, texel - 1, i + 1 < columns, texel + 1),
+        .z = earlier(j > 0, texel - columns, j + 1 < static_cast<std::uint32_t>(bed_.rows), texel + columns),
+        .share_x = 0,
+        .share_z = 0};
     const auto phase_from = [&](std::size_t other) {
         return phase_[other] < phase_[texel] ? phase_[texel] - phase_[other] : 0.0;
     };
@@ -166,14 +203,39 @@ Refraction::Upstream Refraction::upstream(std::size_t texel) const {
     return from;
 }
 
+/// Sets order_: by phase, and by texel at equal phases. The bits of doubles that are not negative
+/// sort as the doubles do, so this is a radix sort, from the lowest digit up.
+void Refraction::sort_by_arrival() {
+    struct Arrival {
+        std::uint64_t phase_bits;
+        std::uint32_t texel;
+    };
+    constexpr int digit_bits = 11, digits = 6;
+    constexpr std::uint64_t last = (1u << digit_bits) - 1;
+    std::vector<Arrival> arrivals;
+    for (std::size_t texel = 0; texel < phase_.size(); ++texel)
+        if (phase_[texel] < nowhere)
+            // A sum with 0 is never -0.
+            arrivals.push_back(
+                {std::bit_cast<std::uint64_t>(phase_[texel] + 0.0), static_cast<std::uint32_t>(texel)});
+    std::vector<Arrival> sorted(arrivals.size());
+    std::vector<std::uint32_t> places(last + 1);
+    for (int digit = 0; digit < digits; ++digit) {
+        const auto digit_of = [&](const Arrival& arrival) { return arrival.phase_bits >> digit * digit_bits & last; };
+        std::fill(places.begin(), places.end(), 0u);
+        for (const Arrival& arrival : arrivals) ++places[digit_of(arrival)];
+        std::exclusive_scan(places.begin(), places.end(), places.begin(), 0u);
+        for (const Arrival& arrival : arrivals) sorted[places[digit_of(arrival)]++] = arrival;
+        arrivals.swap(sorted);
+    }
+    order_.reserve(arrivals.size());
+    for (const Arrival& arrival : arrivals) order_.push_back(arrival.texel);
+}
+
 // An upwind, conservative scheme: the energy that leaves a texel through a side is its flux times
 // the component of its direction across that side.
 void Refraction::carry_energy() {
-    for (std::size_t texel = 0; texel < phase_.size(); ++texel)
-        if (phase_[texel] < nowhere) order_.push_back(static_cast<std::uint32_t>(texel));
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return phase_[a] != phase_[b] ? phase_[a] < phase_[b] : a < b;
-    });
+    sort_by_arrival();
     for (const std::uint32_t texel : order_) {
         if (comes_in_[texel]) continue;
         const Upstream from = upstream(texel);

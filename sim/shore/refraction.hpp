@@ -68,7 +68,9 @@ class Refraction {
     void come_in(const IncomingWave& wave, double open_k);
     void come_in_along(const IncomingWave& wave, double open_k, bool along_columns);
     void sweep();
-    bool arrive(int i, int j);
+    bool arrive(int i, int j, std::vector<std::uint8_t>& may_change);
+    void mark_later_neighbours(int i, int j, std::vector<std::uint8_t>& may_change) const;
+    void sort_by_arrival();
     void carry_energy();
 
     const SeaBed& bed_;

@@ -69,26 +69,33 @@ void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
 /// Extrapolates phase and height from water to sand. With each texel, the phase lag grows and the
 /// height falls.
 void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m) {
-    std::vector<double> phase_after = phase, height_after = height;
+    struct Reached {
+        std::size_t texel;
+        double phase, height;
+    };
+    std::vector<std::size_t> sand;
+    for (std::size_t texel = 0; texel < bed.texels(); ++texel)
+        if (!bed.is_water(texel)) sand.push_back(texel);
+    std::vector<Reached> reached;
     for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
-        for (int j = 0; j < bed.rows; ++j)
-            for (int i = 0; i < bed.columns; ++i) {
-                const std::size_t here = bed.at(i, j);
-                if (phase[here] < Refraction::nowhere || bed.is_water(here)) continue;
-                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m)
-                    continue;
-                double nearest = 0 - Refraction::nowhere, highest = 0;
-                for_neighbours(bed, i, j, [&](std::size_t texel) {
-                    if (!(phase[texel] < Refraction::nowhere)) return;
-                    nearest = std::max(nearest, phase[texel]);
-                    highest = std::max(highest, height[texel]);
-                });
-                if (!(highest > 0)) continue;
-                phase_after[here] = nearest + k * bed.texel_m;
-                height_after[here] = highest * (1 - 1.0 / (swash_texels + 2 - texel_away));
-            }
-        phase = phase_after;
-        height = height_after;
+        reached.clear();
+        for (const std::size_t here : sand) {
+            if (phase[here] < Refraction::nowhere) continue;
+            if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m) continue;
+            double nearest = 0 - Refraction::nowhere, highest = 0;
+            const auto columns = static_cast<std::size_t>(bed.columns);
+            for_neighbours(bed, static_cast<int>(here % columns), static_cast<int>(here / columns),
+                           [&](std::size_t texel) {
+                               if (!(phase[texel] < Refraction::nowhere)) return;
+                               nearest = std::max(nearest, phase[texel]);
+                               highest = std::max(highest, height[texel]);
+                           });
+            if (highest > 0)
+                reached.push_back(
+                    {here, nearest + k * bed.texel_m, highest * (1 - 1.0 / (swash_texels + 2 - texel_away))});
+        }
+        if (reached.empty()) break;
+        for (const Reached& each : reached) phase[each.texel] = each.phase, height[each.texel] = each.height;
     }
 }
 
@@ -124,6 +131,9 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->weights.assign(plans.size(), std::vector<float>(bed_.texels()));
     bake_->deviation_m.resize(bed_.texels());
     bake_->attenuation.resize(bed_.texels());
+    bake_->fade.resize(bed_.texels());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        bake_->fade[texel] = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
     for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
         const DepthAttenuation attenuation(sea, plans[cascade]);
         bake_->variances.push_back(attenuation.variance());
@@ -186,10 +196,7 @@ void ShoreSource::bake_wave(std::size_t number) {
         std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
     run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
-        // Cross-fade with the coarsest cascade: the squared weights, and so the energies, add up to
-        // one.
-        const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
-        const double amplitude_m = wave.amplitude_m * height[texel] * fade;
+        const double amplitude_m = wave.amplitude_m * height[texel] * bake_->fade[texel];
         if (!(amplitude_m > min_amplitude_m)) continue;
         const auto [sine, cosine] =
             det::sine_cosine_of_turns((phase[texel] + refraction->corner_phase()) / two_pi + wave.phase_turns);

@@ -104,6 +104,9 @@ class ShoreSource {
         /// DepthAttenuation of each cascade except the coarsest, by depth.
         std::vector<std::vector<double>> depth_attenuations;
         double deepest_m;
+        /// Cross-fade of the waves with the coarsest cascade, by texel: the squared weights of
+        /// both, and so the energies, add up to one.
+        std::vector<double> fade;
         std::vector<double> variances;  ///< of each cascade, m^2
         /// Weight of each cascade by texel, before breaking.
         std::vector<std::vector<float>> weights;

@@ -1,8 +1,10 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "pelagic/sim/spectrum/wave_numbers.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -21,7 +23,8 @@ double group_velocity(double k, const Water& water) {
     const double ground = kd * (1 - tanh_kd * tanh_kd);
     const double gravity = gravity_mps2 * (tanh_kd + ground);
     const double tension = water.tension_m3ps2 * (k * k) * (3 * tanh_kd + ground);
-    return (gravity + tension) / (2 * angular_frequency(k, water));
+    const double omega = std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * tanh_kd);
+    return (gravity + tension) / (2 * omega);
 }
 
 // cosh 2x / sinh^2 x = 1 + 1 / tanh^2 x.
@@ -45,14 +48,28 @@ double depth_factor(double k, double depth_m) {
 
 // Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %. Each Newton step
 // squares the error.
-double wave_number(double omega, double depth_m) {
-    const double deep_kd = omega * omega / gravity_mps2 * depth_m;
-    double kd = deep_kd / std::sqrt(det::tanh(deep_kd));
-    for (int step = 0; step < 4; ++step) {
-        const double t = det::tanh(kd);
-        kd -= (kd * t - deep_kd) / (t + kd * (1 - t * t));
+void wave_numbers(double omega, std::span<const double> depths_m, std::span<double> wave_numbers) {
+    constexpr std::size_t together = 8;
+    for (std::size_t first = 0; first < depths_m.size(); first += together) {
+        const std::size_t count = std::min(together, depths_m.size() - first);
+        std::array<double, together> deep_kd, kd;
+        for (std::size_t i = 0; i < count; ++i) {
+            deep_kd[i] = omega * omega / gravity_mps2 * depths_m[first + i];
+            kd[i] = deep_kd[i] / std::sqrt(det::tanh(deep_kd[i]));
+        }
+        for (int step = 0; step < 4; ++step)
+            for (std::size_t i = 0; i < count; ++i) {
+                const double t = det::tanh(kd[i]);
+                kd[i] -= (kd[i] * t - deep_kd[i]) / (t + kd[i] * (1 - t * t));
+            }
+        for (std::size_t i = 0; i < count; ++i) wave_numbers[first + i] = kd[i] / depths_m[first + i];
     }
-    return kd / depth_m;
+}
+
+double wave_number(double omega, double depth_m) {
+    double k = 0;
+    wave_numbers(omega, {&depth_m, 1}, {&k, 1});
+    return k;
 }
 
 std::uint32_t loop_harmonic(double omega, double loop_period_s) {
