@@ -1,7 +1,9 @@
 // `pelagic info`: prints sea-state statistics, or measures an export.
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <future>
@@ -11,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -64,6 +67,29 @@ class IdleExecutor final : public Executor {
     std::shared_ptr<Executor> planned_;
 };
 
+/// Memory for an ocean that computes nothing: buffers share blocks, whose contents have no effect.
+/// Most of the time of its construction would be spent on pages of distinct buffers.
+class SharedMemory {
+   public:
+    Allocator allocator() { return {this, allocate, release}; }
+
+   private:
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+
+    static void* allocate(void* user, std::size_t bytes, std::size_t /*alignment*/) {
+        const std::size_t lines = (bytes + sizeof(Line) - 1) / sizeof(Line);
+        std::vector<std::vector<Line>>& blocks = static_cast<SharedMemory*>(user)->blocks_;
+        const auto found =
+            std::find_if(blocks.begin(), blocks.end(), [&](const auto& block) { return block.size() >= lines; });
+        return found != blocks.end() ? found->data() : blocks.emplace_back(lines).data();
+    }
+    static void release(void*, void*, std::size_t, std::size_t) {}
+
+    std::vector<std::vector<Line>> blocks_;
+};
+
 Json computing_as_json(const Ocean& ocean) {
     Json stages = Json::array();
     for (const Stage& stage : ocean.graph().stages())
@@ -107,9 +133,11 @@ Json measured_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
 /// do are null.
 Json expected_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
     std::future<SeaReport> begun = begin_report(expected_report_on, resolved.sea, compute);
-    const Ocean ocean(
-        forecast_of(resolved),
-        {.executor = std::make_shared<IdleExecutor>(make_default_executor(compute.threads)), .isa = compute.isa});
+    SharedMemory memory;
+    const Ocean ocean(forecast_of(resolved),
+                      {.executor = std::make_shared<IdleExecutor>(make_default_executor(compute.threads)),
+                       .isa = compute.isa,
+                       .memory = memory.allocator()});
     const SeaReport report = begun.get();
     Json json = head_as_json(resolved, report, std::nullopt);
     json["foam"] = nullptr;
