@@ -87,7 +87,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINA
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)
   if(PELAGIC_IMAGES)
-    install(TARGETS pelagic_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
+    install(TARGETS pelagic_images pelagic_exr LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
   endif()
   if(TARGET pelagic_manual)
     install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -483,6 +483,40 @@ TEST(Info, BeginsWithASummaryOfFiveLines) {
     EXPECT_NE(pond.find("after 200 s and after 7.2 m\n"), std::string::npos) << "six times 1.2 m, rounded";
 }
 
+TEST(Info, MarksMeasuredStatisticsAsNotMeasuredUnlessAskedForThem) {
+    const std::vector<std::string> sea = {"info", "--preset", "swell"};
+    const auto with = [&](const std::string& option) {
+        std::vector<std::string> arguments = sea;
+        arguments.push_back(option);
+        return run_pelagic(arguments);
+    };
+    const std::string plain = run_pelagic(sea).out, measured = with("--measured").out;
+    for (const char* row :
+         {"peak_period_s               expected 12, ", "tm01_s                      expected 9.148, ",
+          "swell, peak_period_s        expected 12, "}) {
+        EXPECT_NE(plain.find(row + std::string("not measured")), std::string::npos) << row;
+        EXPECT_NE(measured.find(row + std::string("measured ")), std::string::npos) << row;
+    }
+    for (const char* section : {"Foam accumulation", "Frame at 0 s"}) {
+        EXPECT_EQ(plain.find(section), std::string::npos);
+        EXPECT_NE(measured.find(section), std::string::npos);
+    }
+    EXPECT_NE(plain.find("--measured prints them"), std::string::npos);
+    EXPECT_EQ(measured.find("not measured"), std::string::npos) << measured;
+    // Values that neither drawn waves nor a frame change are equal, digit by digit.
+    const std::vector<std::string> of_measured = lines_of(measured);
+    for (const std::string& line : lines_of(plain))
+        if (line.starts_with("  ") && line.find("not measured") == std::string::npos &&
+            line.find("memory_bytes") == std::string::npos) {
+            EXPECT_NE(std::find(of_measured.begin(), of_measured.end(), line), of_measured.end()) << line;
+        }
+    EXPECT_NEAR(json::parse(with("--json").out)["computing"]["memory_bytes"].get<double>(),
+                std::stod(plain.substr(plain.find("memory_bytes") + 12)), 0.1e6);
+    const Outcome both = run_pelagic({"info", "--measured", "--measure", "."});
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_NE(both.err.find("--measured cannot be combined with --measure"), std::string::npos) << both.err;
+}
+
 TEST(Info, OmitsSentinelsAndLinesThatDoNotApply) {
     for (const std::vector<std::string>& sea :
          std::vector<std::vector<std::string>>{{},

@@ -254,7 +254,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
         EXPECT_EQ(of_cascade["side_m"], cascade.grid.side_m);
     }
 
-    const std::string table = run({"info"}).out;
+    const std::string table = run({"info", "--measured"}).out;
     for (const char* part : {"Foam accumulation", "whitecap_cover", "warm_up_ticks               16", "drift_mps",
                              "makes no whitecaps", "columns_a_loop"})
         EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;

@@ -106,6 +106,25 @@ TEST(SeaReport, AgreesWithTheSingleStatistics) {
     EXPECT_FALSE(report.warnings.empty());
 }
 
+TEST(SeaReport, OfExpectedWavesHasTheExpectedStatisticsAndWarnings) {
+    for (const SeaState& sea : {SeaState{.resolution = 64}, SeaState{.resolution = 64, .swell_height_m = 2},
+                                SeaState{.resolution = 64, .wind_speed_mps = 20, .loop_period_s = 20},
+                                SeaState{.waves = WaveModel::analytic}, SeaState{.waves = WaveModel::pond}}) {
+        const SeaReport all = report_on(sea), expected = expected_report_on(sea);
+        EXPECT_EQ(expected.expected.significant_wave_height_m, all.expected.significant_wave_height_m);
+        EXPECT_EQ(expected.expected_periods.tm02_s, all.expected_periods.tm02_s);
+        EXPECT_EQ(expected.expected_directions.spread_rad, all.expected_directions.spread_rad);
+        EXPECT_EQ(expected.expected_convergence_variance, all.expected_convergence_variance);
+        EXPECT_EQ(expected.warnings, all.warnings);
+        ASSERT_EQ(expected.cascades.size(), all.cascades.size());
+        EXPECT_EQ(expected.cascades.back().slopes.total(), all.cascades.back().slopes.total());
+        ASSERT_EQ(expected.swell.has_value(), sea.swell_height_m > 0);
+        if (!expected.swell) continue;
+        EXPECT_EQ(expected.swell->significant_wave_height_m, all.swell->significant_wave_height_m);
+        EXPECT_EQ(expected.wind_sea->significant_wave_height_m, all.wind_sea->significant_wave_height_m);
+    }
+}
+
 TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
     const SeaReport report = report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 1e-3});
     EXPECT_EQ(report.expected_directions.spread_rad, 0);

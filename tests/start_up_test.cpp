@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -51,17 +52,23 @@ TEST(StartUp, LoadsImageLibrariesOnlyForImages) {
         // 16 on Debian 12, with oneTBB, GLFW and the libraries of X; the sanitizers add a few.
         EXPECT_LE(names.size(), 30u) << arguments[0];
     }
-    EXPECT_TRUE(has(loaded_by({"export", "--out", "out", "--resolution", "16"}, folder.path()), "OpenImageIO"));
+    const auto loaded_for = [&](const std::string& maps) {
+        return loaded_by({"export", "--out", maps, "--resolution", "16", "--maps", maps}, folder.path());
+    };
+    const std::set<std::string> exr = loaded_for("displacement"), png = loaded_for("gradient");
+    EXPECT_TRUE(has(exr, "OpenEXR"));
+    EXPECT_FALSE(has(exr, "OpenImageIO"));
+    EXPECT_TRUE(has(png, "OpenImageIO"));
 }
 
-// The library is found wherever the tool is installed and from any working folder. Without the
-// library the tool prints an error.
-TEST(StartUp, FindsTheImageLibraryBesideTheTool) {
+// The libraries are found wherever the tool is installed and from any working folder. Without them
+// the tool prints an error.
+TEST(StartUp, FindsTheImageLibrariesBesideTheTool) {
     const TemporaryFolder folder;
     const std::filesystem::path bin = folder / "bin", tool = bin / "pelagic";
-    const std::filesystem::path library = (bin / PELAGIC_MODULE_FOLDER / "pelagic_images.so").lexically_normal();
+    const std::filesystem::path libraries = (bin / PELAGIC_MODULE_FOLDER).lexically_normal();
     std::filesystem::create_directories(bin);
-    std::filesystem::create_directories(library.parent_path());
+    std::filesystem::create_directories(libraries);
     std::filesystem::copy_file(PELAGIC_BINARY, tool);
     std::filesystem::create_symlink(tool, folder / "link");
     const auto run = [&] {
@@ -75,12 +82,15 @@ TEST(StartUp, FindsTheImageLibraryBesideTheTool) {
         }
         return wait_for(process);
     };
-    EXPECT_EQ(run(), 1);
-    EXPECT_NE(read_file(folder / "err").find("pelagic_images.so, which writes and reads images"), std::string::npos)
-        << read_file(folder / "err");
-    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
-    std::filesystem::copy_file(
-        (std::filesystem::path(PELAGIC_BINARY).parent_path() / PELAGIC_MODULE_FOLDER / "pelagic_images.so"), library);
+    for (const auto& [file, use] : {std::pair("pelagic_exr.so", "writes EXR files"),
+                                    std::pair("pelagic_images.so", "writes and reads images")}) {
+        EXPECT_EQ(run(), 1);
+        EXPECT_NE(read_file(folder / "err").find(file + std::string(", which ") + use), std::string::npos)
+            << read_file(folder / "err");
+        EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+        std::filesystem::copy_file(std::filesystem::path(PELAGIC_BINARY).parent_path() / PELAGIC_MODULE_FOLDER / file,
+                                   libraries / file);
+    }
     EXPECT_EQ(run(), 0) << read_file(folder / "err");
 }
 

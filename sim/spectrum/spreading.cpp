@@ -23,6 +23,16 @@ double half_circle_integral(double exponent) {
     return sum * (pi / steps);
 }
 
+/// Keeps the last result on each thread: the cascades of a sea have one exponent.
+double kept_half_circle_integral(double exponent) {
+    thread_local double last_exponent = 0, last = pi;
+    if (exponent != last_exponent) {
+        last = half_circle_integral(exponent);
+        last_exponent = exponent;
+    }
+    return last;
+}
+
 // Gamma(z + 1/2) / Gamma(z) = sqrt(z) (1 - 1/(8 z) + 1/(128 z^2) + 5/(1024 z^3) - 21/(32768 z^4) -
 // ...) for a large z (Tricomi and Erdelyi 1951). The recurrence Gamma(x + 1) = x Gamma(x) leads
 // from s to a large z. Within 1e-11.
@@ -73,7 +83,7 @@ double donelan_banner_beta(double over_peak) {
 PaperSpreading::PaperSpreading(double alignment)
     : exponent_(1 + 5 * alignment * alignment),
       opposing_(0.01 + 0.49 * (1 - alignment) * (1 - alignment)),
-      integral_(half_circle_integral(exponent_) * (1 + opposing_)) {}
+      integral_(kept_half_circle_integral(exponent_) * (1 + opposing_)) {}
 
 OppositeDensities PaperSpreading::weights(double cosine) const {
     const double size = std::fabs(cosine);

@@ -99,15 +99,17 @@ class WindSea {
 /// Returns the swell's fraction of a wave's energy.
 double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 - of_wind / all, 0.0, 1.0) : 0; }
 
-enum class Draws { no, yes };
+/// What a pass over the grids computes: means over all seeds, with the swell's fraction of them,
+/// and the waves of the sea's seed. Drawn waves double the cost.
+enum class Contents { means, means_by_system, drawn };
 
 /// Adds a cascade's waves. (m, n) and (-m, n) share a wave number and therefore most of the
-/// computation. Without draws, only means over all seeds are computed, at half the cost.
-void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, GridSums& sums) {
+/// computation.
+void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents contents, GridSums& sums) {
     const CascadeWaves waves(sea, cascade);
     const Water& water = waves.water();
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    const bool has_swell = draws == Draws::yes && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
+    const bool has_swell = contents != Contents::means && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
     std::optional<WindSea> wind_sea_waves;
     if (has_swell) wind_sea_waves.emplace(sea, cascade, waves);
     SlopeVariance slopes;
@@ -126,15 +128,17 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
         slopes.upwind += expected * (k_along * k_along);
         slopes.crosswind += expected * (k_across * k_across);
         of_shell.expected += expected;
-        if (draws == Draws::no) return;
+        double along_share = 0, against_share = 0;
+        if (has_swell) {
+            along_share = swell_share(variances.along, of_wind.along);
+            against_share = swell_share(variances.against, of_wind.against);
+            sums.expected_swell += 2 * (variances.along * along_share + variances.against * against_share);
+        }
+        if (contents != Contents::drawn) return;
         const double along = 2 * waves.drawn_square(variances.along, m, n);
         const double against = 2 * waves.drawn_square(variances.against, -m, -n);
         sums.drawn.add(along, against, kx / k, kz / k);
         of_shell.drawn += along + against;
-        if (!has_swell) return;
-        const double along_share = swell_share(variances.along, of_wind.along);
-        const double against_share = swell_share(variances.against, of_wind.against);
-        sums.expected_swell += 2 * (variances.along * along_share + variances.against * against_share);
         of_shell.drawn_swell += along * along_share + against * against_share;
     };
     // DC and the Nyquist row and column hold no waves.
@@ -181,7 +185,7 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
 }
 
-GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws draws) {
+GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Contents contents) {
     GridSums sums;
     if (sea.waves == WaveModel::pond) {
         sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().grid.side_m);
@@ -189,7 +193,7 @@ GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws
         return sums;
     }
     sums.lowest_band_hz = angular_frequency(plan.front().spacing(), sea.depth_m) / two_pi;
-    for (const CascadePlan& cascade : plan) add_cascade(sea, cascade, draws, sums);
+    for (const CascadePlan& cascade : plan) add_cascade(sea, cascade, contents, sums);
     return sums;
 }
 
@@ -327,6 +331,15 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
+/// Returns whether the loop is so short that its waves may have few frequencies, which only the
+/// drawn waves show. Listed waves always have few frequencies. In a longer loop, few frequencies
+/// are caused by a narrow swell or by a grid that holds few waves, for which other warnings exist.
+bool is_short_loop(const SeaState& sea, double ten_peaks_s) {
+    return sea.waves == WaveModel::spectrum && sea.loop_period_s < ten_peaks_s;
+}
+
+double ten_peak_periods_s(const ModelWaves& asked) { return 10 * (two_pi / asked.peak.omega); }
+
 std::vector<std::string> warnings_from(const SeaState& sea, std::span<const CascadePlan> plan,
                                        const ModelWaves& asked, const ExpectedWaves& waves,
                                        const LoopFrequencies& found) {
@@ -366,11 +379,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s changes the peak period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
                            " %: each wave has a whole number of periods per loop");
-    // Listed waves always have few frequencies. In a longer loop, few frequencies are caused by a
-    // narrow swell or by a grid that holds few waves, for which other warnings exist.
-    const double ten_peaks_s = 10 * waves.peak_period_s;
-    if (sea.waves == WaveModel::spectrum && found.largest_share > 0 &&
-        found.for_90_percent < fewest_loop_frequencies && sea.loop_period_s < ten_peaks_s)
+    const double ten_peaks_s = ten_peak_periods_s(asked);
+    if (is_short_loop(sea, ten_peaks_s) && found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
                            " s is short for this sea: " + number_text(found.for_90_percent) +
                            " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
@@ -379,17 +389,13 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     return warnings;
 }
 
-}  // namespace
-
-SeaReport report_on(const SeaState& sea) {
-    const DefaultFloatEnvironment environment;
-    const std::vector<CascadePlan> plan = plan_cascades(sea);
-    const ModelWaves asked = model_waves_of(sea, plan);
-    GridSums sums = sums_over(sea, plan, Draws::yes);
+SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, const ModelWaves& asked,
+                      Contents contents) {
+    GridSums sums = sums_over(sea, plan, contents);
     SeaReport report;
     report.expected = expected_from(asked, sums);
     report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
-    report.drawn_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
+    if (contents == Contents::drawn) report.drawn_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
     if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_components(sea, plan, sums, report);
     report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
     report.drawn_periods = drawn_periods_from(sums, sea.loop_period_s);
@@ -403,6 +409,22 @@ SeaReport report_on(const SeaState& sea) {
     report.loop_frequencies = loop_frequencies_from(sums);
     report.warnings = warnings_from(sea, plan, asked, report.expected, report.loop_frequencies);
     return report;
+}
+
+}  // namespace
+
+SeaReport report_on(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const std::vector<CascadePlan> plan = plan_cascades(sea);
+    return report_from(sea, plan, model_waves_of(sea, plan), Contents::drawn);
+}
+
+SeaReport expected_report_on(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const std::vector<CascadePlan> plan = plan_cascades(sea);
+    const ModelWaves asked = model_waves_of(sea, plan);
+    const bool needs_draws = is_short_loop(sea, ten_peak_periods_s(asked));
+    return report_from(sea, plan, asked, needs_draws ? Contents::drawn : Contents::means_by_system);
 }
 
 double repeat_length_m(const SeaState& sea) {
@@ -438,7 +460,7 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<CascadePlan> plan = plan_cascades(sea);
-    return expected_from(model_waves_of(sea, plan), sums_over(sea, plan, Draws::no));
+    return expected_from(model_waves_of(sea, plan), sums_over(sea, plan, Contents::means));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {

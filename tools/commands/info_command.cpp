@@ -1,13 +1,19 @@
 // `pelagic info`: prints sea-state statistics, or measures an export.
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -28,10 +34,12 @@
 namespace pelagic::tools {
 namespace {
 
-/// Starts computing the report on another thread if --threads allows one. It takes as long as the
-/// ocean's spectrum, which is computed at the same time.
-std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& compute) {
-    const auto report = [sea] { return report_on(sea); };
+/// Starts computing a report on another thread if --threads allows one, beside the construction of
+/// the ocean, which takes about as long.
+/// \param report_of  report_on or expected_report_on
+std::future<SeaReport> begin_report(SeaReport (*report_of)(const SeaState&), const SeaState& sea,
+                                    const ComputeOptions& compute) {
+    const auto report = [report_of, sea] { return report_of(sea); };
     try {
         if (compute.threads != 1) return std::async(std::launch::async, report);
     } catch (const std::system_error&) {  // the system cannot start a thread
@@ -39,23 +47,77 @@ std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& c
     return std::async(std::launch::deferred, report);
 }
 
-Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
-    std::future<SeaReport> begun = begin_report(resolved.sea, compute);
-    Ocean ocean(forecast_of(resolved), {.executor = make_default_executor(compute.threads), .isa = compute.isa});
-    const Frame& frame = ocean.frame_at(0);
+/// Executor that runs no job. An ocean on it has its stages and no waves, and 99 % of its memory:
+/// the size of statistics by frequency depends on the waves.
+class IdleExecutor final : public Executor {
+   public:
+    /// \param planned  the executor whose name and number of threads are reported
+    explicit IdleExecutor(std::shared_ptr<Executor> planned) : planned_(std::move(planned)) {}
 
+    std::unique_ptr<GraphRun> prepare(const JobGraph&) override { return std::make_unique<IdleRun>(); }
+    int thread_limit() const override { return planned_->thread_limit(); }
+    std::string_view name() const override { return planned_->name(); }
+
+   private:
+    struct IdleRun final : GraphRun {
+        void schedule() override {}
+        void complete() override {}
+        bool is_done() const override { return true; }
+    };
+    std::shared_ptr<Executor> planned_;
+};
+
+/// Memory for an ocean that computes nothing: buffers share blocks, whose contents have no effect.
+/// Most of the time of its construction would be spent on pages of distinct buffers.
+class SharedMemory {
+   public:
+    Allocator allocator() { return {this, allocate, release}; }
+
+   private:
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+
+    static void* allocate(void* user, std::size_t bytes, std::size_t /*alignment*/) {
+        const std::size_t lines = (bytes + sizeof(Line) - 1) / sizeof(Line);
+        std::vector<std::vector<Line>>& blocks = static_cast<SharedMemory*>(user)->blocks_;
+        const auto found =
+            std::find_if(blocks.begin(), blocks.end(), [&](const auto& block) { return block.size() >= lines; });
+        return found != blocks.end() ? found->data() : blocks.emplace_back(lines).data();
+    }
+    static void release(void*, void*, std::size_t, std::size_t) {}
+
+    std::vector<std::vector<Line>> blocks_;
+};
+
+Json computing_as_json(const Ocean& ocean) {
     Json stages = Json::array();
     for (const Stage& stage : ocean.graph().stages())
         stages.push_back({{"name", stage.name}, {"count", stage.count}, {"batch", stage.batch}});
     Json isas = Json::array();
     for (const Isa isa : isas_here()) isas.push_back(name_of(isa));
+    return {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
+            {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},
+            {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
+}
 
+/// Returns the options and waves of a sea, before the results of computing it.
+Json head_as_json(const ResolvedSea& resolved, const SeaReport& report, std::optional<double> measured_height_m) {
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};
     if (!resolved.preset.empty()) json["preset"] = resolved.preset;
     if (!resolved.changes.empty()) json["weather"] = weather_as_json(resolved);
-    const SeaReport report = begun.get();
-    json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
+    json["waves"] = waves_as_json(resolved.sea, report, measured_height_m);
     json["repeats_after_m"] = repeats_after_m(resolved);
+    return json;
+}
+
+/// Returns all statistics, with those of the seed's waves and of the first frame.
+Json measured_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
+    std::future<SeaReport> begun = begin_report(report_on, resolved.sea, compute);
+    Ocean ocean(forecast_of(resolved), {.executor = make_default_executor(compute.threads), .isa = compute.isa});
+    const Frame& frame = ocean.frame_at(0);
+    const SeaReport report = begun.get();
+    Json json = head_as_json(resolved, report, measured_significant_wave_height_m(frame));
     json["foam"] = foam_as_json(frame);
     json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
                            {"height_min_m", frame.bounds.height_min_m},
@@ -63,9 +125,28 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
                            {"horizontal_x_max_m", frame.bounds.horizontal_x_max_m},
                            {"horizontal_z_max_m", frame.bounds.horizontal_z_max_m}};
     json["warnings"] = report.warnings;
-    json["computing"] = {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
-                         {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},
-                         {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
+    json["computing"] = computing_as_json(ocean);
+    return json;
+}
+
+/// Returns the statistics that need neither drawn waves nor a frame. Those of measured_info() that
+/// do are null.
+Json expected_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
+    std::future<SeaReport> begun = begin_report(expected_report_on, resolved.sea, compute);
+    SharedMemory memory;
+    const Ocean ocean(forecast_of(resolved),
+                      {.executor = std::make_shared<IdleExecutor>(make_default_executor(compute.threads)),
+                       .isa = compute.isa,
+                       .memory = memory.allocator()});
+    const SeaReport report = begun.get();
+    Json json = head_as_json(resolved, report, std::nullopt);
+    json["foam"] = nullptr;
+    json["first_frame"] = nullptr;
+    json["warnings"] = report.warnings;
+    json["computing"] = computing_as_json(ocean);
+    // the memory of an ocean without waves is valid to two digits
+    json["computing"]["memory_bytes"] =
+        static_cast<std::uint64_t>(std::stod(rounded_text(static_cast<double>(ocean.memory_bytes()), 2)));
     return json;
 }
 
@@ -75,6 +156,7 @@ constexpr double min_shown = 1e-9;
 /// Formats a value for the table. --json prints all digits.
 /// \param digits  significant digits: 4 for computed values, 6 for options
 std::string value_text(const Json& value, int digits) {
+    if (value.is_null()) return "not measured";
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number_float()) return value.dump();
     const double number = value.get<double>();
@@ -94,7 +176,8 @@ void print_section(const char* title, const Json& values, int digits = 4) {
         if (value.is_object() && !value.empty()) {
             std::string parts;
             for (const auto& [name, part] : value.items())
-                parts += (parts.empty() ? "" : ", ") + name + " " + value_text(shown(key, part), digits);
+                parts += (parts.empty() ? "" : ", ") +
+                         (part.is_null() ? "not " + name : name + " " + value_text(shown(key, part), digits));
             std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
         } else {
             std::printf("  %-28s%s\n", key.c_str(), value_text(shown(key, value), digits).c_str());
@@ -182,8 +265,10 @@ void print_summary(const Json& json) {
                    (model == "spectrum" ? sea.at("spectrum").get<std::string>() : model) + ", wind " +
                    number(sea.at("wind_speed_mps")) + " m/s towards " + number(sea.at("wind_direction_deg")) +
                    " degrees (Beaufort " + step(waves.at("beaufort")) + ")");
-    row("Waves", "Hs " + number(height.at("expected")) + " m expected, " + number(height.at("measured")) +
-                     " m in this seed's first frame (sea state " + step(waves.at("sea_state")) + ")");
+    const Json& measured = height.at("measured");
+    row("Waves", "Hs " + number(height.at("expected")) + " m expected" +
+                     (measured.is_null() ? "" : ", " + number(measured) + " m in this seed's first frame") +
+                     " (sea state " + step(waves.at("sea_state")) + ")");
     row("Periods", "peak " + number(waves.at("peak_period_s").at("expected")) + " s (" +
                        number(waves.at("peak_wavelength_m")) + " m), Tm01 " +
                        number(waves.at("tm01_s").at("expected")) + " s, Tm02 and zero crossings " +
@@ -203,9 +288,9 @@ void print_table(const Json& json) {
     const bool has_spectrum = json.at("sea").at("waves") == "spectrum";
     print_section("\nSea", sea_for_people(json.at("sea")), 6);
     print_section("Waves", waves_for_people(json.at("waves"), has_spectrum));
-    if (json.at("foam").at("whitecap_cover") > 0)
-        print_section("Foam accumulation", foam_for_people(json.at("foam")));
-    print_section("Frame at 0 s", json.at("first_frame"));
+    const Json &foam = json.at("foam"), &first_frame = json.at("first_frame");
+    if (!foam.is_null() && foam.at("whitecap_cover") > 0) print_section("Foam accumulation", foam_for_people(foam));
+    if (!first_frame.is_null()) print_section("Frame at 0 s", first_frame);
     Json computing = json.at("computing");
     std::string stages;
     for (const Json& stage : computing.at("stages")) {
@@ -223,14 +308,18 @@ void print_table(const Json& json) {
             "note: this wind's sea is fully developed after %s m of fetch (g F / U^2 = 17000): more adds nothing\n",
             rounded_text(counts_m, 3).c_str());
     for (const Json& warning : json.at("warnings")) std::printf("note: %s\n", warning.get<std::string>().c_str());
+    if (first_frame.is_null())
+        std::printf(
+            "note: memory is rounded, and foam and the frame at 0 s were not measured; --measured prints them\n");
 }
 
 class InfoCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
     /// Prints the resolved options, heights and periods, stages, memory and computing resources, as
-    /// a table or with --json as JSON. With --measure it prints the measured waves of an export
-    /// instead. Throws InputError and FileError.
+    /// a table or with --json as JSON. The table lacks measured values without --measured. With
+    /// --measure it prints the measured waves of an export instead. Throws InputError and
+    /// FileError.
     void run() override;
 
    private:
@@ -239,12 +328,13 @@ class InfoCommand final : public Command {
     std::optional<std::string> measure_, svg_;
     SeaOptions sea_;
     ComputeFlags compute_;
-    bool json_ = false;
+    bool json_ = false, measured_ = false;
 };
 
 void InfoCommand::add_options(CLI::App& app) {
     app.option_defaults()->group(help_group::output);
-    app.add_flag("--json", json_, "print JSON");
+    app.add_flag("--json", json_, "print JSON, with measured values");
+    app.add_flag("--measured", measured_, "also measure the waves of this seed, foam and the frame at 0 s");
     app.add_option("--measure", measure_, "print waves measured in an export, beside those expected")
         ->type_name("DIR");
     app.add_option("--svg", svg_, "with --measure: plot both spectra, measured and expected")->type_name("FILE.svg");
@@ -257,7 +347,9 @@ void InfoCommand::add_options(CLI::App& app) {
 void InfoCommand::run() {
     if (measure_) return measure();
     if (svg_) throw InputError("--svg is " + *svg_ + "; it requires --measure DIR");
-    const Json json = info_json(sea_.resolve(), compute_.resolve());
+    const ResolvedSea sea = sea_.resolve();
+    const ComputeOptions compute = compute_.resolve();
+    const Json json = json_ || measured_ ? measured_info(sea, compute) : expected_info(sea, compute);
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());
     else
@@ -265,6 +357,7 @@ void InfoCommand::run() {
 }
 
 void InfoCommand::measure() const {
+    if (measured_) throw InputError("--measured cannot be combined with --measure, which measures an export");
     if (sea_.is_given())
         throw InputError("--measure is " + *measure_ +
                          "; no sea option is accepted beside it, the export's sea.json has the sea");

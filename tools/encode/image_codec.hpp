@@ -1,12 +1,11 @@
 // Interface of the library pelagic_images, which the tool loads on the first image that it reads or
-// writes. OpenImageIO depends on 250 shared libraries; loading them would take most of the run time
-// of other commands.
+// writes, except EXR files of an export (see exr_codec.hpp). OpenImageIO depends on 250 shared
+// libraries; loading them would take most of the run time of other commands.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "pelagic/tools/encode/exr_file.hpp"
 #include "pelagic/tools/files/sample.hpp"
 
 namespace pelagic::tools {
@@ -28,9 +27,6 @@ struct ImageCodec {
     const char* version;  ///< of Pelagic; must equal the tool's version
     /// Encodes an image file in memory. Throws std::runtime_error with OpenImageIO's reason.
     std::vector<unsigned char> (*encode)(const ImageDescription& image, const void* pixels);
-    /// Encodes an EXR file in memory, on the calling thread. Throws std::runtime_error with
-    /// OpenEXR's reason.
-    std::vector<unsigned char> (*encode_exr)(const ExrFile& file);
     /// Decodes a file in memory to floats: top row first, channels interleaved. Throws
     /// std::runtime_error with OpenImageIO's reason, or if width, height or channels differ from
     /// those of `image`, before it allocates pixels.

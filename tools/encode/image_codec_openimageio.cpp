@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "pelagic/tools/encode/exr_file_openexr.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
 
 namespace pelagic::tools {
@@ -125,5 +124,5 @@ std::vector<float> decode_channel(const ImageDescription& image, std::span<const
 }  // namespace pelagic::tools
 
 extern "C" __attribute__((visibility("default"))) const pelagic::tools::ImageCodec pelagic_image_codec = {
-    PELAGIC_VERSION,        pelagic::tools::encode,         pelagic::tools::encode_exr,
-    pelagic::tools::decode, pelagic::tools::decode_channel, pelagic::tools::measure};
+    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::decode, pelagic::tools::decode_channel,
+    pelagic::tools::measure};

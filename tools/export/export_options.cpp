@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/flipbook.hpp"
+#include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/maps/pixel_meaning.hpp"
@@ -320,8 +320,7 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
 ExportOptions ExportFlags::resolve() const {
     checked_place(typed("out"));  // report errors in --out before errors in the sea
     ExportOptions options = resolve_with(sea_.resolve());
-    // load the library before anything is written
-    if (!options.maps.maps.empty() || options.events) image_codec();
+    load_codecs(options);
     return options;
 }
 

@@ -1,5 +1,6 @@
 #include "pelagic/tools/export/image_files.hpp"
 
+#include "pelagic/tools/encode/exr_codec.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/exr_image.hpp"
@@ -73,10 +74,22 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     return files;
 }
 
+void load_codecs(const ExportOptions& options) {
+    const bool is_texture = tools::is_texture(options.maps.format);
+    bool has_exr = false, has_images = options.preview || (options.flipbook && !is_texture);
+    for (const ImageFile& file : image_files(options, 0)) {
+        const bool is_exr = options.maps.is_exr(file.parts.front().map);
+        has_exr |= is_exr;
+        has_images |= !is_exr && !is_texture;
+    }
+    if (has_exr) exr_codec();
+    if (has_images) image_codec();
+}
+
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
                                              const ExportOptions& options) {
     const ImagePart& part = file.parts.front();
-    if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
+    if (options.maps.is_exr(part.map)) return exr_codec().encode(exr_file(file, frame, number, options));
     if (part.map == MapKind::dynamic_waves)
         return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))},
                              options.maps);

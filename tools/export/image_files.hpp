@@ -26,10 +26,14 @@ struct ImageFile {
 /// Returns the image files of a frame, in the order of records.
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame);
 
+/// Loads the libraries that encode the files of an export, so that a missing library is reported
+/// before anything is written. Throws FileError.
+void load_codecs(const ExportOptions& options);
+
 /// Encodes an image file.
 /// \param number  number of the frame
 /// \throws std::runtime_error  with OpenImageIO's or OpenEXR's reason
-/// \throws FileError  if the library that writes images is missing
+/// \throws FileError  if the library that writes the format is missing
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
                                              const ExportOptions& options);
 

@@ -123,16 +123,18 @@ Json frame_summary_as_json(const FrameRecord& record) {
     return json;
 }
 
-Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m) {
+Json waves_as_json(const SeaState& sea, const SeaReport& report,
+                   std::optional<double> measured_significant_wave_height_m) {
+    const bool is_measured = measured_significant_wave_height_m.has_value();
     const ExpectedWaves& expected = report.expected;
-    const auto both = [](double of_all_seeds, double of_this_one) -> Json {
-        return {{"expected", of_all_seeds}, {"measured", of_this_one}};
+    const auto both = [is_measured](double of_all_seeds, double of_this_one) -> Json {
+        return {{"expected", of_all_seeds}, {"measured", is_measured ? Json(of_this_one) : Json()}};
     };
     const auto step = [](const ScaleStep& of) -> Json { return {{"number", of.number}, {"name", of.name}}; };
     const auto slopes = [](const SlopeVariance& of) -> Json {
         return {{"total", of.total()}, {"along_wind", of.upwind}, {"across_wind", of.crosswind}};
     };
-    Json height = both(expected.significant_wave_height_m, measured_significant_wave_height_m);
+    Json height = both(expected.significant_wave_height_m, measured_significant_wave_height_m.value_or(0));
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
     Json cascades = Json::array();
     SlopeVariance all;  // waves of different cascades are independent
@@ -160,9 +162,10 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
                   {{"cascades", cascades},
                    {"all", slopes(all)},
                    {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
-                 {"loop_frequencies",
-                  {{"for_90_percent", report.loop_frequencies.for_90_percent},
-                   {"largest_share", report.loop_frequencies.largest_share}}}};
+                 {"loop_frequencies", Json()}};
+    if (is_measured)
+        json["loop_frequencies"] = {{"for_90_percent", report.loop_frequencies.for_90_percent},
+                                    {"largest_share", report.loop_frequencies.largest_share}};
     if (report.expected_convergence_variance > 0)
         json["convergence_variance"] = both(report.expected_convergence_variance, report.drawn_convergence_variance);
     const auto component = [&](const WaveSystem& of) -> Json {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ Json frame_as_json(const FrameRecord& record);
 Json frame_summary_as_json(const FrameRecord& record);
 
 /// Returns heights, periods, directions and slopes, expected by the model and measured:
-/// {"significant_wave_height_m", ...}.
-Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m);
+/// {"significant_wave_height_m", ...}. Without a measured height, all measured values are null.
+Json waves_as_json(const SeaState& sea, const SeaReport& report,
+                   std::optional<double> measured_significant_wave_height_m);
 
 /// Returns the distance after which a sea with its transitions repeats: the side of the coarsest
 /// cascade, in metres.

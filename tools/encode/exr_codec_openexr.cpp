@@ -1,5 +1,5 @@
-// EXR encoding for the library pelagic_images. It uses OpenEXR directly, because OpenImageIO can
-// write neither several parts nor mip levels to memory.
+// The library pelagic_exr: EXR encoding with OpenEXR. OpenImageIO can write neither several parts
+// nor mip levels to memory.
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -19,14 +19,14 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "pelagic/tools/encode/exr_file_openexr.hpp"
+#include "pelagic/tools/encode/exr_codec.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 // the tile size of renderers' texture caches, and of maketx and txmake
 constexpr unsigned tile_side = 64;
-constexpr int own_thread = 0;  // 0 threads of OpenEXR: encode_exr() works on the calling thread
+constexpr int own_thread = 0;  // 0 threads of OpenEXR: encode() works on the calling thread
 
 class BytesInMemory final : public Imf::OStream {
    public:
@@ -139,9 +139,7 @@ void write_part(Imf::MultiPartOutputFile& output, const ExrFile& file, int numbe
     }
 }
 
-}  // namespace
-
-std::vector<unsigned char> encode_exr(const ExrFile& file) {
+std::vector<unsigned char> encode(const ExrFile& file) {
     try {
         std::vector<Imf::Header> headers;
         for (const ExrPart& part : file.parts) headers.push_back(header_of(part, file));
@@ -160,4 +158,8 @@ std::vector<unsigned char> encode_exr(const ExrFile& file) {
     }
 }
 
+}  // namespace
 }  // namespace pelagic::tools
+
+extern "C" __attribute__((visibility("default"))) const pelagic::tools::ExrCodec pelagic_exr_codec = {
+    PELAGIC_VERSION, pelagic::tools::encode};
