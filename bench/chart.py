@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
-"""Charts of bench/results for README and docs/performance.md.
+"""Charts of stored results for README, docs/performance.md and bench/README.md.
 
-    bench/chart.py            writes docs/images/bench_frames.svg and bench_threads.svg
+    bench/chart.py            writes bench_frames.svg, bench_threads.svg, bench_bytes.svg and
+                              bench_headset.svg in docs/images
     bench/chart.py --check    fails if the files differ from charts of the current results
 
-There is a row of panels for each machine. Lines are labelled, and the background is white, so that
-charts are readable on light and dark pages.
+Frames and threads are of bench/results, with a row of panels for each machine. Bytes are of
+bench/bytes.json, and the headset model is the table of docs/integrations/vr.md.
+
+Lines are labelled, and the background is white, so that charts are readable on light and dark
+pages.
 """
 import argparse
 import html
 import json
 import math
 import pathlib
+import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -39,10 +44,28 @@ class Machine:
         return [(row["n"], figure(row)) for row in self.rows if row["isa"] == isa and row["threads"] == threads]
 
 
-class Panel:
-    """Axes with N along x, and lines with their names at the right ends."""
+class Counts:
+    """Bytes of frames, which do not depend on the machine."""
 
-    def __init__(self, left, top, title, sizes, ticks, low, high, logarithmic=False):
+    def __init__(self, counted):
+        self.name = f"Counted by valgrind, {ISAS[counted['isa']]}: read, fetched for writing and written"
+        self.rows = counted["bytes_a_texel"]
+
+
+class Headset:
+    """Rows of the headset model."""
+
+    name = "Model of headset cores, from 2.8 GHz without cache misses to 2.0 GHz with estimated losses"
+
+    def __init__(self, rows):
+        self.rows = rows
+
+
+class Panel:
+    """Axes with N, or another size, along x, and lines with their names at the right ends."""
+
+    def __init__(self, left, top, title, sizes, ticks, low, high, logarithmic=False, label="N, texels along a side",
+                 name_of=str):
         self.left, self.top, self.logarithmic, self.low, self.high = left, top, logarithmic, low, high
         self.sizes = sizes
         self.names = []  # (y, name, colour)
@@ -52,8 +75,8 @@ class Panel:
             self.svg.append(f'<path d="M{left} {y:.1f}h{PLOT_WIDTH}" stroke="{AXIS}"/>')
             self.svg.append(text(left - 8, y + 4, f"{value:g}", PAPER, "end"))
         for n in sizes:
-            self.svg.append(text(self.x(n), top + PLOT_HEIGHT + 20, str(n), PAPER, "middle"))
-        self.svg.append(text(left + PLOT_WIDTH / 2, top + PLOT_HEIGHT + 38, "N, texels along a side", PAPER, "middle"))
+            self.svg.append(text(self.x(n), top + PLOT_HEIGHT + 20, name_of(n), PAPER, "middle"))
+        self.svg.append(text(left + PLOT_WIDTH / 2, top + PLOT_HEIGHT + 38, label, PAPER, "middle"))
 
     def x(self, n):
         low, high = math.log2(self.sizes[0]), math.log2(self.sizes[-1])
@@ -153,6 +176,66 @@ def threads_panels(machine, top):
     return threads_panel, isas_panel
 
 
+def sea_text(sea):
+    return sea.replace("x", " x ")
+
+
+def bytes_panels(counts, top):
+    """Two panels: seas of one cascade, and the default sea beside N = 256."""
+    rows = {}
+    for row in counts.rows:
+        rows.setdefault(row["sea"], []).append((row["cache_bytes"] >> 10, row["read"] + row["for_writing"] + row["written"]))
+    sizes = [size for size, _ in next(iter(rows.values()))]
+    ticks = linear_ticks(max(value for points in rows.values() for _, value in points))
+
+    def name_of(kib):
+        exponent = kib.bit_length() - 1
+        return "" if exponent % 2 == 0 else f"{kib}K" if kib < 1024 else f"{kib >> 10}M"
+
+    panels = []
+    for left, title, seas in ((LEFTS[0], "Bytes a texel beyond a cache, one cascade", ["1x64", "1x256", "1x1024"]),
+                              (LEFTS[1], "Four cascades and one of 512", ["4x128", "1x512"])):
+        panel = Panel(left, top, title, sizes, ticks, 0, ticks[-1], label="size of the cache, bytes", name_of=name_of)
+        for sea, colour in zip(seas, THREAD_COLOURS):
+            points = rows[sea]
+            panel.line(points, "", colour)
+            size, value = next(point for point in points if point[1] < 0.75 * points[0][1])
+            panel.svg.append(text(panel.x(size) + 8, panel.y(value) - 6, sea_text(sea), colour, weight=600))
+        panels.append(panel)
+    return panels
+
+
+def headset_rows():
+    """Returns (sea, threads, X3-like range, A715-like range) of each row."""
+    number = r"([\d.]+)"
+    line = re.compile(rf"^\| (\d+x\d+) \| (\d+) \| {number} to {number} \| {number} to {number} \|", re.MULTILINE)
+    page = (ROOT / "docs/integrations/vr.md").read_text()
+    return [(sea, int(threads), (float(a), float(b)), (float(c), float(d)))
+            for sea, threads, a, b, c, d in line.findall(page)]
+
+
+def headset_panels(headset, top):
+    rows = headset.rows
+    seas = list(dict.fromkeys(sea for sea, *_ in rows))
+    ticks = linear_ticks(max(high for _, _, *ranges in rows for _, high in ranges))
+    places = [2**i for i in range(len(seas))]
+    panels = []
+    for left, title, at in ((LEFTS[0], "Milliseconds a frame, X3-like cores, model", 2),
+                            (LEFTS[1], "Milliseconds a frame, A715-like cores, model", 3)):
+        panel = Panel(left, top, title, places, ticks, 0, ticks[-1], label="cascades x N",
+                      name_of=lambda place: sea_text(seas[place.bit_length() - 1]))
+        for row in rows:
+            threads, (low, high) = row[1], row[at]
+            x = panel.x(places[seas.index(row[0])]) + 12 * (threads - 2)
+            panel.svg.append(f'<path d="M{x:.1f} {panel.y(low):.1f}V{panel.y(high):.1f}" '
+                             f'stroke="{THREAD_COLOURS[threads - 1]}" stroke-width="8"/>')
+        for threads in sorted({row[1] for row in rows}):
+            panel.names.append((panel.y(ticks[-1]) + 16 * threads, f"{threads} thread{'s' * (threads > 1)}",
+                                THREAD_COLOURS[threads - 1]))
+        panels.append(panel)
+    return panels
+
+
 def chart(machines, panels_of):
     height = ROW * len(machines) + 8
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}" '
@@ -171,7 +254,9 @@ def main():
     options = parser.parse_args()
     machines = [Machine(file) for file in sorted((ROOT / "bench/results").glob("*.json"))]
     charts = {"bench_frames.svg": chart([machine for machine in machines if machine.has_peers], frames_panels),
-              "bench_threads.svg": chart(machines, threads_panels)}
+              "bench_threads.svg": chart(machines, threads_panels),
+              "bench_bytes.svg": chart([Counts(json.loads((ROOT / "bench/bytes.json").read_text()))], bytes_panels),
+              "bench_headset.svg": chart([Headset(headset_rows())], headset_panels)}
     stale = []
     for name, svg in charts.items():
         file = ROOT / "docs/images" / name

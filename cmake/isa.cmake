@@ -53,6 +53,7 @@ find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 # could share them with other code.
 function(pelagic_kernel_objects target isa source)
   add_library(${target} OBJECT ${source})
+  set(PELAGIC_OPTIMISATION "")
   pelagic_target(${target})
   target_compile_definitions(${target} PRIVATE PELAGIC_ISA_NAME=${isa} PELAGIC_ISA_ARCH=${PELAGIC_XSIMD_ARCH_${isa}})
   target_compile_options(${target} PRIVATE ${PELAGIC_KERNEL_OPTIMISATION} -fno-exceptions -Wno-conversion

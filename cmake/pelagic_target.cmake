@@ -9,6 +9,8 @@ foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web 
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
 
+set(PELAGIC_OPTIMISATION "" CACHE STRING "Optimisation of all targets except kernels, in every build type; empty: the build type's")
+
 # Sets the properties of every target of Pelagic: language, floating-point policy, warnings,
 # sanitizers.
 function(pelagic_target target)
@@ -39,6 +41,7 @@ function(pelagic_target target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(${target} PRIVATE -Wno-unsupported-floating-point-opt)
   endif()
+  target_compile_options(${target} PRIVATE ${PELAGIC_OPTIMISATION})
   # When linking, -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
   target_link_options(${target} PRIVATE -fno-fast-math)
   if(PELAGIC_FUZZ)

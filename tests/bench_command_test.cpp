@@ -88,6 +88,48 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     while (std::getline(lines, line)) EXPECT_LE(line.size(), 100u) << line;
 }
 
+// A frame of 256 with its spectrum has 4 MB. Beyond a first-level cache, each job moves its inputs
+// and outputs at least once.
+TEST(BenchCommand, PrintsCopySpeedsAndTheBytesOfFramesAtEachLevel) {
+    const Outcome run = bench({"--bytes", "--sizes", "64,256", "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const json all = json::parse(run.out), levels = all.at("memory_levels");
+    ASSERT_GE(levels.size(), 2u);
+    std::size_t smaller = 0;
+    for (const json& level : levels) {
+        EXPECT_GT(level.at("copy_gb_per_s").get<double>(), 0);
+        if (level.at("level") == "memory") continue;
+        EXPECT_GT(level.at("bytes").get<std::size_t>(), smaller);
+        smaller = level.at("bytes");
+    }
+    double once = 0;
+    for (const std::string& job : jobs_of_one_cascade) once += tools::work_of(job, 256).bytes;
+    ASSERT_EQ(all.at("rows").size(), 2u) << "one instruction set, one thread";
+    for (const json& row : all.at("rows")) {
+        const json& moved = row.at("moved");
+        ASSERT_EQ(moved.size() + 1, levels.size());
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            EXPECT_EQ(moved[i].at("level"), levels[i + 1].at("level"));
+            const double bytes = moved[i].at("bytes"), ms = moved[i].at("ms");
+            EXPECT_NEAR(ms, bytes / (levels[i + 1].at("copy_gb_per_s").get<double>() * 1e6), 1e-9);
+            EXPECT_NEAR(moved[i].at("share").get<double>(), ms / row.at("ours_ms").get<double>(), 1e-9);
+            EXPECT_TRUE(i == 0 || bytes <= moved[i - 1].at("bytes")) << "a larger cache holds more";
+        }
+        if (row.at("n") == 256) {
+            EXPECT_GT(moved[0].at("bytes").get<double>(), once * 256 * 256);
+        }
+    }
+
+    const Outcome table = bench({"--bytes", "--sizes", "32,64"});
+    EXPECT_NE(table.out.find("copy, GB/s"), std::string::npos);
+    EXPECT_NE(table.out.find("not counted for this sea"), std::string::npos) << "N = 32 has no count";
+    std::istringstream lines(table.out);
+    std::string line;
+    std::getline(lines, line);  // the name of the processor has any length
+    while (std::getline(lines, line)) EXPECT_LE(line.size(), 100u) << line;
+    EXPECT_EQ(bench({"--bytes", "--headset"}).exit_code, 2);
+}
+
 TEST(BenchCommand, JobsOfSeveralCascadesAreSummed) {
     std::vector<double> done;
     const tools::Timings timings =

@@ -8,6 +8,9 @@
   bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
                                                  bytes between memory and a second-level
                                                  cache of this size
+  bench/instructions/instructions.py --store-bytes
+                                                 writes bench/bytes.json, the bytes of frames
+                                                 beyond caches of 32 KiB to 32 MiB
   bench/instructions/instructions.py --of PROGRAM ...
                                                  counts of any program with marks, one line
                                                  with a name and a number each
@@ -32,6 +35,9 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUDGETS = HERE.parent / "budgets.json"
+BYTES = HERE.parent / "bytes.json"
+BYTES_SEAS = ["4x128", "1x64", "1x128", "1x256", "1x512", "1x1024"]
+BYTES_CACHES = [1 << exponent for exponent in (15, 18, 19, 20, 21, 22, 23, 24, 25)]
 MOST_MORE = 0.02
 SKIPPED = 77
 
@@ -121,18 +127,34 @@ def rows_of(program, isas, seas):
     return compiler, rows
 
 
+def bytes_beyond(program, isa, seas, cache_bytes):
+    """Returns for each job its name, and bytes a texel: read, fetched for writing, and written."""
+    # The second-level cache of most current processors has 16 ways.
+    options = ["--cache-sim=yes", "--simulate-wb=yes", "--D1=32768,8,64", f"--LL={cache_bytes},16,64"]
+    for name, texels, events in count([program, isa, *seas], options)[1]:
+        yield name, [64 * lines / texels
+                     for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])]
+
+
 def print_bytes(program, isa, seas, cache_bytes):
     print(f"{isa}, beyond {cache_bytes} bytes of cache, a texel")
     print(f"{'sea':8}{'job':24}{'read':>8}{'for writing':>12}{'written':>8}{'all':>8}  bytes")
-    # The second-level cache of most current processors has 16 ways.
-    options = ["--cache-sim=yes", "--simulate-wb=yes", f"--LL={cache_bytes},16,64"]
-    for name, texels, events in count([program, isa, *seas], options)[1]:
+    for name, moved in bytes_beyond(program, isa, seas, cache_bytes):
         sea, job = name.split("/", 1)
         if job.startswith("query"):
             continue
-        moved = [64 * lines / texels
-                 for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])]
         print(f"{sea:8}{job:24}{moved[0]:8.1f}{moved[1]:12.1f}{moved[2]:8.1f}{sum(moved):8.1f}")
+
+
+def store_bytes(program, isa):
+    rows = []
+    for sea, cache_bytes in itertools.product(BYTES_SEAS, BYTES_CACHES):
+        moved = dict(bytes_beyond(program, isa, [sea], cache_bytes))[f"{sea}/frame"]
+        rows.append({"sea": sea, "cache_bytes": cache_bytes, "read": round(moved[0], 1),
+                     "for_writing": round(moved[1], 1), "written": round(moved[2], 1)})
+        text = ",\n".join("    " + json.dumps(row) for row in rows)
+        BYTES.write_text(f'{{\n  "isa": {json.dumps(isa)},\n  "bytes_a_texel": [\n{text}\n  ]\n}}\n')
+    print(f"wrote {BYTES}")
 
 
 def key(row):
@@ -191,6 +213,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
     parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
     parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead")
+    parser.add_argument("--store-bytes", action="store_true", help="write bench/bytes.json")
     parser.add_argument("--of", nargs=argparse.REMAINDER, metavar="PROGRAM", help="count a program of your own")
     options = parser.parse_args()
     if options.of:
@@ -201,6 +224,8 @@ def main():
         parser.error(f"--program is {options.program}, which does not exist: build the target pelagic_count_jobs")
     isas = options.isa.split(",") if options.isa else isas_of(options.program)
     try:
+        if options.store_bytes:
+            return store_bytes(options.program, isas[-1])
         if options.bytes:
             return print_bytes(options.program, isas[-1], options.seas, options.bytes)
         compiler, rows = rows_of(options.program, isas, options.seas)

@@ -1,13 +1,19 @@
-// Names of the processor and the compiler, for benchmark results.
+// Names of the processor and the compiler, and sizes of caches, for benchmark results.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pelagic::tools {
 
 /// Returns the operating system's name of the processor, or of the board if processors have no
 /// names, as on Arm.
 std::string cpu_name();
+
+/// Returns the sizes of the data caches of the first core, in bytes, from the first level on. Empty
+/// if the system does not report them.
+std::vector<std::size_t> cache_sizes();
 
 /// Returns the name of the compiler of this program.
 std::string compiler_name();

@@ -1,5 +1,7 @@
-// Linux, which provides the names in files.
+// Linux, which provides the names in files, and the sizes of caches by sysconf() or in files.
 #include "pelagic/tools/benchmark/machine.hpp"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -32,6 +34,22 @@ std::string cpu_name() {
     std::string board;
     std::getline(std::ifstream("/sys/firmware/devicetree/base/model"), board, '\0');
     return board.empty() ? "unknown" : board;
+}
+
+std::vector<std::size_t> cache_sizes() {
+    std::vector<std::size_t> sizes;
+#if defined(_SC_LEVEL1_DCACHE_SIZE)
+    for (const int name : {_SC_LEVEL1_DCACHE_SIZE, _SC_LEVEL2_CACHE_SIZE, _SC_LEVEL3_CACHE_SIZE})
+        if (const long bytes = ::sysconf(name); bytes > 0) sizes.push_back(static_cast<std::size_t>(bytes));
+#endif
+    if (!sizes.empty()) return sizes;
+    for (int index = 0;; ++index) {  // as on Arm
+        const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+        std::string type;
+        std::size_t kib = 0;
+        if (!(std::ifstream(folder + "type") >> type) || !(std::ifstream(folder + "size") >> kib)) return sizes;
+        if (type != "Instruction") sizes.push_back(kib * 1024);
+    }
 }
 
 }  // namespace pelagic::tools

@@ -1,5 +1,6 @@
 // Windows, where the name is read with CPUID.
 #include <cpuid.h>
+#include <windows.h>
 
 #include <array>
 #include <cstring>
@@ -23,6 +24,19 @@ std::string cpu_name() {
     name.resize(std::strlen(name.c_str()));
     const std::size_t begin = name.find_first_not_of(' '), end = name.find_last_not_of(' ');
     return begin == std::string::npos ? "unknown" : name.substr(begin, end - begin + 1);
+}
+
+std::vector<std::size_t> cache_sizes() {
+    DWORD bytes = 0;
+    GetLogicalProcessorInformation(nullptr, &bytes);
+    std::vector<SYSTEM_LOGICAL_PROCESSOR_INFORMATION> entries(bytes / sizeof(SYSTEM_LOGICAL_PROCESSOR_INFORMATION));
+    if (entries.empty() || !GetLogicalProcessorInformation(entries.data(), &bytes)) return {};
+    std::vector<std::size_t> sizes;
+    for (const auto& entry : entries)
+        if (entry.Relationship == RelationCache && (entry.ProcessorMask & 1) != 0 &&
+            entry.Cache.Type != CacheInstruction && entry.Cache.Level == sizes.size() + 1)
+            sizes.push_back(entry.Cache.Size);
+    return sizes;
 }
 
 }  // namespace pelagic::tools

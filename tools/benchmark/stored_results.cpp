@@ -41,6 +41,16 @@ std::optional<double> stored_instructions(std::string_view sea, std::string_view
     return {};
 }
 
+std::optional<double> stored_bytes(std::string_view sea, std::size_t cache_bytes) {
+    static const nlohmann::json json = nlohmann::json::parse(stored_bytes_json);
+    std::optional<double> bytes;
+    for (const auto& row : json.at("bytes_a_texel"))  // by sea, in the order of sizes
+        if (row.at("sea") == sea && row.at("cache_bytes").get<std::size_t>() <= cache_bytes)
+            bytes =
+                row.at("read").get<double>() + row.at("for_writing").get<double>() + row.at("written").get<double>();
+    return bytes;
+}
+
 std::string stored_instructions_compiler() { return instructions().at("compiler").get<std::string>(); }
 
 }  // namespace pelagic::tools

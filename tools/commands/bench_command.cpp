@@ -15,6 +15,7 @@
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/headset_table.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
+#include "pelagic/tools/benchmark/memory_levels.hpp"
 #include "pelagic/tools/benchmark/stored_results.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
@@ -90,6 +91,22 @@ Json as_json(const Timings& timings) {
     return json;
 }
 
+/// Returns the timings, with the memory levels and the bytes that each row's frame moves there.
+Json as_json(const Timings& timings, const std::vector<MemoryLevel>& levels) {
+    Json json = as_json(timings);
+    json["memory_levels"] = Json::array();
+    for (const MemoryLevel& level : levels)
+        json["memory_levels"].push_back(
+            {{"level", level.name}, {"bytes", level.bytes}, {"copy_gb_per_s", level.copy_gb_per_s}});
+    for (std::size_t i = 0; i < timings.frames.size(); ++i) {
+        json["rows"][i]["moved"] = Json::array();
+        for (const MovedBytes& moved : moved_bytes(timings.frames[i], levels))
+            json["rows"][i]["moved"].push_back(
+                {{"level", moved.level->name}, {"bytes", moved.bytes}, {"ms", moved.ms}, {"share", moved.share}});
+    }
+    return json;
+}
+
 class BenchCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
@@ -100,7 +117,7 @@ class BenchCommand final : public Command {
     TimingPlan resolve() const;
 
     std::optional<std::string> sizes_, seconds_, json_;
-    bool headset_ = false;
+    bool headset_ = false, bytes_ = false;
     ComputeFlags compute_;
 };
 
@@ -112,6 +129,9 @@ void BenchCommand::add_options(CLI::App& app) {
     app.add_option("--seconds", seconds_, std::string("measuring time; ") + seconds_range + " (default: 30)")
         ->type_name("SECONDS");
     app.add_flag("--headset", headset_, "measure seas for a headset on 1, 2 and 3 threads; excludes --sizes");
+    app.add_flag(
+        "--bytes", bytes_,
+        "measure the copy speed of each cache, beside the bytes that a frame moves there; excludes --headset");
     app.add_option("--json", json_, "write the statistics as JSON; -: print them instead of the tables")
         ->type_name("FILE.json")
         ->group(help_group::output);
@@ -125,6 +145,7 @@ TimingPlan BenchCommand::resolve() const {
     if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
     plan.isas = compute_.names_isa() ? std::vector{*compute.isa} : isas_here();
     if (headset_) {
+        if (bytes_) throw InputError("--bytes cannot be combined with --headset");
         if (sizes_) throw InputError("--sizes is given, but --headset has seas of its own: leave out one of them");
         plan.seas = headset_seas();
         plan.isas = {plan.isas.back()};
@@ -135,7 +156,10 @@ TimingPlan BenchCommand::resolve() const {
     if (!sizes_) plan.seas.emplace_back();
     for (const int n : sizes_ ? sizes_from(*sizes_) : std::vector{64, 128, 256, 512, 1024})
         plan.seas.push_back({.resolution = n, .patch_size_m = 250});
-    plan.threads = thread_counts(max_threads);
+    if (bytes_)
+        plan.isas = {plan.isas.back()};
+    else
+        plan.threads = thread_counts(max_threads);
     return plan;
 }
 
@@ -143,17 +167,27 @@ void BenchCommand::run() {
     const TimingPlan plan = resolve();
     const bool prints_json = json_ == "-";
     const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
+    std::vector<MemoryLevel> levels;
     Timings timings;
     {
         Progress progress;
+        if (bytes_) {
+            levels = measure_memory_levels();
+            if (levels.empty())
+                throw InputError("--bytes needs the sizes of caches, which this system does not report");
+        }
         timings = time_frames(
             plan, [&](const std::string& sea, double fraction) { progress.show("sea " + sea, fraction); });
     }
-    if (prints_json) {
-        std::printf("%s\n", as_json(timings).dump(2).c_str());
-        return;
+    if (prints_json || file) {
+        const std::string text = (bytes_ ? as_json(timings, levels) : as_json(timings)).dump(2) + "\n";
+        if (file) file->write(text);
+        if (prints_json) {
+            std::printf("%s", text.c_str());
+            return;
+        }
     }
-    if (file) file->write(as_json(timings).dump(2) + "\n");
+    if (bytes_) return print_moved_bytes(timings, levels);
     headset_ ? print_headset_timings(timings) : print_timings(timings);
 }
 
