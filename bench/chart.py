@@ -181,7 +181,7 @@ def sea_text(sea):
 
 
 def bytes_panels(counts, top):
-    """Two panels: seas of one cascade, and the default sea beside N = 256."""
+    """Two panels: seas of one cascade, and the default sea beside one cascade of its size."""
     rows = {}
     for row in counts.rows:
         rows.setdefault(row["sea"], []).append((row["cache_bytes"] >> 10, row["read"] + row["for_writing"] + row["written"]))
@@ -194,7 +194,7 @@ def bytes_panels(counts, top):
 
     panels = []
     for left, title, seas in ((LEFTS[0], "Bytes a texel beyond a cache, one cascade", ["1x64", "1x256", "1x1024"]),
-                              (LEFTS[1], "Four cascades and one of 512", ["4x128", "1x512"])):
+                              (LEFTS[1], "Bytes a texel beyond a cache, N = 128", ["1x128", "4x128"])):
         panel = Panel(left, top, title, sizes, ticks, 0, ticks[-1], label="size of the cache, bytes", name_of=name_of)
         for sea, colour in zip(seas, THREAD_COLOURS):
             points = rows[sea]
