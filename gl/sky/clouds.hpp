@@ -66,7 +66,8 @@ class CloudLayer {
     /// \param shape  must outlive this object; may be filled later
     CloudLayer(const CloudOptions& options, const ClearSky& sky, const CloudShape& shape);
 
-    /// Computes the cloud light along a ray from sea level. \pre the CloudShape is filled and measured
+    /// Computes the cloud light along a ray from sea level.
+    /// \pre the CloudShape is filled and measured
     /// \param direction  unit vector
     CloudLight along(glm::vec3 direction) const;
     /// Returns the transmittance of the clouds in a direction; 0 below the horizon.
