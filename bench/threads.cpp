@@ -1,12 +1,12 @@
-// Benchmark of frames on several threads, frame after frame and at a display's rate, when workers
-// sleep between frames.
+// Benchmark of frames on two threads, frame after frame and at a display's rate, when workers sleep
+// between frames.
 //
 //   build/release/bin/pelagic_threads_bench [EVERY_MS [TURNS [ISA]]]
 //
-// EVERY_MS 0 computes frames one after the other. Otherwise one frame starts each EVERY_MS, and its
-// time is from schedule() to the end of complete(). Executors take turns, because other load on the
-// machine varies; a speed-up is the median over the turns. Context switches and processor time are
-// those of the whole process per frame, so the row of one thread includes the sleep between frames.
+// EVERY_MS 0 computes frames one after the other. Otherwise the process sleeps for EVERY_MS before
+// each frame. A time is that of frame_at(). Executors take turns, because other load on the machine
+// varies; a speed-up is the median over the turns. Context switches and processor time are those of
+// the whole process per frame, so the row of one thread includes the sleep between frames.
 //
 // The row "apart" has two oceans on two threads that share no work, and its time is half of theirs.
 // Its speed-up is that of the machine: it is low if the two processors are hardware threads of one

@@ -7,6 +7,9 @@
 
 namespace pelagic {
 
+/// Side of the paper's smallest patches (equation 56).
+inline constexpr double paper_patch_m = 64;
+
 /// A square sea of level-of-detail patches around the viewer (VR Ocean, section 5.1).
 struct QuadtreeOptions {
     double size_m = 2048;  ///< S, the side of the square; [256, 8192]
@@ -18,7 +21,7 @@ struct QuadtreeOptions {
     int batch_limit = 0;  ///< maximum number of instances in one draw call; 0: no limit
     /// Side of the smallest patches, about, for eyes near the water. The paper has 64 m (equation
     /// 56), whose vertices are 1 m apart if V is 64; [16, 64]
-    double finest_patch_m = 64;
+    double finest_patch_m = paper_patch_m;
 };
 
 /// Returns an empty string if the options are valid, else a message about the first invalid field:
@@ -27,10 +30,7 @@ std::string check(const QuadtreeOptions& options);
 
 /// Returns the level of the smallest patches (equation 56), whose side is about `finest_patch_m`.
 /// The level is at most 8, and the root has level 0.
-int deepest_level(double size_m, double finest_patch_m = 64);
-
-/// Side of the paper's smallest patches (equation 56).
-inline constexpr double paper_patch_m = 64;
+int deepest_level(double size_m, double finest_patch_m = paper_patch_m);
 
 struct QuadtreePreset {
     std::string_view name;

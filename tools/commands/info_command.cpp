@@ -1,9 +1,7 @@
 // `pelagic info`: prints sea-state statistics, or measures an export.
 
 #include <CLI/App.hpp>
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <future>
@@ -12,14 +10,13 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
 #include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/commands/idle_ocean.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
@@ -46,49 +43,6 @@ std::future<SeaReport> begin_report(SeaReport (*report_of)(const SeaState&), con
     }
     return std::async(std::launch::deferred, report);
 }
-
-/// Executor that runs no job. An ocean on it has its stages and no waves, and 99 % of its memory:
-/// the size of statistics by frequency depends on the waves.
-class IdleExecutor final : public Executor {
-   public:
-    /// \param planned  the executor whose name and number of threads are reported
-    explicit IdleExecutor(std::shared_ptr<Executor> planned) : planned_(std::move(planned)) {}
-
-    std::unique_ptr<GraphRun> prepare(const JobGraph&) override { return std::make_unique<IdleRun>(); }
-    int thread_limit() const override { return planned_->thread_limit(); }
-    std::string_view name() const override { return planned_->name(); }
-
-   private:
-    struct IdleRun final : GraphRun {
-        void schedule() override {}
-        void complete() override {}
-        bool is_done() const override { return true; }
-    };
-    std::shared_ptr<Executor> planned_;
-};
-
-/// Memory for an ocean that computes nothing: buffers share blocks, whose contents have no effect.
-/// Most of the time of its construction would be spent on pages of distinct buffers.
-class SharedMemory {
-   public:
-    Allocator allocator() { return {this, allocate, release}; }
-
-   private:
-    struct alignas(64) Line {
-        std::byte bytes[64];
-    };
-
-    static void* allocate(void* user, std::size_t bytes, std::size_t /*alignment*/) {
-        const std::size_t lines = (bytes + sizeof(Line) - 1) / sizeof(Line);
-        std::vector<std::vector<Line>>& blocks = static_cast<SharedMemory*>(user)->blocks_;
-        const auto found =
-            std::find_if(blocks.begin(), blocks.end(), [&](const auto& block) { return block.size() >= lines; });
-        return found != blocks.end() ? found->data() : blocks.emplace_back(lines).data();
-    }
-    static void release(void*, void*, std::size_t, std::size_t) {}
-
-    std::vector<std::vector<Line>> blocks_;
-};
 
 Json computing_as_json(const Ocean& ocean) {
     Json stages = Json::array();
@@ -133,11 +87,8 @@ Json measured_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
 /// do are null.
 Json expected_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
     std::future<SeaReport> begun = begin_report(expected_report_on, resolved.sea, compute);
-    SharedMemory memory;
-    const Ocean ocean(forecast_of(resolved),
-                      {.executor = std::make_shared<IdleExecutor>(make_default_executor(compute.threads)),
-                       .isa = compute.isa,
-                       .memory = memory.allocator()});
+    const IdleOcean idle(forecast_of(resolved), make_default_executor(compute.threads), compute.isa);
+    const Ocean& ocean = idle.ocean();
     const SeaReport report = begun.get();
     Json json = head_as_json(resolved, report, std::nullopt);
     json["foam"] = nullptr;
