@@ -105,7 +105,8 @@ struct ContractionBound {
 /// The data of a cascade in one frame, as views of memory that the ocean owns.
 struct Cascade {
     CascadeGrid grid;
-    PlaneView dx, height, dz;  ///< metres, in the world's axes
+    /// Metres, in the world's axes. Without data if OceanOptions::planes is off.
+    PlaneView dx, height, dz;
     /// Derivatives of dx, height and dz in time at the fixed reference point, m/s. Without data
     /// unless OceanOptions::velocities is set.
     PlaneView velocity_x, velocity_y, velocity_z;

@@ -67,7 +67,8 @@ struct Frame {
 /// height and dz; the half floats except foam; the gradient chain; the bounds. For several cascades
 /// the two chains of slopes replace the gradient chain. It leaves out the time, velocities, fold
 /// maps and chains that only OceanOptions enables, so an ocean with more outputs has equal hashes.
-/// It also leaves out textures written to memory of the application (texture_targets.hpp).
+/// It also leaves out textures written to memory of the application (texture_targets.hpp), and
+/// planes that the frame does not have (OceanOptions::planes).
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the

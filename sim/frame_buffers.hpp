@@ -28,6 +28,7 @@ struct FrameBuffers {
 /// Optional contents of frames.
 struct FrameContents {
     bool velocities = false, gradients = true, slopes = false, foam = false;
+    bool planes = true;  ///< dx, height and dz
 };
 
 /// Returns an empty string if the arrays fit frames of `cascade_count` cascades of this resolution,

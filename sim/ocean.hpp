@@ -65,6 +65,11 @@ struct OceanOptions {
     /// Wave inputs, added to the waves of the wind in this order (wave_input.hpp). They change
     /// hash_of(). An ocean without inputs has no additional jobs or branches in kernels.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
+    /// Keeps displacement as planes of floats (Cascade::dx, height, dz). Without them, frames have
+    /// textures and bounds only. That moves fewer bytes and takes about 12 N^2 bytes less memory
+    /// per cascade; the textures are bit-identical. Queries, velocities, dynamic waves, a shore and
+    /// wave inputs need planes.
+    bool planes = true;
     /// Allocator of frames and spectra, all but some 100 KB of an ocean; none: operator new.
     Allocator memory = {};
 };
@@ -78,7 +83,8 @@ struct OceanOptions {
 class Ocean {
    public:
     /// Computes the spectrum of a sea. Throws std::invalid_argument(check(sea)) if an option is out
-    /// of range, what choose_isa() and executors throw, and std::bad_alloc.
+    /// of range, std::invalid_argument if an option needs planes that are off, what choose_isa()
+    /// and executors throw, and std::bad_alloc.
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
     /// Computes the spectrum of the forecast's first sea. That of each later sea is computed
     /// together with frames, from 10 s of the sea's time before frames need it. A frame waits for a

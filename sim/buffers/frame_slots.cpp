@@ -27,9 +27,13 @@ void view_textures(Cascade& cascade, const CascadeBuffers& buffers, const Textur
     cascade.moments_rgba8 = view(buffers.moments, elsewhere.moments_rgba8[0]);
 }
 
+std::size_t surface_floats(int n, std::size_t lanes) {
+    return column_blocks(n, lanes) * column_block_floats(n, lanes);
+}
+
 Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
     const auto view = [&](const AlignedBuffer<float>& planes, std::size_t component) {
-        return PlaneView{planes.data() + component * lanes, n, static_cast<int>(lanes),
+        return PlaneView{planes.size() > 0 ? planes.data() + component * lanes : nullptr, n, static_cast<int>(lanes),
                          static_cast<std::ptrdiff_t>(surface_components * lanes),
                          static_cast<std::ptrdiff_t>(column_block_floats(n, lanes))};
     };
@@ -51,8 +55,8 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
 }  // namespace
 
 CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, const FrameExtras& extras)
-    : surface(column_blocks(n, lanes) * column_block_floats(n, lanes), extras.memory),
-      velocity(extras.velocities ? surface.size() : 0, extras.memory),
+    : surface(extras.planes ? surface_floats(n, lanes) : 0, extras.memory),
+      velocity(extras.velocities ? surface_floats(n, lanes) : 0, extras.memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
       rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
@@ -83,6 +87,7 @@ FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, 
         slot.frame.cascades = slot.cascades;
         slot.frame.has_foam = extras.foam;
     }
+    if (!extras.planes) working_.emplace(cascades, surface_floats(resolution, lanes), extras.memory);
 }
 
 void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {
@@ -118,7 +123,7 @@ void FrameSlots::finish_textures() {
 }
 
 std::size_t FrameSlots::bytes() const {
-    std::size_t bytes = 0;
+    std::size_t bytes = working_ ? working_->bytes() : 0;
     for (const Slot& slot : slots_)
         for (const CascadeBuffers& buffers : slot.buffers)
             bytes += buffers.bytes() + sizeof(CascadeBuffers) + sizeof(Cascade);

@@ -11,6 +11,7 @@
 #include "pelagic/sim/buffers/contraction_map.hpp"
 #include "pelagic/sim/buffers/double_buffer.hpp"
 #include "pelagic/sim/buffers/fold_map.hpp"
+#include "pelagic/sim/buffers/working_surfaces.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
@@ -24,6 +25,7 @@ struct FrameExtras {
     bool gradients = true;  ///< normals of each cascade
     bool slopes = false;    ///< slopes, which can be added over the cascades
     bool foam = false;      ///< foam accumulation and decay
+    bool planes = true;     ///< displacement as floats
     Allocator memory = {};  ///< for all buffers whose size grows with N^2
 };
 
@@ -34,7 +36,7 @@ struct CascadeBuffers {
     CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
     std::size_t bytes() const;
 
-    /// Lines, later the surface (kernels/wave_blocks.hpp).
+    /// Lines, later the surface (kernels/wave_blocks.hpp), if FrameExtras::planes.
     AlignedBuffer<float> surface;
     /// Time derivative of `surface`, if FrameExtras::velocities.
     AlignedBuffer<float> velocity;
@@ -67,6 +69,13 @@ class FrameSlots {
     int resolution() const { return slots_.back().cascades.front().resolution(); }
 
     CascadeBuffers& buffers(std::size_t cascade) { return slots_.back().buffers[cascade]; }
+    /// Returns where a cascade's lines and surface are computed: its planes, or a working buffer,
+    /// which the cascade takes. Thread-safe.
+    float* surface(std::size_t cascade) { return working_ ? working_->of(cascade) : buffers(cascade).surface.data(); }
+    /// Marks the surface as read, so that other cascades may use its working buffer.
+    void release_surface(std::size_t cascade) {
+        if (working_) working_->release(cascade);
+    }
     Cascade& cascade(std::size_t cascade) { return slots_.back().cascades[cascade]; }
     /// Returns the cascade of the frame before, which the application may use.
     const Cascade& front_cascade(std::size_t cascade) const { return slots_.front().cascades[cascade]; }
@@ -103,6 +112,7 @@ class FrameSlots {
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }
 
     DoubleBuffer<Slot> slots_;
+    std::optional<WorkingSurfaces> working_;  ///< without planes
 };
 
 }  // namespace pelagic

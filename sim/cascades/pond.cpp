@@ -85,9 +85,9 @@ void Pond::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
 
 void Pond::fill_row(Pass pass, std::size_t row) {
     const std::size_t block_floats = column_block_floats(resolution_, lanes_);
-    CascadeBuffers& buffers = slots_.buffers(cascade_);
-    const auto component = [&](AlignedBuffer<float>& planes, SurfaceComponent of) {
-        return planes.data() + (row * surface_components + of) * lanes_;
+    float *const surface = slots_.surface(cascade_), *const velocity = slots_.buffers(cascade_).velocity.data();
+    const auto component = [&](float* planes, SurfaceComponent of) {
+        return planes + (row * surface_components + of) * lanes_;
     };
     const bool with_velocities = has_velocities_ && pass == Pass::frame;
     const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, chunk_texels);
@@ -107,16 +107,16 @@ void Pond::fill_row(Pass pass, std::size_t row) {
                        .z = z.data(),
                        .footprint = footprint.data(),
                        .out = chunk.outputs(with_velocities)});
-        const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
+        const auto store = [&](const float* values, float* planes, SurfaceComponent of) {
             store_row(values, count, first, component(planes, of), lanes_, block_floats);
         };
-        store(chunk.height.data(), buffers.surface, surface_height);
-        store(none.data(), buffers.surface, surface_dx);
-        store(none.data(), buffers.surface, surface_dz);
+        store(chunk.height.data(), surface, surface_height);
+        store(none.data(), surface, surface_dx);
+        store(none.data(), surface, surface_dz);
         if (with_velocities) {
-            store(chunk.vertical_velocity.data(), buffers.velocity, surface_height);
-            store(none.data(), buffers.velocity, surface_dx);
-            store(none.data(), buffers.velocity, surface_dz);
+            store(chunk.vertical_velocity.data(), velocity, surface_height);
+            store(none.data(), velocity, surface_dx);
+            store(none.data(), velocity, surface_dz);
         }
         for (std::size_t i = 0; i < count; ++i) {
             bounds.min = std::min(bounds.min, chunk.height[i]);

@@ -38,6 +38,17 @@ struct FilledBy {
     StageId velocity;
 };
 
+/// A source whose columns are transformed by stage `columns+textures` of a frame.
+class ColumnSource {
+   public:
+    virtual ~ColumnSource() = default;
+    /// Adds only the stage that computes the lines (kernels/wave_blocks.hpp).
+    virtual StageId add_line_stage(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
+    /// Transforms a pair of column blocks (column_block_pair()) of the frame, in place.
+    /// \pre the lines are complete
+    virtual void transform(std::size_t pair) = 0;
+};
+
 /// Fills the displacement of one cascade.
 class SeaSource {
    public:
@@ -46,6 +57,8 @@ class SeaSource {
     /// Adds the stages of a pass. They fill the buffers of the source's cascade in the slot that is
     /// the back slot when they run. \pre the source outlives the graph's runs
     virtual FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
+    /// Returns the source's columns; null if it computes displacement without lines.
+    virtual ColumnSource* columns() { return nullptr; }
     /// Sets the moment that the next run of the pass's stages computes, and fills in the
     /// description of the cascade. \pre no run of the pass is in flight
     virtual void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) = 0;

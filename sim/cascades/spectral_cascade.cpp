@@ -45,26 +45,29 @@ void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
                .stack_bytes = stack_margin});
 }
 
+StageId SpectralCascade::add_line_stage(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+    return graph.add({.name = stage_name(pass == Pass::tick ? "tick evolve+rows" : "evolve+rows", cascade_),
+                      .count = line_blocks(resolution_, kernels_.lanes),
+                      .waits_for = waits_for,
+                      .body = for_each_item([this, pass](std::size_t block) {
+                          if (shown_[pass].is_idle) return;
+                          blend(pass, block);
+                          kernels_.evolve_rows(evolve_rows_job(pass, block, slots_.surface(cascade_)));
+                      }),
+                      .stack_bytes = transform_stack_bytes(resolution_, kernels_.lanes)});
+}
+
 FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
-    const auto surface = [this] { return slots_.buffers(cascade_).surface.data(); };
     const bool is_tick = pass == Pass::tick;
-    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", cascade_),
-                                          .count = line_blocks(resolution_, kernels_.lanes),
-                                          .waits_for = waits_for,
-                                          .body = for_each_item([this, pass, surface](std::size_t block) {
-                                              if (shown_[pass].is_idle) return;
-                                              blend(pass, block);
-                                              kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
-                                          }),
-                                          .stack_bytes = transforms});
+    const StageId lines_done = add_line_stage(graph, pass, waits_for);
     const StageId surface_done =
         graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
                    .count = plane_bounds_.size(),
                    .waits_for = {lines_done},
-                   .body = for_each_item([this, pass, surface](std::size_t pair) {
+                   .body = for_each_item([this, pass](std::size_t pair) {
                        if (shown_[pass].is_idle) return;
-                       columns_finalize(pass, pair, surface(), plane_bounds_[pair]);
+                       columns_finalize(pass, pair, slots_.surface(cascade_), plane_bounds_[pair]);
                    }),
                    .stack_bytes = transforms});
     return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
@@ -221,6 +224,10 @@ EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block
             .fft = &fft_,
             .lines = lines,
             .first_frequency = shown.first_frequency};
+}
+
+void SpectralCascade::transform(std::size_t pair) {
+    columns_finalize(Pass::frame, pair, slots_.surface(cascade_), plane_bounds_[pair]);
 }
 
 void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PlaneBounds& bounds) {

@@ -26,7 +26,7 @@
 
 namespace pelagic {
 
-class SpectralCascade final : public SeaSource {
+class SpectralCascade final : public SeaSource, public ColumnSource {
    public:
     /// \param cascade  index of the cascade in the slots that the source fills
     SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
@@ -34,6 +34,9 @@ class SpectralCascade final : public SeaSource {
     SpectralCascade& operator=(const SpectralCascade&) = delete;
 
     /// Velocities are computed for frames only, not for ticks.
+    ColumnSource* columns() override { return this; }
+    StageId add_line_stage(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
+    void transform(std::size_t pair) override;
     FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
     void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) override;
     FrameBounds end_frame() override;

@@ -33,7 +33,7 @@ void FoamHistory::tick_rows(std::size_t job) {
     if (ticks_to_fade_ == 0) return;  // both maps are empty
     const int n = slots_.resolution();
     // The derivatives are those of the stage that writes the half floats.
-    kernels_.foam_tick({.surface = slots_.buffers(0).surface.data(),
+    kernels_.foam_tick({.surface = slots_.surface(0),
                         .resolution = static_cast<std::size_t>(n),
                         .block_stride = column_block_floats(n, kernels_.lanes),
                         .cosine = static_cast<float>(grid_.cosine),

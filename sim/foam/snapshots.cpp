@@ -131,7 +131,7 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
     // The derivatives are those of the stage that computes the frame's Jacobians.
     const bool is_one = cascades_.size() == 1;
     const double near = is_one ? 0.5 : SlopesJob::near_weight, far = is_one ? 0 : SlopesJob::far_weight;
-    kernels_.compression({.surface = slots_.buffers(cascade).surface.data(),
+    kernels_.compression({.surface = slots_.surface(cascade),
                           .resolution = static_cast<std::size_t>(n),
                           .block_stride = column_block_floats(n, kernels_.lanes),
                           .cosine = static_cast<float>(from.grid.cosine),

@@ -44,6 +44,12 @@ void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> a
     for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
         std::vector<StageId> waits_for;
         if (!after.empty()) waits_for = {after[cascade]};
+        if (has_bands(cascade)) {
+            ColumnSource& source = *sources_[cascade]->columns();
+            surfaces_[cascade]->add_bands_to(graph, source.add_line_stage(graph, Pass::frame, waits_for),
+                                             [&source](std::size_t pair) { source.transform(pair); });
+            continue;
+        }
         const FilledBy filled = sources_[cascade]->add_stages(graph, Pass::frame, waits_for);
         surfaces_done.push_back(inputs_.add_stage(graph, Pass::frame, cascade, filled));
         surfaces_[cascade]->add_to(graph, surfaces_done.back());
@@ -194,6 +200,11 @@ void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t cascade) {
     if (waves == WaveModel::pond) return std::make_unique<Pond>(slots_, cascade, isa_, extras_);
     return std::make_unique<SpectralCascade>(slots_, cascade, kernels_for(isa_), extras_);
+}
+
+/// Returns whether one stage of a frame computes a cascade's columns and textures.
+bool FrameAssembly::has_bands(std::size_t cascade) const {
+    return !extras_.planes && sources_[cascade]->columns() && TextureBands::are_worthwhile(slots_.resolution());
 }
 
 TickClock FrameAssembly::clock() const { return TickClock(weather_.forecast().first.loop_period_s); }

@@ -68,7 +68,9 @@ class FrameAssembly {
 
     Weather& weather() { return weather_; }
     const Weather& weather() const { return weather_; }
-    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam}; }
+    FrameContents contents() const {
+        return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam, extras_.planes};
+    }
     std::size_t cascade_count() const { return slots_.cascade_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const;
@@ -80,6 +82,7 @@ class FrameAssembly {
         return pass == Pass::frame ? slots_.cascade(cascade) : at_tick_[cascade];
     }
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t cascade);
+    bool has_bands(std::size_t cascade) const;
     TickClock clock() const;
     SeaMoment moment_at_tick(std::int64_t number) const;
     float compression_scale(std::size_t cascade, const SeaStatistics& statistics) const;

@@ -27,9 +27,9 @@ std::string check_cascade(const FrameBuffers& buffers, int resolution, const Fra
         std::string_view option;
     };
     const Field fields[] = {
-        {"dx", buffers.dx.size(), texels, true, {}},
-        {"height", buffers.height.size(), texels, true, {}},
-        {"dz", buffers.dz.size(), texels, true, {}},
+        {"dx", buffers.dx.size(), texels, contents.planes, "planes"},
+        {"height", buffers.height.size(), texels, contents.planes, "planes"},
+        {"dz", buffers.dz.size(), texels, contents.planes, "planes"},
         {"velocity_x", buffers.velocity_x.size(), texels, contents.velocities, "velocities"},
         {"velocity_y", buffers.velocity_y.size(), texels, contents.velocities, "velocities"},
         {"velocity_z", buffers.velocity_z.size(), texels, contents.velocities, "velocities"},
@@ -107,7 +107,8 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
                   {.velocities = first.velocity_x.data != nullptr,
                    .gradients = !first.gradient_rgba8.empty(),
                    .slopes = !first.slopes_rgba8.empty(),
-                   .foam = frame.has_foam}));
+                   .foam = frame.has_foam,
+                   .planes = first.height.data != nullptr}));
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
             throw std::invalid_argument(

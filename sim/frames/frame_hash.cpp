@@ -47,6 +47,7 @@ std::uint64_t hash_of(const Frame& frame) {
     for (const Cascade& cascade : frame.cascades) {
         row.resize(static_cast<std::size_t>(cascade.resolution()));
         for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz}) {
+            if (!plane->data) continue;
             for (int j = 0; j < cascade.resolution(); ++j) {
                 plane->copy_row(j, row.data());
                 XXH3_64bits_update(&state, row.data(), row.size() * sizeof(float));

@@ -27,6 +27,22 @@ const Options& checked(const Options& options) {
     return options;
 }
 
+/// Returns an empty string, or which option needs planes that are off.
+std::string check_planes(const OceanOptions& options) {
+    if (options.planes) return {};
+    struct Option {
+        const char* name;
+        bool is_on;
+    };
+    for (const Option& option : {Option{"queries", options.queries},
+                                 {"velocities", options.velocities},
+                                 {"dynamic_waves", options.dynamic_waves.has_value()},
+                                 {"shore", options.shore.has_value()},
+                                 {"inputs", !options.inputs.empty()}})
+        if (option.is_on) return std::string("planes = false cannot be combined with ") + option.name;
+    return {};
+}
+
 }  // namespace
 
 // The runs are last, so that they are destroyed first and wait for work in flight.
@@ -41,6 +57,7 @@ struct Ocean::State {
                   .gradients = options.gradients,
                   .slopes = options.slopes,
                   .foam = options.foam,
+                  .planes = options.planes,
                   .memory = options.memory},
                  std::move(options.inputs)) {
         frames.add_frame_stages(frame_graph);
@@ -267,6 +284,7 @@ Ocean::Ocean(const SeaState& sea, OceanOptions options)
 
 Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
     checked(forecast);
+    require(check_planes(options));
     if (options.shore) {
         require(check(*options.shore, forecast.first));
         if (!forecast.changes.empty())

@@ -30,6 +30,7 @@ struct MipScratch {
 
     alignas(64) float level_1[GradientsJob::block_rows / 2 * (mip_planes + 1) * columns(1)];
     alignas(64) float level_2[GradientsJob::block_rows / 4 * (mip_planes + 1) * columns(2)];
+    alignas(64) float level_3[GradientsJob::block_rows / 8 * (mip_planes + 1) * columns(3)];
 };
 
 /// Computes equations 45 to 48, times (2 L/N)^2. Differences are not divided by the distance,
@@ -134,7 +135,8 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     using Scratch = MipScratch<Arch>;
     const std::size_t n = job.resolution;
     const std::size_t rows = n < GradientsJob::block_rows ? n : GradientsJob::block_rows;
-    const std::size_t columns = n < GradientsJob::block_columns ? n : GradientsJob::block_columns;
+    const std::size_t most_columns = n < GradientsJob::block_columns ? n : GradientsJob::block_columns;
+    const std::size_t columns = job.narrow_columns ? job.narrow_columns : most_columns;
     const bool is_rotated = job.sine != 0 || job.cosine != 1;
     const Turned<Arch> turned{V(job.cosine), V(job.sine)};
     const auto texels = [&](int level) {
@@ -169,7 +171,10 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
         texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
     make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);
-    make_level<Arch>(rows / 8, columns / 8, level_2, level_3, texels(3), n / 8);
+    if (!job.narrow_columns) return make_level<Arch>(rows / 8, columns / 8, level_2, level_3, texels(3), n / 8);
+    const typename Scratch::template Rows<3> narrow{scratch.level_3};
+    make_level<Arch>(rows / 8, columns / 8, level_2, narrow, texels(3), n / 8);
+    copy_averages(narrow, rows / 8, columns / 8, level_3);
 }
 
 template <class Arch>

@@ -146,6 +146,8 @@ struct GradientsJob {
     /// Cosine and sine of the rotation angle of the cascade's axes in the world, from +x towards
     /// +z. Displacement, normals and J are along the world's axes.
     float cosine = 1, sine = 0;
+    /// Width of a narrow block, a multiple of 32; 0: block_columns, or N if it is smaller.
+    std::size_t narrow_columns = 0;
 };
 
 /// Stage `mipmaps`, one level: averages 2 x 2 texels (52), computes smoothness from the normal's
@@ -200,6 +202,7 @@ struct SlopesJob {
     std::uint32_t* moments[block_levels + 1];  ///< tight rows, the texels of level 0 to 3
     float* averages;                           ///< averages of level 3, for SlopeLevelJob
     std::size_t average_stride;
+    std::size_t narrow_columns = 0;  ///< as in GradientsJob
 };
 
 /// Stage `slopes tail`, one level: averages 2 x 2 texels and packs them. Averages are rows of

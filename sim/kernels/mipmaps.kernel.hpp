@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/kernels.hpp"
@@ -48,6 +49,17 @@ struct AverageRows {
     std::size_t plane_stride() const { return known_stride ? known_stride : stride; }
     float* row(std::size_t number) const { return first + number * planes * plane_stride(); }
 };
+
+/// Copies averages of a narrow block, whose registers hold more than its columns.
+/// \param columns  even
+template <class From, std::size_t planes>
+inline void copy_averages(const From& from, std::size_t rows, std::size_t columns, AverageRows<planes> to) {
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t plane = 0; plane < planes; ++plane)
+            for (std::size_t x = 0; x < columns; x += 2)
+                std::memcpy(to.row(row) + plane * to.plane_stride() + x,
+                            from.row(row) + plane * from.plane_stride() + x, 2 * sizeof(float));
+}
 
 /// Adds two rows in W columns.
 template <class Arch, std::size_t planes>

@@ -145,6 +145,7 @@ struct SlopeScratch {
 
     alignas(64) float level_1[SlopesJob::block_rows / 2 * slope_planes * columns(1)];
     alignas(64) float level_2[SlopesJob::block_rows / 4 * slope_planes * columns(2)];
+    alignas(64) float level_3[SlopesJob::block_rows / 8 * slope_planes * columns(3)];
 };
 
 /// Writes level 0 of two rows, the half floats if requested, and level 1.
@@ -227,7 +228,8 @@ void slopes(const SlopesJob& job) {
     using Scratch = SlopeScratch<Arch>;
     const std::size_t n = job.resolution;
     const std::size_t rows = n < SlopesJob::block_rows ? n : SlopesJob::block_rows;
-    const std::size_t columns = n < SlopesJob::block_columns ? n : SlopesJob::block_columns;
+    const std::size_t most_columns = n < SlopesJob::block_columns ? n : SlopesJob::block_columns;
+    const std::size_t columns = job.narrow_columns ? job.narrow_columns : most_columns;
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
     const auto texels = [&](int level) {
         const SlopeRows all{job.slopes[level], job.moments[level], n >> level};
@@ -260,7 +262,11 @@ void slopes(const SlopesJob& job) {
         rotated_rows(NotTurned{});
 
     make_slope_level<Arch>(rows / 4, columns / 4, level_1, level_2, job.variance_factor, texels(2));
-    make_slope_level<Arch>(rows / 8, columns / 8, level_2, level_3, job.variance_factor, texels(3));
+    if (!job.narrow_columns)
+        return make_slope_level<Arch>(rows / 8, columns / 8, level_2, level_3, job.variance_factor, texels(3));
+    const typename Scratch::template Rows<3> narrow{scratch.level_3};
+    make_slope_level<Arch>(rows / 8, columns / 8, level_2, narrow, job.variance_factor, texels(3));
+    copy_averages(narrow, rows / 8, columns / 8, level_3);
 }
 
 template <class Arch>

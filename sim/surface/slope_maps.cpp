@@ -27,30 +27,43 @@ std::size_t SlopeMaps::jobs() const {
     return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::block_rows;
 }
 
+SlopesJob SlopeMaps::slopes_job() const {
+    const double texel_m = side_m / resolution;
+    SlopesJob job{.surface = surface,
+                  .resolution = static_cast<std::size_t>(resolution),
+                  .first_row = 0,
+                  .first_column = 0,
+                  .block_stride = block_stride,
+                  .cosine = static_cast<float>(cosine),
+                  .sine = static_cast<float>(sine),
+                  .difference_factor = static_cast<float>(SlopesJob::near_weight / (double{slope_step()} * texel_m)),
+                  .variance_factor = variance_factor(),
+                  .rgba16f = rgba16f,
+                  .compression = compression,
+                  .slopes = {},
+                  .moments = {},
+                  .averages = averages->level(SlopesJob::block_levels),
+                  .average_stride = averages->stride(SlopesJob::block_levels)};
+    for (std::size_t level = 0; level <= SlopesJob::block_levels; ++level) {
+        job.slopes[level] = slopes[level];
+        job.moments[level] = moments[level];
+    }
+    return job;
+}
+
 void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
     const std::size_t across = jobs_across(resolution);
-    const double texel_m = side_m / resolution;
-    SlopesJob slopes_job{
-        .surface = surface,
-        .resolution = static_cast<std::size_t>(resolution),
-        .first_row = job / across * SlopesJob::block_rows,
-        .first_column = job % across * SlopesJob::block_columns,
-        .block_stride = block_stride,
-        .cosine = static_cast<float>(cosine),
-        .sine = static_cast<float>(sine),
-        .difference_factor = static_cast<float>(SlopesJob::near_weight / (double{slope_step()} * texel_m)),
-        .variance_factor = variance_factor(),
-        .rgba16f = rgba16f,
-        .compression = compression,
-        .slopes = {},
-        .moments = {},
-        .averages = averages->level(SlopesJob::block_levels),
-        .average_stride = averages->stride(SlopesJob::block_levels)};
-    for (std::size_t level = 0; level <= SlopesJob::block_levels; ++level) {
-        slopes_job.slopes[level] = slopes[level];
-        slopes_job.moments[level] = moments[level];
-    }
-    kernels.slopes(slopes_job);
+    SlopesJob block = slopes_job();
+    block.first_row = job / across * SlopesJob::block_rows;
+    block.first_column = job % across * SlopesJob::block_columns;
+    kernels.slopes(block);
+}
+
+void SlopeMaps::make_strip(const Kernels& kernels, const TextureStrip& strip) const {
+    SlopesJob block = slopes_job();
+    block.first_column = strip.first_column;
+    block.narrow_columns = strip.columns;
+    for (; block.first_row < block.resolution; block.first_row += SlopesJob::block_rows) kernels.slopes(block);
 }
 
 void SlopeMaps::make_tail(const Kernels& kernels) const {

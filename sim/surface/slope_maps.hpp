@@ -8,6 +8,7 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
+#include "pelagic/sim/surface/texture_bands.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 
 namespace pelagic {
@@ -26,7 +27,8 @@ inline float slope_step(const SlopeRanges& ranges) { return ranges.slope / 127.f
 
 /// Input and output of the slope stages of one cascade. A view: it owns no memory.
 struct SlopeMaps {
-    const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
+    /// Column blocks (wave_blocks.hpp); null for make_tail().
+    const float* surface;
     int resolution;
     std::size_t block_stride;             ///< floats between column blocks
     double side_m;                        ///< side of the cascade
@@ -40,10 +42,13 @@ struct SlopeMaps {
     /// Number of jobs of the first stage. Different jobs may run concurrently.
     std::size_t jobs() const;
     void make(const Kernels& kernels, std::size_t job) const;
+    /// Replaces make() for the columns of a strip.
+    void make_strip(const Kernels& kernels, const TextureStrip& strip) const;
     /// Runs the second stage. \pre make() has run for all jobs
     void make_tail(const Kernels& kernels) const;
 
    private:
+    SlopesJob slopes_job() const;
     float slope_step() const { return pelagic::slope_step(ranges); }
     float variance_factor() const { return slope_step() * slope_step() / ranges.variance; }
 };

@@ -1,12 +1,14 @@
 #include "pelagic/sim/surface/surface_stages.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/foam/snapshots.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -36,39 +38,67 @@ SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kerne
 }
 
 void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
-    if (gradient_averages_) add_gradient_stages(graph, surface_done);
-    if (slope_averages_) add_slope_stages(graph, surface_done);
+    StageId gradients_done = surface_done, slopes_done = surface_done;
+    if (gradient_averages_)
+        gradients_done = graph.add({.name = stage_name("gradients+mipmaps", cascade_),
+                                    .count = pieces_of(resolution_).count(),
+                                    .waits_for = {surface_done},
+                                    .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
+                                    .stack_bytes = gradients_stack_bytes});
+    if (slope_averages_)
+        slopes_done = graph.add({.name = stage_name("slopes+mipmaps", cascade_),
+                                 .count = slope_maps().jobs(),
+                                 .waits_for = {surface_done},
+                                 .body = for_each_item([this](std::size_t piece) {
+                                     slope_maps(slots_.surface(cascade_)).make(kernels_, piece);
+                                 }),
+                                 .stack_bytes = slopes_stack_bytes});
+    add_tails(graph, gradients_done, slopes_done);
 }
 
-void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
-    const StageId pieces_done =
-        graph.add({.name = stage_name("gradients+mipmaps", cascade_),
-                   .count = pieces_of(resolution_).count(),
-                   .waits_for = {surface_done},
-                   .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
-                   .stack_bytes = gradients_stack_bytes});
-    if (slots_.cascade_count() == 1) add_foam_tail(graph, pieces_done);
-    const auto tail = [this](std::size_t) { mipmaps_tail(); };
-    graph.add({.name = stage_name("mipmaps tail", cascade_),
-               .count = 1,
-               .waits_for = {pieces_done},
-               .body = for_each_item(tail),
-               .stack_bytes = stack_margin});
+void SurfaceStages::add_bands_to(JobGraph& graph, StageId lines_done, TransformColumns transform) {
+    const std::size_t transform_bytes = 8 * static_cast<std::size_t>(resolution_) * kernels_.lanes + stack_margin;
+    const TextureBands bands(resolution_, kernels_.lanes);
+    const StageId edges_done =
+        graph.add({.name = stage_name("edge columns", cascade_),
+                   .count = bands.edges(),
+                   .waits_for = {lines_done},
+                   .body = for_each_item([bands, transform](std::size_t edge) { transform(bands.edge_pair(edge)); }),
+                   .stack_bytes = transform_bytes});
+    const auto process = [this, bands, transform](std::size_t begin, std::size_t end) {
+        const DefaultFloatEnvironment environment;
+        bands.process(begin, end, transform, [this](const TextureStrip& strip) { strip_textures(strip); });
+    };
+    const StageId textures_done = graph.add({.name = stage_name("columns+textures", cascade_),
+                                             .count = bands.groups(),
+                                             .batch = bands.groups_a_band(),
+                                             .waits_for = {edges_done},
+                                             .body = process,
+                                             .stack_bytes = std::max(slopes_stack_bytes, transform_bytes)});
+    add_tails(graph, textures_done, textures_done);
 }
 
-void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
-    const StageId pieces_done =
-        graph.add({.name = stage_name("slopes+mipmaps", cascade_),
-                   .count = slope_maps().jobs(),
-                   .waits_for = {surface_done},
-                   .body = for_each_item([this](std::size_t piece) { slope_maps().make(kernels_, piece); }),
-                   .stack_bytes = slopes_stack_bytes});
-    const auto tail = [this](std::size_t) { slope_maps().make_tail(kernels_); };
-    graph.add({.name = stage_name("slopes tail", cascade_),
-               .count = 1,
-               .waits_for = {pieces_done},
-               .body = for_each_item(tail),
-               .stack_bytes = stack_margin});
+/// Adds the tails. The last one releases the surface, so it waits for all stages that read it.
+void SurfaceStages::add_tails(JobGraph& graph, StageId gradients_done, StageId slopes_done) {
+    const auto add = [&](const char* name, std::vector<StageId> waits_for, auto tail) {
+        graph.add({.name = stage_name(name, cascade_),
+                   .count = 1,
+                   .waits_for = std::move(waits_for),
+                   .body = for_each_item([tail](std::size_t) { tail(); }),
+                   .stack_bytes = stack_margin});
+    };
+    if (gradient_averages_) {
+        if (slots_.cascade_count() == 1) add_foam_tail(graph, gradients_done);
+        add("mipmaps tail", {gradients_done}, [this] {
+            if (!slope_averages_) slots_.release_surface(cascade_);
+            mipmaps_tail();
+        });
+    }
+    if (slope_averages_)
+        add("slopes tail", {gradients_done, slopes_done}, [this] {
+            slots_.release_surface(cascade_);
+            slope_maps().make_tail(kernels_);
+        });
 }
 
 void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
@@ -103,16 +133,15 @@ PresentCompression SurfaceStages::present_compression() {
     return compression;
 }
 
-void SurfaceStages::gradients_mipmaps(std::size_t piece) {
+GradientsJob SurfaceStages::gradients_job() {
     const auto roughness = static_cast<float>(slots_.frame().statistics.roughness);
     const CascadeGrid& grid = slots_.cascade(cascade_).grid;
     const double two_texels_m = 2 * grid.side_m / resolution_;
-    const Pieces all = pieces_of(resolution_);
     const TextureTargets& textures = slots_.textures(cascade_);
-    GradientsJob job{.surface = slots_.buffers(cascade_).surface.data(),
+    GradientsJob job{.surface = nullptr,
                      .resolution = static_cast<std::size_t>(resolution_),
-                     .first_row = piece / all.across * GradientsJob::block_rows,
-                     .first_column = piece % all.across * GradientsJob::block_columns,
+                     .first_row = 0,
+                     .first_column = 0,
                      .block_stride = column_block_floats(resolution_, kernels_.lanes),
                      .two_texels_m = static_cast<float>(two_texels_m),
                      .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
@@ -127,7 +156,27 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .sine = static_cast<float>(grid.sine)};
     for (int level = 0; level <= GradientsJob::block_levels; ++level)
         job.levels[level] = textures.gradient_rgba8[static_cast<std::size_t>(level)];
+    return job;
+}
+
+void SurfaceStages::gradients_mipmaps(std::size_t piece) {
+    const Pieces all = pieces_of(resolution_);
+    GradientsJob job = gradients_job();
+    job.surface = slots_.surface(cascade_);
+    job.first_row = piece / all.across * GradientsJob::block_rows;
+    job.first_column = piece % all.across * GradientsJob::block_columns;
     kernels_.gradients(job);
+}
+
+void SurfaceStages::strip_textures(const TextureStrip& strip) {
+    if (gradient_averages_) {
+        GradientsJob job = gradients_job();
+        job.surface = slots_.surface(cascade_);
+        job.first_column = strip.first_column;
+        job.narrow_columns = strip.columns;
+        for (; job.first_row < job.resolution; job.first_row += GradientsJob::block_rows) kernels_.gradients(job);
+    }
+    if (slope_averages_) slope_maps(slots_.surface(cascade_)).make_strip(kernels_, strip);
 }
 
 void SurfaceStages::mipmaps_tail() {
@@ -140,10 +189,10 @@ void SurfaceStages::mipmaps_tail() {
                             .texels = slots_.textures(cascade_).gradient_rgba8[static_cast<std::size_t>(level)]});
 }
 
-SlopeMaps SurfaceStages::slope_maps() {
+SlopeMaps SurfaceStages::slope_maps(const float* surface) {
     const TextureTargets& textures = slots_.textures(cascade_);
     const Cascade& cascade = slots_.cascade(cascade_);
-    return {.surface = slots_.buffers(cascade_).surface.data(),
+    return {.surface = surface,
             .resolution = resolution_,
             .block_stride = column_block_floats(resolution_, kernels_.lanes),
             .side_m = cascade.grid.side_m,

@@ -1,5 +1,6 @@
 // Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps`, `slopes tail` and `foam tail`: they
-// compute the textures of a cascade from its displacement.
+// compute the textures of a cascade from its displacement. Stage `columns+textures` replaces the
+// first of each map in frames without planes.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/surface/texture_bands.hpp"
 
 namespace pelagic {
 
@@ -23,6 +25,9 @@ class SurfaceStages {
     /// Adds the stages to a graph. \param surface_done  the stage that writes the cascade's
     /// displacement
     void add_to(JobGraph& graph, StageId surface_done);
+    /// As above for a cascade without planes, whose bands transform columns, too.
+    /// \param lines_done  the stage that computes the cascade's lines
+    void add_bands_to(JobGraph& graph, StageId lines_done, TransformColumns transform);
 
     std::size_t bytes() const {
         return (gradient_averages_ ? gradient_averages_->bytes() : 0) +
@@ -30,14 +35,16 @@ class SurfaceStages {
     }
 
    private:
-    void add_gradient_stages(JobGraph& graph, StageId surface_done);
-    void add_slope_stages(JobGraph& graph, StageId surface_done);
+    void add_tails(JobGraph& graph, StageId gradients_done, StageId slopes_done);
     void add_foam_tail(JobGraph& graph, StageId foam_done);
     ShownFoam shown_foam();
     PresentCompression present_compression();
+    GradientsJob gradients_job();
     void gradients_mipmaps(std::size_t piece);
+    void strip_textures(const TextureStrip& strip);
     void mipmaps_tail();
-    SlopeMaps slope_maps();
+    /// \param surface  null for the tail
+    SlopeMaps slope_maps(const float* surface = nullptr);
     /// Returns whether the slope stages write the half floats and the compression. With one cascade
     /// the gradient stages write the half floats, with foam. Several cascades always have slopes.
     bool slopes_make_halves() const { return slots_.cascade_count() > 1; }
