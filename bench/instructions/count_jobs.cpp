@@ -82,6 +82,10 @@ void count_jobs(const std::string& sea, Isa isa) {
     plain.frame_at(0.5);
     plain.frame_at(0.75);
     bench::counted(sea + "/frame", texels, [&] { plain.frame_at(1); });
+    Ocean textures(sea_of(cascades), {.executor = make_serial_executor(), .isa = isa, .planes = false});
+    textures.frame_at(0.5);
+    textures.frame_at(0.75);
+    bench::counted(sea + "/textures only", texels, [&] { textures.frame_at(1); });
 }
 
 }  // namespace

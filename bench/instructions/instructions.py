@@ -4,10 +4,14 @@
   bench/instructions/instructions.py             prints a table of build/release's jobs
   bench/instructions/instructions.py --check     fails if a job takes over 2 % more than its
                                                  budget in bench/budgets.json
-  bench/instructions/instructions.py --update    writes the current counts as budgets
+  bench/instructions/instructions.py --update    writes the current counts as budgets; with
+                                                 --bytes those of bytes
   bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
                                                  bytes between memory and a second-level
                                                  cache of this size
+  bench/instructions/instructions.py --bytes 1048576 --check
+                                                 fails if a frame of textures only moves over
+                                                 2 % more bytes than its budget
   bench/instructions/instructions.py --store-bytes
                                                  writes bench/bytes.json, the bytes of frames
                                                  beyond caches of 32 KiB to 32 MiB
@@ -39,6 +43,7 @@ BYTES = HERE.parent / "bytes.json"
 BYTES_SEAS = ["4x128", "1x64", "1x128", "1x256", "1x512", "1x1024"]
 BYTES_CACHES = [1 << exponent for exponent in (15, 18, 19, 20, 21, 22, 23, 24, 25)]
 MOST_MORE = 0.02
+TEXTURES = "textures only"  # a frame without planes
 SKIPPED = 77
 
 
@@ -127,29 +132,71 @@ def rows_of(program, isas, seas):
     return compiler, rows
 
 
+def compulsory_bytes(sea):
+    """Returns the bytes a texel that a frame of textures only moves beyond a cache in which nothing
+    stays from frame to frame: 11 of waves read, and textures fetched and written. Lines of 12 bytes
+    are fetched, written and read, too, unless all lines of a cascade fit into the cache with
+    everything else."""
+    cascades, resolution = map(int, sea.split("x"))
+    textures = 8 + (16 / 3 if cascades == 1 else 32 / 3)
+    return 11 + 2 * textures + (36 if resolution > 128 else 0)
+
+
 def bytes_beyond(program, isa, seas, cache_bytes):
-    """Returns for each job its name, and bytes a texel: read, fetched for writing, and written."""
+    """Returns the compiler, and for each job its name and bytes a texel: read, fetched for
+    writing, and written."""
     # The second-level cache of most current processors has 16 ways.
     options = ["--cache-sim=yes", "--simulate-wb=yes", "--D1=32768,8,64", f"--LL={cache_bytes},16,64"]
-    for name, texels, events in count([program, isa, *seas], options)[1]:
-        yield name, [64 * lines / texels
-                     for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])]
+    compiler, counts = count([program, isa, *seas], options)
+    return compiler, [(name, [64 * lines / texels
+                              for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])])
+                      for name, texels, events in counts]
 
 
-def print_bytes(program, isa, seas, cache_bytes):
+def print_bytes(isa, cache_bytes, jobs):
     print(f"{isa}, beyond {cache_bytes} bytes of cache, a texel")
     print(f"{'sea':8}{'job':24}{'read':>8}{'for writing':>12}{'written':>8}{'all':>8}  bytes")
-    for name, moved in bytes_beyond(program, isa, seas, cache_bytes):
+    for name, moved in jobs:
         sea, job = name.split("/", 1)
         if job.startswith("query"):
             continue
-        print(f"{sea:8}{job:24}{moved[0]:8.1f}{moved[1]:12.1f}{moved[2]:8.1f}{sum(moved):8.1f}")
+        known = f", {compulsory_bytes(sea):.1f} compulsory" if job == TEXTURES else ""
+        print(f"{sea:8}{job:24}{moved[0]:8.1f}{moved[1]:12.1f}{moved[2]:8.1f}{sum(moved):8.1f}{known}")
+
+
+def check_bytes(compiler, isa, cache_bytes, jobs, budgets):
+    if budgets["compiler"] != compiler:
+        raise CannotCount(f"budgets are for {budgets['compiler']}, this is {compiler}")
+    before = {(row["sea"], row["isa"], row["cache"]): row["bytes"] for row in budgets.get("bytes", [])}
+    faults = 0
+    for name, moved in jobs:
+        sea, job = name.split("/", 1)
+        if job != TEXTURES:
+            continue
+        budget, now = before.get((sea, isa, cache_bytes)), sum(moved)
+        if budget is None or now > (1 + MOST_MORE) * budget:
+            print(f"{job} on {isa}, sea {sea}: {now:.1f} bytes a texel, budget {budget or 'missing'}")
+            faults += 1
+    print(f"bytes of {len(jobs)} jobs, {faults} over budget")
+    return faults == 0
+
+
+def update_bytes(compiler, isa, cache_bytes, jobs):
+    budgets = json.loads(BUDGETS.read_text())
+    if budgets["compiler"] != compiler:
+        raise CannotCount(f"budgets are for {budgets['compiler']}, this is {compiler}")
+    rows = {(row["sea"], row["isa"], row["cache"]): row for row in budgets.get("bytes", [])}
+    for name, moved in jobs:
+        sea, job = name.split("/", 1)
+        if job == TEXTURES:
+            rows[sea, isa, cache_bytes] = {"sea": sea, "isa": isa, "cache": cache_bytes, "bytes": round(sum(moved), 1)}
+    write_budgets(compiler, budgets["budgets"], [rows[name] for name in sorted(rows)])
 
 
 def store_bytes(program, isa):
     rows = []
     for sea, cache_bytes in itertools.product(BYTES_SEAS, BYTES_CACHES):
-        moved = dict(bytes_beyond(program, isa, [sea], cache_bytes))[f"{sea}/frame"]
+        moved = dict(bytes_beyond(program, isa, [sea], cache_bytes)[1])[f"{sea}/frame"]
         rows.append({"sea": sea, "cache_bytes": cache_bytes, "read": round(moved[0], 1),
                      "for_writing": round(moved[1], 1), "written": round(moved[2], 1)})
         text = ",\n".join("    " + json.dumps(row) for row in rows)
@@ -200,8 +247,13 @@ def update(compiler, rows):
     if budgets["compiler"] != compiler:
         budgets = {"compiler": compiler, "budgets": []}
     merged = {key(row): row for row in [*budgets["budgets"], *rows]}
-    text = ",\n".join("    " + json.dumps(merged[name]) for name in sorted(merged))
-    BUDGETS.write_text(f'{{\n  "compiler": {json.dumps(compiler)},\n  "budgets": [\n{text}\n  ]\n}}\n')
+    write_budgets(compiler, [merged[name] for name in sorted(merged)], budgets.get("bytes", []))
+
+
+def write_budgets(compiler, instructions, moved):
+    lists = [f'  "{name}": [\n' + ",\n".join("    " + json.dumps(row) for row in rows) + "\n  ]"
+             for name, rows in (("budgets", instructions), ("bytes", moved)) if rows]
+    BUDGETS.write_text(f'{{\n  "compiler": {json.dumps(compiler)},\n' + ",\n".join(lists) + "\n}\n")
     print(f"wrote {BUDGETS}")
 
 
@@ -212,7 +264,7 @@ def main():
     parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="cascades x resolution")
     parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
     parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
-    parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead")
+    parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead of instructions")
     parser.add_argument("--store-bytes", action="store_true", help="write bench/bytes.json")
     parser.add_argument("--of", nargs=argparse.REMAINDER, metavar="PROGRAM", help="count a program of your own")
     options = parser.parse_args()
@@ -227,7 +279,15 @@ def main():
         if options.store_bytes:
             return store_bytes(options.program, isas[-1])
         if options.bytes:
-            return print_bytes(options.program, isas[-1], options.seas, options.bytes)
+            compiler, jobs = bytes_beyond(options.program, isas[-1], options.seas, options.bytes)
+            if options.update:
+                update_bytes(compiler, isas[-1], options.bytes, jobs)
+            elif options.check:
+                sys.exit(0 if check_bytes(compiler, isas[-1], options.bytes, jobs,
+                                          json.loads(BUDGETS.read_text())) else 1)
+            else:
+                print_bytes(isas[-1], options.bytes, jobs)
+            return
         compiler, rows = rows_of(options.program, isas, options.seas)
         if options.update:
             update(compiler, rows)
