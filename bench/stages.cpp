@@ -31,6 +31,10 @@ std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executo
     return ocean;
 }
 
+tools::FrameShape shape_of(Ocean& ocean) {
+    return {1, ocean.resolution(), ocean.complete().cascades[0].height.block_columns};
+}
+
 void count(benchmark::State& state, int resolution, tools::StageWork work) {
     const double texels = static_cast<double>(resolution) * resolution;
     state.SetItemsProcessed(state.iterations() * resolution * resolution);
@@ -45,7 +49,7 @@ void time_stage(benchmark::State& state, int resolution, Isa isa, std::size_t st
     const Stage& stage = ocean->graph().stages()[stage_number];
     for (auto _ : state)
         for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
-    count(state, resolution, tools::work_of(stage.name, resolution));
+    count(state, resolution, tools::work_of(stage.name, shape_of(*ocean)));
 }
 
 /// One thread is a direct call, without a job system.
@@ -56,8 +60,9 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).cascades[0].height.data);
     tools::StageWork work{};
     for (const Stage& stage : ocean->graph().stages()) {
-        work.flops += tools::work_of(stage.name, resolution).flops;
-        work.bytes += tools::work_of(stage.name, resolution).bytes;
+        const tools::StageWork of_stage = tools::work_of(stage.name, shape_of(*ocean));
+        work.flops += of_stage.flops;
+        work.bytes += of_stage.bytes;
     }
     count(state, resolution, work);
 }

@@ -86,7 +86,8 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
                         .velocities = options.velocities != 0,
                         .gradients = options.gradients != 0,
                         .slopes = options.slopes != 0,
-                        .foam = options.foam != 0};
+                        .foam = options.foam != 0,
+                        .planes = options.textures_only == 0};
     if (options.executor) result.executor = options.executor->executor;
     result.isa = isa_of(options.isa);
     result.memory = allocator_of(options.allocate, options.release, options.memory_user);

@@ -64,7 +64,8 @@ struct pelagic_ocean {
           contents{.velocities = options.velocities,
                    .gradients = options.gradients || ocean.cascade_count() == 1,
                    .slopes = options.slopes || ocean.cascade_count() > 1,
-                   .foam = options.foam},
+                   .foam = options.foam,
+                   .planes = options.planes},
           query_tolerance_m(tolerance_m) {
         if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};
     }

@@ -386,7 +386,10 @@ typedef struct pelagic_ocean_options {
      * single one. With 0 the half floats of one cascade hold only the foam of waves that break at
      * the frame's time. */
     int32_t foam;
-    uint32_t reserved_1; /* 0 */
+    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes about
+     * 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined with
+     * queries, velocities, dynamic waves, a shore or wave inputs. */
+    int32_t textures_only;
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
     /* A sea floor that refracts waves; NULL: none. Read before the call returns. */
@@ -1071,7 +1074,7 @@ typedef struct pelagic_shore_surface {
     float weights_change_per_m; /* largest change of a weight between positions a metre apart */
     double texel_m;
     double x_m, z_m;
-    const float* depth_m;        /* of still water; below 0 on land */
+    const float* depth_m;          /* of still water; below 0 on land */
     const uint32_t* weights_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
     const float* vertical_velocity_mps;

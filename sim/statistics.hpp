@@ -38,6 +38,7 @@ double repeat_length_m(const SeaState& sea);
 ExpectedWaves expected_waves(const SeaState& sea);
 
 /// Returns 4 times the standard deviation of the frame's heights, summed in double, row by row.
+/// \throws std::invalid_argument  without planes (OceanOptions::planes)
 double measured_significant_wave_height_m(const Frame& frame);
 
 /// Returns the peak period of the waves that this seed drew:

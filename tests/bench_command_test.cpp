@@ -103,7 +103,7 @@ TEST(BenchCommand, PrintsCopySpeedsAndTheBytesOfFramesAtEachLevel) {
         smaller = level.at("bytes");
     }
     double once = 0;
-    for (const std::string& job : jobs_of_one_cascade) once += tools::work_of(job, 256).bytes;
+    for (const std::string& job : jobs_of_one_cascade) once += tools::work_of(job, {1, 256, 8}).bytes;
     ASSERT_EQ(all.at("rows").size(), 2u) << "one instruction set, one thread";
     for (const json& row : all.at("rows")) {
         const json& moved = row.at("moved");
@@ -155,6 +155,28 @@ TEST(BenchCommand, JobsOfSeveralCascadesAreSummed) {
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
     EXPECT_GT(done.front(), 0);
     EXPECT_LE(done.back(), 1);
+}
+
+// From N = 256 on, one job computes columns and maps of frames without planes.
+TEST(BenchCommand, TimesFramesOfTexturesOnly) {
+    const auto row_of = [](std::vector<std::string> more) {
+        more.insert(more.end(), {"--sizes", "256", "--threads", "1", "--isa",
+                                 std::string(name_of(isas_here().front())), "--json", "-"});
+        const Outcome run = bench(more);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return json::parse(run.out).at("rows").at(0);
+    };
+    const json with = row_of({}), without = row_of({"--textures-only"});
+    EXPECT_FALSE(with.at("textures_only"));
+    EXPECT_TRUE(without.at("textures_only"));
+    EXPECT_LT(without.at("memory_bytes"), with.at("memory_bytes"));
+    EXPECT_EQ(without.at("upload_bytes"), with.at("upload_bytes"));
+    std::vector<std::string> jobs;
+    for (const json& job : without.at("jobs")) {
+        jobs.push_back(job.at("job"));
+        EXPECT_GT(job.at("gb_per_s").get<double>(), 0);
+    }
+    EXPECT_EQ(jobs, (std::vector<std::string>{"evolve+rows", "edge columns", "columns+textures", "mipmaps tail"}));
 }
 
 // With the instruction set that every x86-64 processor has: its registers are as wide as a

@@ -68,6 +68,26 @@ struct ApplicationTextures {
     }
 };
 
+TEST_F(CInterfaceCascades, TexturesOnlyAreBitIdenticalAndHaveNoPlanes) {
+    pelagic_ocean_options options = serial_options(serial);
+    const COcean usual = ocean_of(stack_sea(3), serial.get());
+    options.textures_only = 1;
+    const COcean textures = ocean_of(stack_sea(3), options);
+    const auto expected = cascades_of(usual.get(), complete(usual.get(), 4));
+    const auto cascades = cascades_of(textures.get(), complete(textures.get(), 4));
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(cascades[i].height.data, nullptr);
+        EXPECT_EQ(std::memcmp(cascades[i].displacement_rgba16f, expected[i].displacement_rgba16f, 8 * 32 * 32), 0);
+        EXPECT_EQ(std::memcmp(cascades[i].slopes_rgba8, expected[i].slopes_rgba8, 4 * 32 * 32), 0);
+        EXPECT_EQ(std::memcmp(&cascades[i].bounds, &expected[i].bounds, sizeof expected[i].bounds), 0);
+    }
+    options.queries = 1;
+    const pelagic_sea sea = stack_sea(3);
+    pelagic_ocean* made = nullptr;
+    expect_invalid(pelagic_ocean_create(&sea, &options, &made),
+                   "queries cannot be combined with an ocean without planes");
+}
+
 TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
     const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
     const pelagic_frame frame = complete(usual.get(), 4);

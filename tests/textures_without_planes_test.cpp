@@ -13,6 +13,7 @@
 
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -172,13 +173,18 @@ std::string refusal_of(const OceanOptions& options) {
 }
 
 TEST(TexturesWithoutPlanes, AreRefusedTogetherWithWhatNeedsPlanes) {
-    EXPECT_EQ(refusal_of({.queries = true, .planes = false}), "planes = false cannot be combined with queries");
-    EXPECT_EQ(refusal_of({.velocities = true, .planes = false}), "planes = false cannot be combined with velocities");
-    EXPECT_EQ(refusal_of({.dynamic_waves = DynamicWavesOptions{}, .planes = false}),
-              "planes = false cannot be combined with dynamic_waves");
-    EXPECT_EQ(refusal_of({.shore = ShoreOptions{}, .planes = false}), "planes = false cannot be combined with shore");
-    EXPECT_EQ(refusal_of({.inputs = {nullptr}, .planes = false}), "planes = false cannot be combined with inputs");
+    const std::string refused = " cannot be combined with an ocean without planes";
+    EXPECT_EQ(refusal_of({.queries = true, .planes = false}), "queries" + refused);
+    EXPECT_EQ(refusal_of({.velocities = true, .planes = false}), "velocities" + refused);
+    EXPECT_EQ(refusal_of({.dynamic_waves = DynamicWavesOptions{}, .planes = false}), "dynamic_waves" + refused);
+    EXPECT_EQ(refusal_of({.shore = ShoreOptions{}, .planes = false}), "shore" + refused);
+    EXPECT_EQ(refusal_of({.inputs = {nullptr}, .planes = false}), "inputs" + refused);
     EXPECT_EQ(refusal_of({.executor = make_serial_executor(), .foam = true, .planes = false}), "");
+}
+
+TEST(TexturesWithoutPlanes, HaveNoMeasuredWaveHeight) {
+    Ocean ocean(sea_of(1, 64), {.executor = make_serial_executor(), .planes = false});
+    EXPECT_THROW(measured_significant_wave_height_m(ocean.frame_at(1)), std::invalid_argument);
 }
 
 TEST(TexturesWithoutPlanes, CopyOnlyTextures) {

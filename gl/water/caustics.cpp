@@ -329,6 +329,8 @@ CausticsBaker::~CausticsBaker() = default;
 void CausticsBaker::schedule(const Frame& frame, const CausticsOptions& options) {
     assert(!state_->in_flight && "complete() the caustics in flight first");
     require(check(options));
+    if (!frame.cascades.front().height.data)
+        throw std::invalid_argument("caustics cannot be combined with an ocean without planes");
     state_->begin(frame, options);
     state_->run->schedule();
 }

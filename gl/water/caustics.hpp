@@ -79,7 +79,8 @@ class CausticsBaker {
 
     /// Starts baking. The frame's views must stay valid until complete().
     /// \pre no bake is in progress
-    /// \throws std::invalid_argument  with the text of check(options)
+    /// \throws std::invalid_argument  with the text of check(options), and without planes
+    ///     (OceanOptions::planes)
     void schedule(const Frame& frame, const CausticsOptions& options);
     /// Returns whether complete() would not wait.
     bool is_done() const;

@@ -19,6 +19,11 @@ void need_foam(const Frame& frame) {
     if (!frame.has_foam) throw std::invalid_argument("the frame has no foam: create the ocean with foam=True");
 }
 
+void need_planes(const Frame& frame) {
+    if (!frame.cascades.front().height.data)
+        throw std::invalid_argument("the frame has no planes: create the ocean with planes=True");
+}
+
 py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape, const void* data) {
     auto view = std::make_unique<SharedOcean::View>(handle.ocean, handle.number);
     const py::capsule owner(view.get(), [](void* held) { delete static_cast<SharedOcean::View*>(held); });
@@ -164,9 +169,9 @@ void add_bounds(py::module_& module) {
 void add_cascade(py::module_& module) {
     py::class_<CascadeHandle> cascade(module, "Cascade", doc_of("Cascade"));
     add(cascade, "displacement", &halves_of);
-    add(cascade, "height", plane_getter(&Cascade::height, ""));
-    add(cascade, "dx", plane_getter(&Cascade::dx, ""));
-    add(cascade, "dz", plane_getter(&Cascade::dz, ""));
+    add(cascade, "height", plane_getter(&Cascade::height, "planes=True"));
+    add(cascade, "dx", plane_getter(&Cascade::dx, "planes=True"));
+    add(cascade, "dz", plane_getter(&Cascade::dz, "planes=True"));
     add(cascade, "velocity_x", plane_getter(&Cascade::velocity_x, "velocities=True"));
     add(cascade, "velocity_y", plane_getter(&Cascade::velocity_y, "velocities=True"));
     add(cascade, "velocity_z", plane_getter(&Cascade::velocity_z, "velocities=True"));

@@ -30,6 +30,8 @@ struct CascadeHandle {
 
 /// Throws std::invalid_argument if the frame has no foam.
 void need_foam(const Frame& frame);
+/// Throws std::invalid_argument if the frame has no planes.
+void need_planes(const Frame& frame);
 
 using Shape = std::vector<pybind11::ssize_t>;
 

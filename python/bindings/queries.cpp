@@ -374,6 +374,7 @@ DrawnWater drawn_at(const Frame& frame, double x_m, double z_m) {
 
 py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
+    need_planes(handle.frame);
     const Places places = reference_places_of(points, z);
     py::array_t<float> array(with(places.shape, 3));
     float* out = array.mutable_data();
@@ -398,6 +399,7 @@ float foam_at_rest(const Frame& frame, const FoamSampler& foam, double x_m, doub
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
     if (!has_foam(handle.frame)) need_foam(handle.frame);
+    need_planes(handle.frame);
     const Places places = reference_places_of(points, z);
     py::array_t<float> array(places.shape);
     float* const out = array.mutable_data();

@@ -38,7 +38,7 @@ class ReferenceCascade {
 
     struct Cell {
         std::ptrdiff_t upper_left, upper_right, lower_left, lower_right;  ///< in floats of a plane
-        double u, v;  ///< position in the cell, [0, 1]
+        double u, v;                                                      ///< position in the cell, [0, 1]
     };
 
     Cell cell_at(double x_m, double z_m) const {
@@ -130,6 +130,7 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
         throw std::invalid_argument("points has another shape, expected (n, 2): x and z of each point");
     const py::ssize_t count = points.shape(0);
     const Frame& frame = handle.frame;
+    need_planes(frame);
     const bool has_velocities = frame.cascades.front().velocity_x.data != nullptr, foam_is_there = has_foam(frame);
     py::array_t<float> displacement({count, py::ssize_t{3}}), velocity({has_velocities ? count : 0, py::ssize_t{3}});
     py::array_t<float> foam(foam_is_there ? count : 0);

@@ -397,6 +397,7 @@ class Ocean:
         foam: bool = False,
         gradients: bool = False,
         slopes: bool = False,
+        planes: bool = True,
         threads: int = 0,
         isa: Optional[str] = None,
         largest_peak_m: float = 0.0,
@@ -411,6 +412,8 @@ class Ocean:
         foam        compute foam, which depends on the last 2.8 seconds
         gradients   normals of each cascade in frames of several; always there in frames of one
         slopes      slopes in frames of one cascade; always there in frames of several
+        planes      displacement as floats. False leaves only textures, for applications that only
+                    draw; needs queries=False
         threads     maximum threads of a frame, including the calling thread; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
                     Results are bit-identical

@@ -39,7 +39,7 @@ std::string check_planes(const OceanOptions& options) {
                                  {"dynamic_waves", options.dynamic_waves.has_value()},
                                  {"shore", options.shore.has_value()},
                                  {"inputs", !options.inputs.empty()}})
-        if (option.is_on) return std::string("planes = false cannot be combined with ") + option.name;
+        if (option.is_on) return std::string(option.name) + " cannot be combined with an ocean without planes";
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -464,6 +465,8 @@ ExpectedWaves expected_waves(const SeaState& sea) {
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {
+    if (!frame.cascades.front().height.data)
+        throw std::invalid_argument("wave heights cannot be measured in a frame without planes");
     const DefaultFloatEnvironment environment;
     double variance = 0;
     for (const Cascade& cascade : frame.cascades) {

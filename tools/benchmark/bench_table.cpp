@@ -84,8 +84,9 @@ bool print_sea(const std::vector<const FrameTiming*>& frames) {
             lines[i] += cells(three_digits(job.ms.median), instructions_text(*frame, job.job, job.instructions),
                               one_decimal(job.gb_per_s));
         }
-        lines.back() += cells(three_digits(frame->ms.median), instructions_text(*frame, "frame", frame->instructions),
-                              one_decimal(frame->gb_per_s));
+        lines.back() +=
+            cells(three_digits(frame->ms.median), instructions_text(*frame, frame->frame_job(), frame->instructions),
+                  one_decimal(frame->gb_per_s));
     }
     bool has_stored = false;
     for (const std::string& line : lines) {

@@ -36,11 +36,13 @@ Quartiles quartiles_of(std::vector<double> values) {
     return {at(0.5), at(0.25), at(0.75)};
 }
 
-std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa, int threads, std::shared_ptr<TraceSink> trace = {}) {
+std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa, int threads, bool planes,
+                                std::shared_ptr<TraceSink> trace = {}) {
     return std::make_unique<Ocean>(
         sea, OceanOptions{.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads),
                           .isa = isa,
-                          .trace = std::move(trace)});
+                          .trace = std::move(trace),
+                          .planes = planes});
 }
 
 /// Returns the jobs of a graph in the order of their stages. A job of several cascades appears
@@ -87,7 +89,8 @@ std::size_t texture_bytes(const Frame& frame) {
 /// because tracing costs time.
 class TimedSea {
    public:
-    TimedSea(const SeaState& sea, Isa isa, int threads) : ocean_(ocean_of(sea, isa, threads)), threads_(threads) {
+    TimedSea(const SeaState& sea, Isa isa, int threads, bool planes)
+        : ocean_(ocean_of(sea, isa, threads, planes)), threads_(threads), planes_(planes) {
         draw(*ocean_, frames_before_a_turn_);
         const Clock::time_point start = Clock::now();
         draw(*ocean_, 1);
@@ -97,7 +100,7 @@ class TimedSea {
             return;
         }
         clock_ = std::make_shared<JobClock>(jobs_of(ocean_->graph()));
-        traced_ocean_ = ocean_of(sea, isa, threads, clock_);
+        traced_ocean_ = ocean_of(sea, isa, threads, planes, clock_);
         jobs_.resize(clock_->jobs().size());
     }
 
@@ -133,6 +136,7 @@ class TimedSea {
                           .resolution = ocean_->resolution(),
                           .isa = ocean_->isa(),
                           .threads = threads_,
+                          .planes = planes_,
                           .ms = quartiles_of(turns_ms_),
                           .gb_per_s = 0,
                           .instructions = instructions_,
@@ -140,14 +144,14 @@ class TimedSea {
                           .memory_bytes = ocean_->memory_bytes(),
                           .upload_bytes = texture_bytes(ocean_->complete())};
         const auto gb_per_s = [&](double bytes_a_texel, double ms) { return bytes_a_texel * texels() / (ms * 1e6); };
+        const FrameShape shape{frame.cascades, frame.resolution, ocean_->complete().cascades[0].height.block_columns};
         double frame_bytes = 0;
-        for (const std::string& job : jobs_of(ocean_->graph())) frame_bytes += work_of(job, frame.resolution).bytes;
+        for (const std::string& job : jobs_of(ocean_->graph())) frame_bytes += work_of(job, shape).bytes;
         frame.gb_per_s = gb_per_s(frame_bytes, frame.ms.median);
         for (std::size_t i = 0; i < jobs_.size(); ++i) {
             const std::string& job = clock_->jobs()[i];
             const Quartiles ms = quartiles_of(jobs_[i].turns_ms);
-            frame.jobs.push_back(
-                {job, ms, gb_per_s(work_of(job, frame.resolution).bytes, ms.median), jobs_[i].instructions});
+            frame.jobs.push_back({job, ms, gb_per_s(work_of(job, shape).bytes, ms.median), jobs_[i].instructions});
         }
         return frame;
     }
@@ -185,6 +189,7 @@ class TimedSea {
     std::unique_ptr<Ocean> ocean_, traced_ocean_;
     std::shared_ptr<JobClock> clock_;
     int threads_, frames_a_turn_ = 1;
+    bool planes_;
     /// Warm-up frames: other oceans have used the caches, and frames alternate between two slots.
     int frames_before_a_turn_ = 2;
     double time_s_ = 0;
@@ -233,7 +238,7 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
         const double until_s = seconds() + (plan.seconds - seconds()) / static_cast<double>(rounds.size() - i);
         std::vector<TimedSea> contestants;
         for (const auto& [isa, threads] : rounds[i].isas_and_threads) {
-            TimedSea& contestant = contestants.emplace_back(rounds[i].sea, isa, threads);
+            TimedSea& contestant = contestants.emplace_back(rounds[i].sea, isa, threads, plan.planes);
             if (threads == 1) contestant.count_instructions(counter);
         }
         while (contestants.back().turns() < min_turns || seconds() < until_s)

@@ -21,6 +21,7 @@ struct TimingPlan {
     std::vector<SeaState> seas;
     std::vector<Isa> isas;           ///< weakest first; the last is also timed on several threads
     std::vector<int> threads = {1};  ///< numbers of threads, the first is 1
+    bool planes = true;              ///< OceanOptions::planes
     double seconds = 30;             ///< total time; longer on slow machines (minimum of turns)
 };
 
@@ -41,6 +42,7 @@ struct FrameTiming {
     int cascades, resolution;
     Isa isa;
     int threads;
+    bool planes;
     Quartiles ms;
     double gb_per_s;
     std::optional<double> instructions;  ///< per texel; on one thread only
@@ -49,6 +51,8 @@ struct FrameTiming {
     std::size_t upload_bytes;            ///< size of a frame's textures with all levels
 
     std::string sea() const { return sea_name(cascades, resolution); }
+    /// Returns the name of the whole frame among stored counts (stored_instructions()).
+    std::string frame_job() const { return planes ? "frame" : "textures only"; }
 };
 
 struct Timings {

@@ -58,6 +58,7 @@ Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
                  {"n", frame.resolution},
                  {"isa", name_of(frame.isa)},
                  {"threads", frame.threads},
+                 {"textures_only", !frame.planes},
                  {"ours_ms", frame.ms.median},
                  {"ours_ms_quartiles", {frame.ms.low, frame.ms.high}},
                  {"speedup", on_one_thread.ms.median / frame.ms.median},
@@ -65,7 +66,7 @@ Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
                  {"memory_bytes", frame.memory_bytes},
                  {"upload_bytes", frame.upload_bytes}};
     if (frame.threads > 1) return json;
-    add_instructions(json, frame, "frame", frame.instructions);
+    add_instructions(json, frame, frame.frame_job(), frame.instructions);
     json["jobs"] = Json::array();
     for (const JobTiming& job : frame.jobs) {
         Json row = {{"job", job.job},
@@ -117,7 +118,7 @@ class BenchCommand final : public Command {
     TimingPlan resolve() const;
 
     std::optional<std::string> sizes_, seconds_, json_;
-    bool headset_ = false, bytes_ = false;
+    bool headset_ = false, bytes_ = false, textures_only_ = false;
     ComputeFlags compute_;
 };
 
@@ -132,6 +133,8 @@ void BenchCommand::add_options(CLI::App& app) {
     app.add_flag(
         "--bytes", bytes_,
         "measure the copy speed of each cache, beside the bytes that a frame moves there; excludes --headset");
+    app.add_flag("--textures-only", textures_only_,
+                 "measure frames with textures and without displacement as floats; excludes --bytes");
     app.add_option("--json", json_, "write the statistics as JSON; -: print them instead of the tables")
         ->type_name("FILE.json")
         ->group(help_group::output);
@@ -143,6 +146,8 @@ TimingPlan BenchCommand::resolve() const {
     const int max_threads = make_default_executor(compute.threads)->thread_limit();
     TimingPlan plan;
     if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
+    plan.planes = !textures_only_;
+    if (textures_only_ && bytes_) throw InputError("--textures-only cannot be combined with --bytes");
     plan.isas = compute_.names_isa() ? std::vector{*compute.isa} : isas_here();
     if (headset_) {
         if (bytes_) throw InputError("--bytes cannot be combined with --headset");
