@@ -386,9 +386,9 @@ typedef struct pelagic_ocean_options {
      * single one. With 0 the half floats of one cascade hold only the foam of waves that break at
      * the frame's time. */
     int32_t foam;
-    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes about
-     * 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined with
-     * queries, velocities, dynamic waves, a shore or wave inputs. */
+    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
+     * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
+     * with queries, velocities, dynamic waves, a shore or wave inputs. */
     int32_t textures_only;
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
@@ -702,7 +702,7 @@ PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double t
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
 
 /* Computes the 64-bit hash of the outputs of the frame completed last. Equal hashes on two machines
- * mean bit-identical seas.
+ * mean bit-identical seas. Frames with and without planes have different hashes.
  *
  * Errors: PELAGIC_WRONG_ORDER before the first frame.
  * Threads: one thread per ocean. */

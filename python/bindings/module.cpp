@@ -25,8 +25,8 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
 }
 
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes,
-                        bool planes, int threads, const std::optional<std::string>& isa, double largest_peak_m,
-                        py::handle dynamic_waves, py::handle shore, py::handle inputs) {
+                        int threads, const std::optional<std::string>& isa, double largest_peak_m,
+                        py::handle dynamic_waves, py::handle shore, py::handle inputs, bool planes) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
     require(check(forecast.first));
     OceanOptions options{.queries = queries,
@@ -108,9 +108,9 @@ OceanClass add_ocean_class(py::module_& module) {
     OceanClass ocean(module, "Ocean", doc_of("Ocean"));
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
               py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false,
-              py::arg("planes") = true, py::arg("threads") = 0, py::arg("isa") = py::none(),
-              py::arg("largest_peak_m") = 0.0, py::arg("dynamic_waves") = py::none(), py::arg("shore") = py::none(),
-              py::arg("inputs") = py::tuple(), doc_of("Ocean.__init__"));
+              py::arg("threads") = 0, py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0,
+              py::arg("dynamic_waves") = py::none(), py::arg("shore") = py::none(), py::arg("inputs") = py::tuple(),
+              py::arg("planes") = true, doc_of("Ocean.__init__"));
     ocean.def("__enter__", &entered);
     ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely (&SharedOcean::close)(of); });
     ocean.def("close", freely(&SharedOcean::close), doc_of("Ocean.close"));

@@ -38,7 +38,7 @@ class ReferenceCascade {
 
     struct Cell {
         std::ptrdiff_t upper_left, upper_right, lower_left, lower_right;  ///< in floats of a plane
-        double u, v;                                                      ///< position in the cell, [0, 1]
+        double u, v;  ///< position in the cell, [0, 1]
     };
 
     Cell cell_at(double x_m, double z_m) const {

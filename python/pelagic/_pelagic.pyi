@@ -397,13 +397,13 @@ class Ocean:
         foam: bool = False,
         gradients: bool = False,
         slopes: bool = False,
-        planes: bool = True,
         threads: int = 0,
         isa: Optional[str] = None,
         largest_peak_m: float = 0.0,
         dynamic_waves: Optional[DynamicWavesOptions] = None,
         shore: Optional[ShoreOptions] = None,
         inputs: Iterable[WaveInput] = (),
+        planes: bool = True,
     ) -> None:
         """Creates an ocean.
 
@@ -412,8 +412,6 @@ class Ocean:
         foam        compute foam, which depends on the last 2.8 seconds
         gradients   normals of each cascade in frames of several; always there in frames of one
         slopes      slopes in frames of one cascade; always there in frames of several
-        planes      displacement as floats. False leaves only textures, for applications that only
-                    draw; needs queries=False
         threads     maximum threads of a frame, including the calling thread; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
                     Results are bit-identical
@@ -422,6 +420,8 @@ class Ocean:
         dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
         shore       a sea floor that affects waves; None: no shore
         inputs      waves that are added to those of the wind, in this order; they change the hash
+        planes      displacement as floats. False leaves only textures, for applications that only
+                    draw; needs queries=False
         """
     def __enter__(self) -> Ocean: ...
     def __exit__(

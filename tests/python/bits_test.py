@@ -137,3 +137,22 @@ def test_transitions_are_identical_to_the_command(tmp_path):
             assert_same_answers(ocean.frame_at(time_s).query(where), told)
         assert ocean.sea == storm
         assert ocean.frame_at(5).sea == pelagic.preset("calm")
+
+
+def test_an_ocean_without_planes_has_bit_identical_textures():
+    sea = pelagic.Sea(resolution=64)
+    with pelagic.Ocean(sea) as ocean, pelagic.Ocean(sea, queries=False, planes=False) as textures:
+        expected, frame = ocean.frame_at(2), textures.frame_at(2)
+        for one, other in zip(expected.cascades, frame.cascades, strict=True):
+            assert one.displacement.tobytes() == other.displacement.tobytes()
+            assert one.slopes.tobytes() == other.slopes.tobytes()
+        refused = {
+            "the frame does not have it: create the ocean with planes=True": lambda: frame.cascades[0].height,
+            "the frame has no planes: create the ocean with planes=True": lambda: frame.displaced([[0, 0]]),
+            "wave heights cannot be measured in a frame without planes": lambda: frame.measured_significant_wave_height_m(),
+            "queries cannot be combined with an ocean without planes": lambda: pelagic.Ocean(sea, planes=False),
+        }
+        for line, ask in refused.items():
+            with pytest.raises(ValueError) as error:
+                ask()
+            assert str(error.value) == line
