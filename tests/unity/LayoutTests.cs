@@ -1,0 +1,58 @@
+using System;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using Pelagic;
+
+public static class LayoutTests
+{
+    private static readonly Assembly assembly = typeof(Ocean).Assembly;
+
+    private static string Pascal(string name)
+    {
+        return string.Concat(name.Split('_').Where(part => part != "").Select(part => char.ToUpperInvariant(part[0]) + part.Substring(1).ToLowerInvariant()));
+    }
+
+    private static Type TypeOf(string name)
+    {
+        return assembly.GetType("Pelagic.Native+" + name) ?? assembly.GetType("Pelagic." + Pascal(name.Substring("pelagic_".Length)));
+    }
+
+    /// <summary>A field of C, or the first of those that stand for its elements.</summary>
+    private static string FieldOf(Type type, string name)
+    {
+        var names = type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).Select(field => field.Name).ToArray();
+        var unit = name.EndsWith("_m") ? "M" : "";
+        var vector = Pascal(unit == "" ? name : name.Substring(0, name.Length - 2)) + "X" + unit;
+        return new[] { name, Pascal(name), name + "_0", vector }.FirstOrDefault(names.Contains)
+            ?? throw new Exception($"{type.Name} has no {name}");
+    }
+
+    [Test]
+    public static void StructsHaveTheSizesAndOffsetsOfC()
+    {
+        var compared = 0;
+        foreach (var name in Expected.Names("layout pelagic_"))
+        {
+            var parts = name.Substring("layout ".Length).Split('.');
+            var type = TypeOf(parts[0]);
+            Check.True(type != null, $"no struct {parts[0]}");
+            var number = parts.Length == 1 ? Marshal.SizeOf(type) : (long)Marshal.OffsetOf(type, FieldOf(type, parts[1]));
+            Check.Equal(number, Expected.Number(name), name);
+            ++compared;
+        }
+        Check.True(compared > 300, "all fields are compared");
+    }
+
+    [Test]
+    public static void StructsAreBlittable()
+    {
+        foreach (var type in assembly.GetTypes().Where(type => type.IsValueType && type.IsLayoutSequential
+                     && (type.DeclaringType?.Name == "Native" || type.GetField("struct_size", BindingFlags.Instance | BindingFlags.NonPublic) != null)))
+        {
+            // The garbage collector pins blittable objects only.
+            GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free();
+            Check.True(true, type.Name);
+        }
+    }
+}

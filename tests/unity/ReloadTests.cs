@@ -1,0 +1,55 @@
+using System;
+using System.Threading;
+using Pelagic;
+
+public static class ReloadTests
+{
+    private static ThreadJobs jobs;
+    private static Ocean abandoned;
+
+    /// <summary>Leaves a frame in flight, whose jobs run on managed threads and take time.</summary>
+    private static void LeaveAFrameInFlight()
+    {
+        jobs = new ThreadJobs(2) { BeforeJob = () => Thread.Sleep(20) };
+        abandoned = new Ocean(Sea.Default, new OceanOptions { Executor = new Executor(jobs, 3) });
+        abandoned.Schedule(1);
+        while (Volatile.Read(ref jobs.JobCount) == 0) Thread.Yield();
+    }
+
+    [Test]
+    public static void ADomainWithAFrameInFlightUnloads()
+    {
+        for (var round = 0; round < 3; ++round)
+        {
+            var domain = AppDomain.CreateDomain("scripts", null, AppDomain.CurrentDomain.SetupInformation);
+            domain.DoCallBack(LeaveAFrameInFlight);
+            Exception failure = null;
+            var unload = new Thread(() =>
+            {
+                try
+                {
+                    AppDomain.Unload(domain);
+                }
+                catch (Exception exception)
+                {
+                    failure = exception;
+                }
+            }) { IsBackground = true };
+            unload.Start();
+            // Frames take a second or two; mono gives up a domain after 10 s.
+            Check.True(unload.Join(60000), "the domain unloads");
+            Check.True(failure == null, $"the domain unloads without {failure}");
+        }
+    }
+
+    [Test]
+    public static void DisposeAllDisposesEveryObject()
+    {
+        LeaveAFrameInFlight();
+        PelagicLibrary.DisposeAll();
+        Check.Throws<ObjectDisposedException>(() => abandoned.Complete(), "the ocean");
+        jobs.Dispose();
+        // Again at the end of the process: the ocean of this frame stays.
+        LeaveAFrameInFlight();
+    }
+}

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Compiles the C# package and its tests with mcs, and runs them under mono. Expected values are the
+golden hashes, and results that ctypes obtains from the C interface.
+
+usage: runtime_test.py C_COMPILER LIBRARY OUTPUT_FOLDER [TEST...]
+"""
+import ctypes
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(SOURCE / "tools/bindings"), str(SOURCE / "tests/bindings")]
+sys.dont_write_bytecode = True
+
+import c_layout  # noqa: E402
+import header as generator  # noqa: E402
+import pelagic_ctypes as pelagic  # noqa: E402
+
+GOLDEN = SOURCE / "tests/golden"
+
+
+def sized(type_, **fields):
+    return type_(struct_size=ctypes.sizeof(type_), **fields)
+
+
+class CInterface:
+    def __init__(self, file):
+        self.library = pelagic.load(file)
+
+    def call(self, name, *arguments):
+        if getattr(self.library, name)(*arguments) != pelagic.PELAGIC_OK:
+            sys.exit(f"{name}: {self.library.pelagic_last_error().decode()}")
+
+    def query_lines(self):
+        """Samples at the points of QueryTests.cs, as bits."""
+        sea, options, ocean = sized(pelagic.pelagic_sea), sized(pelagic.pelagic_ocean_options, queries=1, velocities=1, foam=1), ctypes.c_void_p()
+        self.call("pelagic_sea_preset", b"storm", sea)
+        self.call("pelagic_ocean_create", sea, options, ctypes.byref(ocean))
+        self.call("pelagic_ocean_schedule", ocean, 12.34)
+        self.call("pelagic_ocean_complete", ocean, sized(pelagic.pelagic_frame))
+        count = 500
+        x = (ctypes.c_double * count)(*(i * 37.77 % 1200 - 600 for i in range(count)))
+        z = (ctypes.c_double * count)(*(i * 12.345 % 1000 - 500 for i in range(count)))
+        height, normal_y, velocity_x, foam = ((ctypes.c_float * count)() for _ in range(4))
+        converged = (ctypes.c_uint8 * count)()
+        samples = sized(pelagic.pelagic_samples, height_m=height, normal_y=normal_y, velocity_x_mps=velocity_x, foam=foam, converged=converged)
+        for interpolation in (pelagic.PELAGIC_INTERPOLATION_LINEAR, pelagic.PELAGIC_INTERPOLATION_CUBIC):
+            self.call("pelagic_ocean_query", ocean, sized(pelagic.pelagic_points, count=count, x=x, z=z, interpolation=interpolation), samples)
+            for i in range(count):
+                bits = "".join(struct.pack(">f", values[i]).hex() for values in (height, normal_y, velocity_x, foam))
+                yield f"query {interpolation} {i} {bits}{converged[i]}"
+        self.library.pelagic_ocean_destroy(ocean)
+
+    def dynamic_waves_line(self):
+        """The waves of GoldenTests.cs."""
+        options, waves = sized(pelagic.pelagic_dynamic_waves_options), ctypes.c_void_p()
+        self.call("pelagic_dynamic_waves_defaults", options)
+        options.resolution = 64
+        self.call("pelagic_dynamic_waves_create", options, None, ctypes.byref(waves))
+        boat, stone, number, found = sized(pelagic.pelagic_disturbance), sized(pelagic.pelagic_disturbance), ctypes.c_uint32(), ctypes.c_uint64()
+        self.call("pelagic_disturbance_defaults", boat)
+        boat.shape, boat.x_m, boat.length_m, boat.height_m, boat.velocity_x_mps = pelagic.PELAGIC_SHAPE_HULL, -10, 4, -0.5, 6
+        self.call("pelagic_disturbance_defaults", stone)
+        stone.mode, stone.height_m = pelagic.PELAGIC_DISTURBANCE_IMPULSE, 0.4
+        self.call("pelagic_dynamic_waves_advance", waves, 0)
+        self.call("pelagic_dynamic_waves_add_source", waves, boat, number)
+        self.call("pelagic_dynamic_waves_add_impulse", waves, stone)
+        self.call("pelagic_dynamic_waves_advance", waves, 0.25)
+        self.call("pelagic_dynamic_waves_advance", waves, 0.5)
+        self.call("pelagic_dynamic_waves_hash", waves, found)
+        self.library.pelagic_dynamic_waves_destroy(waves)
+        return f"dynamic waves {found.value:x}"
+
+
+def expected_lines(compiler, library):
+    header = generator.read_pelagic_header()
+    yield from (f"layout {name} {number}" for name, number in c_layout.compiled_layout(header, SOURCE / "capi", compiler).items())
+    for prefix, file in (("golden", "hashes.txt"), ("displacement", "displacement_hashes.txt"), ("shore", "shore.txt")):
+        yield from (f"{prefix} {line}" for line in (GOLDEN / file).read_text().splitlines())
+    for line in (GOLDEN / "wave_inputs.txt").read_text().splitlines():
+        name, *hashes = line.split()
+        yield from (f"input {name} {i} {value}" for i, value in enumerate(hashes))
+    c_interface = CInterface(library)
+    yield from c_interface.query_lines()
+    yield c_interface.dynamic_waves_line()
+
+
+def main():
+    compiler, library, folder, *tests = sys.argv[1:]
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize"]
+    subprocess.run([*flags, "-target:library", f"-out:{folder / 'Pelagic.dll'}", *sorted((SOURCE / "unity/Runtime").glob("*.cs"))], check=True)
+    subprocess.run([*flags, f"-r:{folder / 'Pelagic.dll'}", f"-out:{folder / 'Tests.exe'}", *sorted(pathlib.Path(__file__).parent.glob("*.cs"))], check=True)
+    (folder / "expected.txt").write_text("\n".join(expected_lines(compiler, library)) + "\n")
+    environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
+    sys.exit(subprocess.run(["mono", folder / "Tests.exe", folder / "expected.txt", *tests], env=environment).returncode)
+
+
+main()
