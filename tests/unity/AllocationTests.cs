@@ -3,7 +3,7 @@ using Pelagic;
 
 public static class AllocationTests
 {
-    private static object kept;
+    public static object Kept;
 
     /// <summary>Bytes that 1,000 frames allocate, and the number of collections.</summary>
     private static long Allocated(Ocean ocean, Action perFrame, out int collections)
@@ -63,6 +63,6 @@ public static class AllocationTests
         sea.Cascades = 1;
         using (var executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Serial }))
         using (var ocean = new Ocean(sea, new OceanOptions { Queries = true, Executor = executor, Slopes = true }))
-            Check.True(Allocated(ocean, () => kept = new object(), out _) > 8000, "1,000 objects are counted");
+            Check.True(Allocated(ocean, () => Kept = new object(), out _) > 8000, "1,000 objects are counted");
     }
 }

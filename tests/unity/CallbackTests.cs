@@ -56,7 +56,7 @@ public static class CallbackTests
         using (var input = WaveInput.Callback(rows =>
         {
             if (isBroken && rows.FirstRow > 0) throw new Broken();
-        }, 1))
+        }, 0))
         using (var ocean = new Ocean(Sea.Default, new OceanOptions { Inputs = new[] { input } }))
         {
             ocean.Schedule(0);
@@ -90,7 +90,7 @@ public static class CallbackTests
     public static void AnInputMayBeDisposedBeforeItsOcean()
     {
         var calls = 0;
-        var input = WaveInput.Callback(rows => Interlocked.Increment(ref calls), 1);
+        var input = WaveInput.Callback(rows => Interlocked.Increment(ref calls), 0);
         var jobs = new ThreadJobs(2);
         var executor = new Executor(jobs, 2);
         using (var ocean = new Ocean(Sea.Default, new OceanOptions { Inputs = new[] { input }, Executor = executor }))
