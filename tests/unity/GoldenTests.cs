@@ -264,4 +264,13 @@ public static unsafe class GoldenTests
             Check.Equal(highest, Math.Max(0, waves.View.HeightMaxM), "highest wave");
         }
     }
+
+    [Test]
+    public static void TheSampleComputesTheFramesOfTheCInterface()
+    {
+        var lines = new List<string>();
+        FrameLoop.Run(lines.Add);
+        Check.Equal(lines.Count, 5, "lines");
+        for (var i = 0; i < 5; ++i) Check.True(lines[i].Contains("hash " + Expected.Text($"frame loop {i}")), lines[i]);
+    }
 }

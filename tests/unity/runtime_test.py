@@ -54,6 +54,19 @@ class CInterface:
                 yield f"query {interpolation} {i} {bits}{converged[i]}"
         self.library.pelagic_ocean_destroy(ocean)
 
+    def frame_loop_lines(self):
+        """The frames of the sample FrameLoop."""
+        sea, ocean, found = sized(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_uint64()
+        self.call("pelagic_sea_defaults", sea)
+        sea.wind_speed_mps = 9
+        self.call("pelagic_ocean_create", sea, None, ctypes.byref(ocean))
+        for n in range(5):
+            self.call("pelagic_ocean_schedule", ocean, n / 90)
+            self.call("pelagic_ocean_complete", ocean, sized(pelagic.pelagic_frame))
+            self.call("pelagic_ocean_hash", ocean, found)
+            yield f"frame loop {n} {found.value:016x}"
+        self.library.pelagic_ocean_destroy(ocean)
+
     def dynamic_waves_line(self):
         """The waves of GoldenTests.cs."""
         options, waves = sized(pelagic.pelagic_dynamic_waves_options), ctypes.c_void_p()
@@ -85,6 +98,7 @@ def expected_lines(compiler, library):
         yield from (f"input {name} {i} {value}" for i, value in enumerate(hashes))
     c_interface = CInterface(library)
     yield from c_interface.query_lines()
+    yield from c_interface.frame_loop_lines()
     yield c_interface.dynamic_waves_line()
 
 
@@ -94,7 +108,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize"]
     subprocess.run([*flags, "-target:library", f"-out:{folder / 'Pelagic.dll'}", *sorted((SOURCE / "unity/Runtime").glob("*.cs"))], check=True)
-    subprocess.run([*flags, f"-r:{folder / 'Pelagic.dll'}", f"-out:{folder / 'Tests.exe'}", *sorted(pathlib.Path(__file__).parent.glob("*.cs"))], check=True)
+    subprocess.run([*flags, f"-r:{folder / 'Pelagic.dll'}", f"-out:{folder / 'Tests.exe'}",
+                    *sorted((SOURCE / "unity/Samples~").rglob("*.cs")), *sorted(pathlib.Path(__file__).parent.glob("*.cs"))], check=True)
     (folder / "expected.txt").write_text("\n".join(expected_lines(compiler, library)) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]
