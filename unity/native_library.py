@@ -1,4 +1,4 @@
-"""Reads what the packer checks of a native library: format, processor, needed libraries, exports."""
+"""Reads the processor, the needed libraries and the exports of a native library."""
 import struct
 
 MACHINES = {62: "x86-64", 183: "arm64"}

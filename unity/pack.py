@@ -116,7 +116,7 @@ def contents(libraries):
 
 
 def is_ignored_by_unity(path):
-    """Unity makes no assets of folders whose names end with ~. Samples are copied with their metas."""
+    """Folders whose names end with ~ are no assets. Samples are copied with their metas."""
     first = pathlib.PurePosixPath(path).parts
     return first[0] == "Documentation~" or path == "Samples~"
 
