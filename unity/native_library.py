@@ -42,13 +42,13 @@ def read_elf(data):
 
 
 def read_pe(data):
-    """Processor and exported functions of a DLL."""
+    """Processor, no needed libraries, and exported functions of a DLL."""
     header = struct.unpack_from("<I", data, 60)[0] if data[:2] == b"MZ" else 0
     if not header or data[header:header + 4] != b"PE\0\0":
         raise Unreadable("not a DLL")
     machine, section_count, optional_bytes = (*struct.unpack_from("<HH", data, header + 4), struct.unpack_from("<H", data, header + 20)[0])
     if machine != 0x8664:
-        return "another processor", set()
+        return "another processor", [], set()
     sections = [struct.unpack_from("<8sIIII", data, header + 24 + optional_bytes + 40 * i) for i in range(section_count)]
 
     def at(address):
@@ -59,4 +59,4 @@ def read_pe(data):
 
     table = at(struct.unpack_from("<I", data, header + 24 + 112)[0])
     count, names = struct.unpack_from("<I", data, table + 24)[0], at(struct.unpack_from("<I", data, table + 32)[0])
-    return "x86-64", {text_at(data, at(struct.unpack_from("<I", data, names + 4 * i)[0])) for i in range(count)}
+    return "x86-64", [], {text_at(data, at(struct.unpack_from("<I", data, names + 4 * i)[0])) for i in range(count)}

@@ -45,7 +45,7 @@ def checked_library(system, file):
     _, machine, libraries = PLUGINS[system]
     data = pathlib.Path(file).read_bytes()
     try:
-        found, needed, exports = (*native_library.read_pe(data)[:1], [], native_library.read_pe(data)[1]) if system == "windows" else native_library.read_elf(data)
+        found, needed, exports = native_library.read_pe(data) if system == "windows" else native_library.read_elf(data)
     except (native_library.Unreadable, ValueError, IndexError, native_library.struct.error) as error:
         sys.exit(f"pack.py: {file}: {error}")
     if found != machine:

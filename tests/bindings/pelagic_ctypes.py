@@ -134,7 +134,7 @@ class pelagic_ocean_options(ctypes.Structure):
         ("slopes", c_int32),
         ("gradients", c_int32),
         ("foam", c_int32),
-        ("reserved_1", c_uint32),
+        ("textures_only", c_int32),
         ("dynamic_waves", c_void_p),
         ("shore", c_void_p),
         ("input_count", c_size_t),

@@ -80,4 +80,22 @@ public static class MemoryTests
             Marshal.FreeHGlobal(memory);
         }
     }
+
+    [Test]
+    public static void FramesOfTexturesOnlyHaveTheTexturesOfOtherFrames()
+    {
+        using (var textures = new Ocean(Sea.Default, new OceanOptions { TexturesOnly = true }))
+        using (var all = new Ocean(Sea.Default))
+        {
+            Frame frame = GoldenTests.FrameAt(textures, 12.34), expected = GoldenTests.FrameAt(all, 12.34);
+            for (var i = 0; i < 4; ++i)
+            {
+                Cascade cascade = frame.Cascade(i), other = expected.Cascade(i);
+                Check.True(cascade.Height.IsEmpty && cascade.Height.Data.IsEmpty && !other.Height.IsEmpty, "no planes");
+                Check.Throws<InvalidOperationException>(() => cascade.Height[0, 0].ToString(), "a texel of no plane");
+                Check.True(cascade.DisplacementRgba16f.SequenceEqual(other.DisplacementRgba16f), "displacement");
+                Check.True(cascade.SlopesRgba8.SequenceEqual(other.SlopesRgba8), "slopes");
+            }
+        }
+    }
 }

@@ -48,7 +48,7 @@ class Field:
 
     @property
     def is_flag(self):
-        return self.type.c() == "int32_t" and self.doc.startswith("Nonzero ")
+        return self.type.c() == "int32_t" and re.match("Nonzero[: ]", self.doc) is not None
 
 
 @dataclasses.dataclass

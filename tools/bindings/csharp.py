@@ -60,7 +60,7 @@ class Names:
         text = re.sub(r"\bpelagic_(?:\w+)_options\.(\w+)\b", lambda m: f"{type_name(m[0].split('.')[0])}.{pascal(m[1])}", text)
         text = re.sub(r"\b[A-Za-z]\w*\b(?!\()", lambda m: self.words.get(m[0], m[0]), text)
         text = re.sub(r"\bNULL\b", "null", text)
-        text = re.sub(r"^Nonzero (\w)", lambda m: f"True {m[1]}", text)
+        text = re.sub(r"^Nonzero(?=[: ])", "True", text)
         text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
         lines = text.split("\n")
         if len(lines) == 1 and len(lines[0]) < 90:

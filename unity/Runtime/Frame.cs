@@ -211,9 +211,9 @@ namespace Pelagic
         public ReadOnlySpan<uint> SlopesRgba8 => Chain(Of.slopes_rgba8);
         public ReadOnlySpan<uint> MomentsRgba8 => Chain(Of.moments_rgba8);
         /// <summary>Chain of foam of a single cascade; with OceanOptions.Foam.</summary>
-        public ReadOnlySpan<byte> FoamR8 => Of.foam_r8 == null ? default : new ReadOnlySpan<byte>(Of.foam_r8, ChainTexels);
+        public ReadOnlySpan<byte> FoamR8 => Bytes(Of.foam_r8, ChainTexels);
         /// <summary>N^2 bytes of compression, of several cascades; with OceanOptions.Foam.</summary>
-        public ReadOnlySpan<byte> CompressionR8 => Of.compression_r8 == null ? default : new ReadOnlySpan<byte>(Of.compression_r8, Of.resolution * Of.resolution);
+        public ReadOnlySpan<byte> CompressionR8 => Bytes(Of.compression_r8, Of.resolution * Of.resolution);
 
         /// <summary>Chain of snapshots 4 index to 4 index + 3; index in [0, 4).</summary>
         public ReadOnlySpan<uint> SnapshotsRgba8(int index) => Chain(Of.snapshots_rgba8(index));
@@ -236,6 +236,11 @@ namespace Pelagic
         }
 
         private int ChainTexels => (4 * Of.resolution * Of.resolution - 1) / 3;
+
+        private static ReadOnlySpan<byte> Bytes(byte* texels, int count)
+        {
+            return texels == null ? default : new ReadOnlySpan<byte>(texels, count);
+        }
 
         private ReadOnlySpan<uint> Chain(uint* texels)
         {

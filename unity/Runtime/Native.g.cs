@@ -447,6 +447,12 @@ namespace Pelagic
         /// the frame's time.
         /// </summary>
         public bool Foam;
+        /// <summary>
+        /// True: frames have textures and bounds, but no planes. This moves fewer bytes and takes
+        /// about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
+        /// with queries, velocities, dynamic waves, a shore or wave inputs.
+        /// </summary>
+        public bool TexturesOnly;
 
         private void CopyTo(ref Native.pelagic_ocean_options native)
         {
@@ -456,6 +462,7 @@ namespace Pelagic
             native.slopes = Slopes ? 1 : 0;
             native.gradients = Gradients ? 1 : 0;
             native.foam = Foam ? 1 : 0;
+            native.textures_only = TexturesOnly ? 1 : 0;
         }
 
         private void CopyFrom(in Native.pelagic_ocean_options native)
@@ -466,6 +473,7 @@ namespace Pelagic
             Slopes = native.slopes != 0;
             Gradients = native.gradients != 0;
             Foam = native.foam != 0;
+            TexturesOnly = native.textures_only != 0;
         }
     }
 
@@ -565,7 +573,7 @@ namespace Pelagic
             internal int slopes;
             internal int gradients;
             internal int foam;
-            internal uint reserved_1;
+            internal int textures_only;
             internal DynamicWavesOptions* dynamic_waves;
             internal pelagic_shore_options* shore;
             internal UIntPtr input_count;
