@@ -51,7 +51,7 @@ class Package(unittest.TestCase):
 
     def test_has_the_files_of_a_unity_package(self):
         names = self.files(self.packed())
-        for name in ("package.json", "README.md", "LICENSE.md", "Third Party Notices.md", "Runtime/Pelagic.asmdef", "Runtime/Native.g.cs",
+        for name in ("package.json", "README.md", "LICENSE.md", "Third Party Notices.md", "Runtime/Pelagic.asmdef", "Runtime/Native.g.cs", "Runtime/Unity/Pelagic.Unity.asmdef",
                      "Samples~/FrameLoop/FrameLoop.cs", "Documentation~/pelagic.md"):
             self.assertIn(name, names)
         manifest = json.loads(names["package.json"])

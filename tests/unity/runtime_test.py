@@ -107,9 +107,10 @@ def main():
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize"]
-    subprocess.run([*flags, "-target:library", f"-out:{folder / 'Pelagic.dll'}", *sorted((SOURCE / "unity/Runtime").glob("*.cs"))], check=True)
-    subprocess.run([*flags, f"-r:{folder / 'Pelagic.dll'}", f"-out:{folder / 'Tests.exe'}",
-                    *sorted((SOURCE / "unity/Samples~").rglob("*.cs")), *sorted(pathlib.Path(__file__).parent.glob("*.cs"))], check=True)
+    runtime, here, core = SOURCE / "unity/Runtime", pathlib.Path(__file__).parent, folder / "Pelagic.dll"
+    subprocess.run([*flags, "-target:library", f"-out:{core}", *sorted(runtime.glob("*.cs"))], check=True)
+    others = [*(runtime / "Unity").glob("*.cs"), *(SOURCE / "unity/Samples~").rglob("*.cs"), *here.glob("*.cs")]
+    subprocess.run([*flags, "-d:ENABLE_UNITY_COLLECTIONS_CHECKS", f"-r:{core}", f"-out:{folder / 'Tests.exe'}", *sorted(others)], check=True)
     (folder / "expected.txt").write_text("\n".join(expected_lines(compiler, library)) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]
