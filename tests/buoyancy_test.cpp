@@ -15,39 +15,17 @@
 
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 #include "pelagic/examples/buoyancy/trace.hpp"
-#include "pelagic/sim/buffers/fold_map.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/one_cascade_frame.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/still_water.hpp"
 
 namespace pelagic::buoyancy {
 namespace {
 
 constexpr double step_s = 1.0 / 60;
 constexpr double degree = std::numbers::pi / 180;
-
-/// A hand-made frame, not from an ocean: flat, without motion.
-class StillWater {
-   public:
-    StillWater() : zero_(n * n, 0.f), folds_(n) {
-        const PlaneView plane{zero_.data(), n, n, n, 0};
-        water_.frame.isa = choose_isa();
-        Cascade& cascade = water_.cascade;
-        cascade.grid.side_m = 64;
-        cascade.dx = cascade.height = cascade.dz = plane;
-        cascade.velocity_x = cascade.velocity_y = cascade.velocity_z = plane;
-        folds_.update(cascade, kernels_for(choose_isa()));
-    }
-    SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
-
-   private:
-    static constexpr int n = 16;
-    std::vector<float> zero_;
-    FoldMap folds_;
-    OneCascadeFrame water_;
-};
 
 glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
     return glm::dquat(std::cos(angle_rad / 2), std::sin(angle_rad / 2) * axis);
