@@ -103,7 +103,9 @@ struct HullLoads {
     HullForce drag;        ///< drag, radiation damping and air
     HullForce slamming;
     double displaced_m3 = 0;
-    double submersion = 0;              ///< displaced over floating volume, at most 1: scales added mass
+    double submersion = 0;  ///< displaced over floating volume, at most 1: scales added mass
+    /// The plane through the water's surface at the hull: height at the centre of mass, and slopes.
+    double water_height_m = 0, water_slope_x = 0, water_slope_z = 0;
     glm::dvec3 water_velocity_mps{};    ///< mean under the hull
     glm::dvec3 water_rotation_radps{};  ///< of the surface under the hull, about x and z
     glm::dvec3 water_acceleration_mps2{};

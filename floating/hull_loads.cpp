@@ -26,6 +26,7 @@ struct Loss {
 
 /// The plane through the water's heights and vertical velocities at the vertices, by least squares.
 struct MeanWater {
+    double x_m = 0, z_m = 0;  // of the vertices, from the centre of mass
     double height_m = 0;
     glm::dvec3 velocity_mps{};
     double slope_x = 0, slope_z = 0;        // of the height
@@ -46,6 +47,8 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
         mean.velocity_mps += weights[i] * water_velocity(vertex);
     }
+    mean.x_m = x;
+    mean.z_m = z;
     mean.height_m = height_m + height;
     double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -137,6 +140,9 @@ HullLoads Hull::loads_at(std::size_t first_point, HullState& state, double step_
         mean_water(weights_, vertices, state.position_m.y, state.velocity_mps, state.angular_velocity_radps);
     HullLoads loads;
     loads.water_velocity_mps = mean.velocity_mps;
+    loads.water_slope_x = mean.slope_x;
+    loads.water_slope_z = mean.slope_z;
+    loads.water_height_m = mean.height_m - mean.slope_x * mean.x_m - mean.slope_z * mean.z_m;
     // a rotation about z lifts points at x, one about x lowers points at z
     loads.water_rotation_radps = {-mean.gradient_z, 0, mean.gradient_x};
     loads.water_acceleration_mps2 = water_acceleration(mean, state, step_s);

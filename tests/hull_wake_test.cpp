@@ -1,0 +1,161 @@
+// Wakes of hulls: the pressure is the displaced water, a hull at rest keeps its draught, and a
+// towed one leaves the waves of Kelvin.
+#include "pelagic/floating/hull_wake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/hull_meshes.hpp"
+#include "pelagic/tests/kelvin_wake.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Waves of a millimetre, so that only hulls move the water.
+const SeaState still{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
+
+TEST(HullPlan, HoldsTheVolumeOfTheHull) {
+    const HullMesh mesh = boat_mesh(6, 2.2, 1.2);
+    const HullPlan plan = plan_of(mesh, 24, 9);
+    double volume = 0;
+    for (std::size_t i = 0; i < plan.low_m.size(); ++i)
+        volume += plan.coverage[i] * (plan.high_m[i] - plan.low_m[i]) * plan.length_m * plan.beam_m / (24 * 9);
+    // 16 verticals a cell
+    EXPECT_NEAR(volume / mesh.volume_m3(), 1, 0.01);
+    EXPECT_EQ(*std::min_element(plan.coverage.begin(), plan.coverage.end()), 0) << "beside the bow";
+}
+
+struct Towed {
+    Ocean ocean;
+    Hull hull;
+    FloatingHulls jobs;
+    std::vector<FloatingHull> hulls;
+    HullWake wake;
+    int tick = 0;
+
+    Towed(const DynamicWavesOptions& waves, HullMesh mesh, const HullOptions& options)
+        : ocean(still,
+                {.executor = make_thread_executor(2), .queries = true, .velocities = true, .dynamic_waves = waves}),
+          hull(std::move(mesh), options),
+          jobs(make_serial_executor()),
+          hulls(1, {.hull = &hull, .state = hull.at_rest(0, 0)}),
+          wake(ocean.dynamic_waves(), hull, hulls[0].state) {
+        hulls[0].wake = &wake;
+        ocean.schedule(0);
+    }
+
+    /// Advances by a tick. The tow keeps the speed, the course and the trim.
+    void advance(double speed_mps) {
+        const double tick_s = 1.0 / ocean.dynamic_waves().options().ticks_per_s;
+        const Frame& frame = ocean.complete();
+        wake.press(hulls[0].state, hulls[0].loads, tick_s);
+        ocean.dynamic_waves().set_center(hulls[0].state.position_m.x, 0);
+        ocean.schedule(++tick * tick_s);
+        hulls[0].state.velocity_mps.x = speed_mps;
+        hulls[0].state.velocity_mps.z = 0;
+        hulls[0].state.angular_velocity_radps = {};
+        hulls[0].state.orientation = glm::dquat(1, 0, 0, 0);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+    }
+};
+
+TEST(HullWake, AHullAtRestKeepsItsDraught) {
+    Towed boat({.resolution = 128, .side_m = 64, .border_m = 12}, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
+    const double draught = boat.hull.afloat().draught_m;
+    double largest = 0, largest_volume = 0;
+    const int ticks = is_sanitized ? 60 : 30 * 60;
+    for (int i = 0; i < ticks; ++i) {
+        boat.advance(0);
+        if (i < 24 * 60) continue;
+        largest = std::max(largest, std::fabs(boat.hulls[0].state.position_m.y - boat.hull.afloat().height_m));
+        largest_volume = std::max(largest_volume, std::fabs(boat.hulls[0].loads.displaced_m3 * 1025 / 6000 - 1));
+    }
+    RecordProperty("largest_m", std::to_string(largest));
+    if (is_sanitized) return;
+    EXPECT_GT(depth_at(boat.wake.footprint(), 0, 0), 0.5 * draught) << "its pressure acts";
+    EXPECT_LT(largest_volume, 0.005);
+    EXPECT_LT(largest, 0.005 * draught);
+}
+
+// The edge is measured 6 to 13 wavelengths behind the hull. Nearer, bow and stern waves interfere and
+// the highest waves lie inside: at a Froude number of 0.45 the angle is 17.3 degrees over 1.5 to 6
+// wavelengths, and 18.2 over 3 to 12.
+TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the test above runs the same code";
+    for (const double froude : {0.3, 0.45}) {
+        SCOPED_TRACE(froude);
+        const double length = 10, speed = froude * std::sqrt(9.80665 * length),
+                     wave = 2 * pi * speed * speed / 9.80665;
+        const double texel = std::min(length / 12, wave / 10);
+        Towed boat({.resolution = 512, .side_m = 512 * texel, .ticks_per_s = 20, .border_m = 40 * texel},
+                   boat_mesh(length, 3, 2), {.mass_kg = 9000});
+        // Waves fall behind at half of the hull's speed, after the pressure has grown.
+        const double seconds = 32 * wave / speed + 2 * boat.wake.launch_s();
+        for (int i = 0; i < 20 * seconds; ++i) boat.advance(speed);
+        const DynamicWavesView view = boat.ocean.complete().dynamic_waves;
+        const double at = boat.wake.footprint().x_m;
+        const auto height = [&](double behind, double aside) { return sample(view, at - behind, aside).height_m; };
+        const KelvinWake measured = measure_wake(height, wave, view.texel_m, 6, 13);
+        EXPECT_NEAR(measured.length_m, wave, 0.05 * wave);
+        for (const double angle : measured.angle_rad) EXPECT_NEAR(angle * 180 / pi, std::asin(1.0 / 3) * 180 / pi, 1);
+        const double sinkage = boat.hull.afloat().height_m - boat.hulls[0].state.position_m.y;
+        RecordProperty("sinkage_m" + std::to_string(froude), std::to_string(sinkage));
+        EXPECT_GT(sinkage, 0) << "a hull sinks into the trough that it makes";
+        EXPECT_LT(sinkage, 0.2 * boat.hull.afloat().draught_m);
+    }
+}
+
+// Two seas with the same ticks and commands: the second is restored from the first after 30 ticks.
+TEST(HullWake, FootprintsAreSavedAndRestored) {
+    const DynamicWavesOptions options{.resolution = 64, .side_m = 32, .border_m = 4};
+    PressureFootprint footprint{.x_m = 3,
+                                .z_m = -1,
+                                .forward_x = 0.6,
+                                .forward_z = 0.8,
+                                .velocity_x_mps = 2,
+                                .length_m = 6,
+                                .beam_m = 2,
+                                .columns = 5,
+                                .rows = 2,
+                                .depth_m = {0.1f, 0.5f, 0.6f, 0.5f, 0.2f, 0.1f, 0.5f, 0.7f, 0.5f, 0.2f}};
+    DynamicWaves first(options), second(options);
+    first.add_footprint(footprint);
+    first.add_source({.radius_m = 2, .height_m = 0.1});
+    for (int i = 0; i < 30; ++i) first.advance(i / 60.0);
+    const std::vector<std::uint8_t> saved = first.save_state();
+    second.restore_state(saved);
+    for (int i = 30; i < 60; ++i) EXPECT_EQ(hash_of(first.advance(i / 60.0)), hash_of(second.advance(i / 60.0))) << i;
+    first.restore_state(saved);
+    for (int i = 30; i < 60; ++i) first.advance(i / 60.0);
+    EXPECT_EQ(hash_of(first.view()), hash_of(second.view()));
+    // A damaged state changes nothing. The header begins with counts of sources.
+    for (std::size_t cut = 1; cut < 300; cut += 7)
+        EXPECT_THROW(second.restore_state(std::span(saved).first(saved.size() - cut)), std::invalid_argument) << cut;
+    EXPECT_EQ(hash_of(first.advance(1.1)), hash_of(second.advance(1.1)));
+}
+
+TEST(HullWake, AnUnusableFootprintIsRefused) {
+    DynamicWaves waves({.resolution = 64, .side_m = 32, .border_m = 4});
+    PressureFootprint footprint{.columns = 2, .rows = 2, .depth_m = {0, 0, 0, 0}};
+    EXPECT_EQ(check(footprint), "");
+    footprint.depth_m[2] = -1;
+    EXPECT_EQ(check(footprint), "depth_m -1 is out of range [0, 100] m");
+    footprint.depth_m = {0};
+    EXPECT_EQ(check(footprint), "depth_m's size is 1, expected columns x rows, 4");
+    EXPECT_THROW(waves.add_footprint(footprint), std::invalid_argument);
+    EXPECT_NE(check({.forward_x = 2, .columns = 1, .rows = 1, .depth_m = {0}}), "");
+    EXPECT_EQ(check(PressureFootprint{}), "columns 0 is out of range [1, 64]");
+}
+
+}  // namespace
+}  // namespace pelagic
