@@ -115,6 +115,53 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
     }
 }
 
+// From a buoy of 2 kg to a ship of 5,000 t, dropped into a storm with dynamic waves: none leaves the
+// water for longer than a fall from the crests takes, and none is faster than that fall and the water.
+TEST(HullWake, HullsOfAnySizeStayInAStorm) {
+    Ocean ocean({.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19, .fetch_m = 400e3, .choppiness = 1},
+                {.executor = make_thread_executor(2),
+                 .queries = true,
+                 .velocities = true,
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 256, .side_m = 256, .border_m = 24}});
+    const Hull kinds[] = {
+        Hull(box_mesh({0.3, 0.2, 0.2}), {.mass_kg = 2}), Hull(boat_mesh(4, 1.6, 0.8), {.mass_kg = 350}),
+        Hull(boat_mesh(12, 4, 2.5), {.mass_kg = 14e3}), Hull(box_mesh({90, 12, 14}, 4), {.mass_kg = 5e6})};
+    std::vector<FloatingHull> hulls;
+    std::vector<HullWake> wakes;
+    wakes.reserve(7);
+    for (int i = 0; i < 7; ++i) {
+        const Hull& hull = kinds[i % 4];
+        hulls.push_back({.hull = &hull, .state = hull.at_rest(60.0 * (i % 4) - 90, 50.0 * (i / 4) - 25, i)});
+        hulls.back().state.position_m.y += i < 4 ? 0 : 6;
+        hulls.back().state.angular_velocity_radps = {0.5, -0.3, 0.2};
+        wakes.emplace_back(ocean.dynamic_waves(), hull, hulls.back().state);
+        hulls.back().wake = &wakes.back();
+    }
+    FloatingHulls jobs(make_thread_executor(2));
+    constexpr double tick_s = 1.0 / 60;
+    double fastest = 0, largest_wave = 0;
+    ocean.schedule(0);
+    for (int i = 1; i <= (is_sanitized ? 60 : 3600); ++i) {
+        const Frame& frame = ocean.complete();
+        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+        ocean.schedule(i * tick_s);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+        largest_wave =
+            std::max<double>({largest_wave, frame.dynamic_waves.height_max_m, -frame.dynamic_waves.height_min_m});
+        for (const FloatingHull& floating : hulls) {
+            const double speed = glm::length(floating.state.velocity_mps);
+            fastest = std::max(fastest, speed);
+            ASSERT_TRUE(std::isfinite(speed));
+            ASSERT_LT(speed, 25) << i << ", " << floating.hull->mass_kg() << " kg";
+            ASSERT_LT(std::fabs(floating.state.position_m.y), 20) << i << ", " << floating.hull->mass_kg() << " kg";
+            ASSERT_NEAR(glm::dot(floating.state.orientation, floating.state.orientation), 1, 1e-9);
+        }
+    }
+    EXPECT_LT(largest_wave, 12) << "no hollow is deeper than the deepest hull is high";
+    RecordProperty("fastest_mps", std::to_string(fastest));
+    RecordProperty("largest_wave_m", std::to_string(largest_wave));
+}
+
 // Two seas with the same ticks and commands: the second is restored from the first after 30 ticks.
 TEST(HullWake, FootprintsAreSavedAndRestored) {
     const DynamicWavesOptions options{.resolution = 64, .side_m = 32, .border_m = 4};
