@@ -90,8 +90,8 @@ std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
 }
 
 std::string Hull::check(const HullState& state) {
-    const auto is_small = [](const glm::dvec3& v, double max) {
-        return std::fabs(v.x) <= max && std::fabs(v.y) <= max && std::fabs(v.z) <= max;  // false for NaN
+    const auto is_small = [](const glm::dvec3& v, double max) {  // false for NaN
+        return std::fabs(v.x) <= max && std::fabs(v.y) <= max && std::fabs(v.z) <= max;
     };
     if (!is_small(state.position_m, 1e8)) return "the hull's position_m is out of range [-1e8, 1e8]";
     if (!is_small(state.velocity_mps, 1e4)) return "the hull's velocity_mps is out of range [-1e4, 1e4]";

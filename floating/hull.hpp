@@ -58,10 +58,11 @@ struct HullOptions {
     /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
     std::optional<HullMatrix> added_mass = {};
-    double heave_damping = 0.2;          ///< fraction of critical damping, of pitch too; [0, 1)
-    double roll_damping = 0.05;          ///< fraction of critical damping; [0, 1)
-    double pressure_coefficient = 0.7;   ///< of advancing faces; [0, 10]
-    double suction_coefficient = 0.35;   ///< of retreating faces; with 0.7: a cube's 1.05 (Hoerner 1965)
+    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 1)
+    double roll_damping = 0.05;         ///< fraction of critical damping; [0, 1)
+    double pressure_coefficient = 0.7;  ///< of advancing faces; [0, 10]
+    /// Of retreating faces; with 0.7 the drag is that of a cube, 1.05 (Hoerner 1965); [0, 10].
+    double suction_coefficient = 0.35;
     double friction_coefficient = 4e-3;  ///< [0, 1]; ITTC 1957 at a Reynolds number of 3e6
     double air_coefficient = 1;          ///< of faces above the water; [0, 10]
     double water_density_kgpm3 = 1025;   ///< [500, 2000]
@@ -171,8 +172,8 @@ class Hull {
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
 
-    /// Returns a state at rest in still water, upright, with the hull's x axis turned by the heading
-    /// from +x towards +z.
+    /// Returns a state at rest in still water, upright, with the hull's x axis turned from +x
+    /// towards +z by the heading.
     HullState at_rest(double x_m, double z_m, double heading_rad = 0) const;
 
     /// Returns the loads of a state, and stores in it what the next call needs.
@@ -180,8 +181,8 @@ class Hull {
     /// \param state   successive calls are step_s apart
     /// \param step_s  (0, 0.1]: drag is that of an implicit step of this length, so that an
     ///                explicit integrator remains stable
-    /// \throws std::invalid_argument  check(state), unless it is empty; step_s out of range; or what
-    ///                                SurfaceQuery::sample() throws. The state is unchanged then.
+    /// \throws std::invalid_argument  check(state), unless it is empty, or what check_step() throws;
+    ///                                the state is unchanged then
     HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;
 

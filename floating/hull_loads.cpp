@@ -71,8 +71,9 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
     return mean;
 }
 
-/// Returns the acceleration of the water at the surface: the vertical one from two steps, at a fixed
-/// place; the horizontal one from the slope, because pressure is constant along the surface.
+/// Returns the acceleration of the water at the surface: the vertical one from two steps, at a
+/// fixed position; the horizontal one from the slope, because pressure is constant along the
+/// surface.
 glm::dvec3 water_acceleration(const MeanWater& mean, const HullState& state, double step_s) {
     if (!state.has_previous_step) return {};
     const double along = state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z;

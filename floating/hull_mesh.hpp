@@ -13,7 +13,8 @@
 namespace pelagic {
 
 /// The outer surface of a hull: closed, wound counter-clockwise as seen from outside. An open boat
-/// is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to starboard; metres.
+/// is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to starboard, in
+/// metres.
 ///
 /// Vertices at equal positions are merged, because files repeat a vertex for each of its normals,
 /// and triangles without an area are left out. Immutable, so any thread may read it.

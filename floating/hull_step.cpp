@@ -31,9 +31,9 @@ void Hull::drift(HullState& state, double seconds) {
 //   m dv + A11 (dv - t w x v_m) + A12 dw               + t^2/4 (K du)_v = t F
 //   I dw - t (I w) x w_m + A22 dw + A21 (dv - t w x v_m) + t^2/4 (K du)_w = t T
 //
-// with v_m = v1 + dv/2: rotation of the axes does no work. The stiffness K carries the pressure from
-// the pose where it was computed, half a step of u away from the beginning, to the middle of the
-// motion, (u1 + u2) t/4 away, where a linear force conserves energy exactly.
+// with v_m = v1 + dv/2: rotation of the axes does no work. The stiffness K carries the pressure
+// from the pose where it was computed, half a step of u away from the beginning, to the middle of
+// the motion, (u1 + u2) t/4 away, where a linear force conserves energy exactly.
 struct Hull::Speeds {
     Vector6 damped, after;
 };

@@ -10,8 +10,8 @@
 namespace pelagic {
 namespace {
 
-/// Returns the number of cells for a size: at least a texel each, so that a pressure that moves over
-/// the texels keeps its volume.
+/// Returns the number of cells for a size: at least a texel each, so that a pressure that moves
+/// over the texels keeps its volume.
 int cells(double size_m, double texel_m) {
     return static_cast<int>(std::clamp(std::floor(size_m / texel_m), 1.0, 64.0));
 }

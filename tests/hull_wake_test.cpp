@@ -87,9 +87,9 @@ TEST(HullWake, AHullAtRestKeepsItsDraught) {
     EXPECT_LT(largest, 0.005 * draught);
 }
 
-// The edge is measured 6 to 13 wavelengths behind the hull. Nearer, bow and stern waves interfere and
-// the highest waves lie inside: at a Froude number of 0.45 the angle is 17.3 degrees over 1.5 to 6
-// wavelengths, and 18.2 over 3 to 12.
+// The edge is measured 6 to 13 wavelengths behind the hull. Nearer, bow and stern waves interfere
+// and the highest waves lie inside: at a Froude number of 0.45 the angle is 17.3 degrees over 1.5
+// to 6 wavelengths, and 18.2 over 3 to 12.
 TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
     if (is_sanitized) GTEST_SKIP() << "takes minutes; the test above runs the same code";
     for (const double froude : {0.3, 0.45}) {
@@ -115,8 +115,8 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
     }
 }
 
-// From a buoy of 2 kg to a ship of 5,000 t, dropped into a storm with dynamic waves: none leaves the
-// water for longer than a fall from the crests takes, and none is faster than that fall and the water.
+// From a buoy of 2 kg to a ship of 5,000 t, dropped into a storm with dynamic waves: none leaves
+// the water for long, and none is faster than a fall from the crests and the water are together.
 TEST(HullWake, HullsOfAnySizeStayInAStorm) {
     Ocean ocean({.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19, .fetch_m = 400e3, .choppiness = 1},
                 {.executor = make_thread_executor(2),

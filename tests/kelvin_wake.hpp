@@ -9,7 +9,8 @@
 namespace pelagic {
 
 struct KelvinWake {
-    double length_m = 0;                   ///< of the waves along the centre line; 0: fewer than 4 of them
+    /// Of the waves along the centre line; 0 with fewer than four of them.
+    double length_m = 0;
     std::array<double, 2> angle_rad = {};  ///< of the edge, to each side
 };
 

@@ -110,10 +110,12 @@ struct DynamicWaves::State {
     std::shared_ptr<Executor> executor;
     DynamicWaveGrid grid;
     std::vector<Command> commands;              ///< since the last begin_frame()
-    std::vector<PressureFootprint> footprints;  ///< of commands; kept to reuse their memory
-    std::size_t new_footprints = 0;             ///< of them, the first ones, since the last begin_frame()
-    std::size_t new_impulses = 0;               ///< among them
-    std::vector<std::uint32_t> numbers;         ///< of the sources after all commands, in ascending order
+    /// Footprints of commands: the first new_footprints since the last begin_frame(); the rest keep
+    /// their memory.
+    std::vector<PressureFootprint> footprints;
+    std::size_t new_footprints = 0;
+    std::size_t new_impulses = 0;        ///< among the commands
+    std::vector<std::uint32_t> numbers;  ///< of the sources after all commands, in ascending order
     DoubleBuffer<Slot> slots;
     const DynamicWavesView* shown = &slots.back().view;  ///< of the frame completed last
     bool has_clock = false;
