@@ -181,7 +181,7 @@ class Hull {
     /// \param state   successive calls are step_s apart
     /// \param step_s  (0, 0.1]: drag is that of an implicit step of this length, so that an
     ///                explicit integrator remains stable
-    /// \throws std::invalid_argument  check(state), unless it is empty, or what check_step() throws;
+    /// \throws std::invalid_argument  check(state) if it is not empty, or what check_step() throws;
     ///                                the state is unchanged then
     HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;

@@ -115,6 +115,49 @@ TEST(Hull, HeaveRollAndPitchHaveTheirPeriods) {
                   weight * hull.afloat().pitch_gm_m, mass * (1 + 25) / 12 + 9000);
 }
 
+/// A box of height 1 m, whose beam is `factor` times that of GM = 0: (B/H)^2 = 6 s (1 - s), s its
+/// density over the water's.
+double near_critical_beam(double share, double factor) { return factor * std::sqrt(6 * share * (1 - share)); }
+
+double heel_rad(const HullState& state) {
+    return std::acos(std::clamp(glm::mat3_cast(state.orientation)[1].y, -1.0, 1.0));
+}
+
+TEST(Hull, WithNegativeMetacentricHeightSettlesAtTheAngleOfLoll) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; other tests run the same code";
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const double beam = near_critical_beam(share, 0.97), mass = share * density * 5 * beam;
+        const Hull hull(box_mesh({5, 1, beam}), {.mass_kg = mass});
+        ASSERT_LT(hull.afloat().roll_gm_m, 0);
+        HullState state = hull.at_rest(0, 0);
+        state.orientation = turned(1 * degree, {1, 0, 0});
+        float_in_still_water(hull, state, 200);
+        // Wall-sided formula GZ = sin(heel) (GM + BM/2 tan^2(heel)): zero at tan^2 = -2 GM/BM, as
+        // long as neither deck nor bottom crosses the waterline. A twentieth of a degree remains
+        // for settling.
+        const double bm_m = beam * beam / (12 * share);
+        EXPECT_NEAR(heel_rad(state) / degree, std::atan(std::sqrt(-2 * hull.afloat().roll_gm_m / bm_m)) / degree,
+                    0.05)
+            << share;
+        // 3 % above the critical beam it rights itself.
+        const double broad = near_critical_beam(share, 1.03);
+        const Hull stable(box_mesh({5, 1, broad}), {.mass_kg = share * density * 5 * broad});
+        state = stable.at_rest(0, 0);
+        state.orientation = turned(5 * degree, {1, 0, 0});
+        float_in_still_water(stable, state, 200);
+        EXPECT_LT(heel_rad(state), 0.1 * degree) << share;
+    }
+}
+
+TEST(Hull, BallastTurnsABoxThatIsUpsideDown) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; other tests run the same code";
+    const Hull hull(box_mesh({4, 2, 2}), {.mass_kg = 0.5 * density * 16, .centre_of_mass_m = glm::dvec3(0, -0.6, 0)});
+    HullState state = hull.at_rest(0, 0);
+    state.orientation = turned(175 * degree, {1, 0, 0});
+    float_in_still_water(hull, state, 120);
+    EXPECT_LT(heel_rad(state), 0.1 * degree);
+}
+
 TEST(Hull, TerminalSpeedsBalanceDrag) {
     // Sinking: (m - rho V) g = rho/2 (C_p + C_s) L B v^2, and friction of the sides.
     const glm::dvec3 size(3, 1, 2);

@@ -87,6 +87,53 @@ TEST(HullWake, AHullAtRestKeepsItsDraught) {
     EXPECT_LT(largest, 0.005 * draught);
 }
 
+// A launch passes at 4 m/s, 7 m from another launch, which heaves when the wake arrives.
+TEST(HullWake, APassingHullMakesAnotherHeave) {
+    const Hull launch(boat_mesh(6, 2.5, 1.5), {.mass_kg = 4000});
+    const auto heave_of_the_other = [&](bool goes_by) {
+        Ocean ocean(still, {.executor = make_serial_executor(),
+                            .queries = true,
+                            .velocities = true,
+                            .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+        std::vector<FloatingHull> hulls(1, {.hull = &launch, .state = launch.at_rest(0, 0)});
+        if (goes_by) hulls.push_back({.hull = &launch, .state = launch.at_rest(-16, 7)});
+        std::vector<HullWake> wakes;
+        wakes.reserve(2);
+        for (FloatingHull& floating : hulls)
+            floating.wake = &wakes.emplace_back(ocean.dynamic_waves(), launch, floating.state);
+        FloatingHulls jobs(make_serial_executor());
+        std::vector<double> heave;
+        constexpr double tick_s = 1.0 / 60;
+        ocean.schedule(0);
+        for (int i = 1; i < 14 * 60; ++i) {
+            const Frame& frame = ocean.complete();
+            for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+            ocean.schedule(i * tick_s);
+            jobs.step(SurfaceQuery(frame), hulls, tick_s);
+            heave.push_back(hulls[0].state.position_m.y);
+            if (!goes_by) continue;
+            // Towed along +x, after five seconds in which both have come to rest.
+            hulls[1].state.velocity_mps = {i * tick_s < 5 ? 0 : 4, hulls[1].state.velocity_mps.y, 0};
+            hulls[1].state.orientation = glm::dquat(1, 0, 0, 0);
+            hulls[1].state.angular_velocity_radps = {};
+        }
+        return heave;
+    };
+    const std::vector<double> with = heave_of_the_other(true), without = heave_of_the_other(false);
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        const double time_s = static_cast<double>(i) / 60, moved = std::fabs(with[i] - without[i]);
+        // 7 m beside the boat's track, a wake of 19.47 degrees is 20 m behind the boat. The boat
+        // sets out at 5 s, 16 m short of the other hull.
+        if (time_s > 4 && time_s < 6) before = std::max(before, moved);
+        if (time_s > 9) after = std::max(after, moved);
+    }
+    RecordProperty("before_m", std::to_string(before));
+    RecordProperty("after_m", std::to_string(after));
+    EXPECT_GT(after, 0.05);
+    EXPECT_LT(before, after / 3);
+}
+
 // The edge is measured 6 to 13 wavelengths behind the hull. Nearer, bow and stern waves interfere
 // and the highest waves lie inside: at a Froude number of 0.45 the angle is 17.3 degrees over 1.5
 // to 6 wavelengths, and 18.2 over 3 to 12.
