@@ -22,6 +22,7 @@
 #include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
+#include "pelagic/sim/pressure_footprint.hpp"
 #include "pelagic/sim/rain.hpp"
 #include "pelagic/simd/allocator.hpp"
 #include "pelagic/simd/isa.hpp"
@@ -125,7 +126,11 @@ class DynamicWaves {
     std::uint32_t add_source(const Disturbance& source);
     /// Replaces a source from the next tick on. Does nothing if there is no source of that number.
     void set_source(std::uint32_t number, const Disturbance& source);
-    /// Removes a source. Does nothing if there is no source of that number.
+    /// Adds the pressure of a floating body, as a source. Footprints act after other sources.
+    std::uint32_t add_footprint(const PressureFootprint& footprint);
+    /// Replaces a footprint from the next tick on. Does nothing if there is none of that number.
+    void set_footprint(std::uint32_t number, const PressureFootprint& footprint);
+    /// Removes a source or a footprint. Does nothing if there is none of that number.
     void remove_source(std::uint32_t number);
     /// Moves the grid's centre to within half a texel of the point; x_m and z_m in [-1e8, 1e8].
     /// Texels that stay in the grid are unchanged, and those that enter are flat.

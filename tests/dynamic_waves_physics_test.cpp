@@ -10,6 +10,7 @@
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/tests/dynamic_wave_pool.hpp"
+#include "pelagic/tests/kelvin_wake.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
@@ -578,23 +579,6 @@ TEST(DynamicWaveWake, IsEqualInASmallAndALargeGrid) {
     EXPECT_LT(std::sqrt(off / all), 0.01);
 }
 
-/// The distance of a wake's highest waves from its edge, inwards, at a distance `behind` in metres.
-/// Near the edge the phase is cubic across the wake, so heights follow Airy's function, whose first
-/// maximum is at -1.01879. With k = g / v^2, the edge's waves at tan = 1/sqrt 2, and the phase
-/// k (x + y tan) / cos (Kelvin 1887; Ursell 1960), the third derivative of the phase there is
-/// 2 k x / sqrt 3. The derivative of its slope in y is k sqrt(8/3).
-double crest_inside_of_edge(double behind, double k) {
-    return 1.01879 * std::cbrt(k * behind / std::sqrt(3.0)) / (k * std::sqrt(8.0 / 3));
-}
-
-/// Returns the slope of the least-squares line y = slope x + offset.
-double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const double n = static_cast<double>(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
 // A boat of 10 m at 5 m/s, followed by the grid, over six wavelengths of its wake.
 TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
     DynamicWavePool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
@@ -617,39 +601,10 @@ TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
         return static_cast<double>(
             grid.height_m(std::llround((boat - behind) / grid.texel_m()), std::llround(aside / grid.texel_m())));
     };
-    // Along the centre line, where waves travel at the boat's speed: the mean distance of upward
-    // zero crossings.
-    std::vector<double> rises;
-    for (double at = 2 * length; at < 6 * length; at += grid.texel_m()) {
-        const double here = height(at, 0), next = height(at + grid.texel_m(), 0);
-        if (here < 0 && next >= 0) rises.push_back(at + grid.texel_m() * here / (here - next));
-    }
-    ASSERT_GE(rises.size(), 4U);
-    EXPECT_NEAR((rises.back() - rises.front()) / static_cast<double>(rises.size() - 1), length, 0.05 * length);
-
-    for (const double side : {-1.0, 1.0}) {
-        std::vector<double> places, edges;
-        for (double behind = 1.5 * length; behind <= 6 * length; behind += length / 4) {
-            // The position of the largest heights over one wavelength: smoothed over five texels,
-            // outside of the waves along the centre line.
-            double largest = 0, edge = 0;
-            for (double aside = 0.2 * behind; aside < 0.6 * behind; aside += grid.texel_m()) {
-                double sum = 0;
-                for (int across = -2; across <= 2; ++across)
-                    for (double along = -length / 2; along < length / 2; along += grid.texel_m()) {
-                        const double h = height(behind + along, side * (aside + across * grid.texel_m()));
-                        sum += h * h;
-                    }
-                if (sum <= largest) continue;
-                largest = sum;
-                edge = aside;
-            }
-            places.push_back(behind);
-            edges.push_back(edge + crest_inside_of_edge(behind, k));
-        }
-        // 19.47 degrees: asin(1/3).
-        EXPECT_NEAR(std::atan(fitted_slope(places, edges)) * 180 / pi, std::asin(1.0 / 3) * 180 / pi, 1);
-    }
+    const KelvinWake wake = measure_wake(height, length, grid.texel_m(), 1.5, 6);
+    EXPECT_NEAR(wake.length_m, length, 0.05 * length);
+    // 19.47 degrees: asin(1/3).
+    for (const double angle : wake.angle_rad) EXPECT_NEAR(angle * 180 / pi, std::asin(1.0 / 3) * 180 / pi, 1);
 }
 
 }  // namespace

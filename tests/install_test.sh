@@ -53,7 +53,7 @@ refused() {  # usage: refused COMPONENT REASON [OPTION...]
   ! configure_c_application "without_$1" "COMPONENTS $1" "${@:3}" || { echo "$1 was found"; exit 1; }
   tr -s '\n ' ' ' <"$work/log" | grep -qF "component $1 is missing: $2" || { cat "$work/log"; exit 1; }
 }
-refused python "there is no such component: c, cpp, gl and quadtree are"
+refused python "there is no such component: c, cpp, floating, gl and quadtree are"
 refused cpp "it needs the CMake package Threads, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON"
 if grep -q "PELAGIC_TBB:BOOL=ON" "$build/CMakeCache.txt"; then
   refused cpp "it needs the CMake package TBB, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON"
@@ -87,6 +87,35 @@ END
   -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
   "$cmake" --build "$work/quadtree_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/quadtree_build/quadtree_application"
+
+mkdir "$work/floating_application"
+cat >"$work/floating_application/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(floating_application LANGUAGES CXX)
+find_package(pelagic REQUIRED COMPONENTS floating)
+add_executable(floating_application main.cpp)
+target_link_libraries(floating_application PRIVATE pelagic::floating)
+END
+cat >"$work/floating_application/main.cpp" <<'END'
+#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/hull_plan.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+int main() {
+    using namespace pelagic;
+    const std::vector<glm::dvec3> vertices{{1, 1, 0}, {-1, 1, 1}, {-1, 1, -1}, {0, -1, 0}};
+    const std::vector<HullMesh::Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 400});
+    Ocean ocean(SeaState{.resolution = 16}, {.queries = true, .velocities = true});
+    std::vector<FloatingHull> hulls{{.hull = &hull, .state = hull.at_rest(0, 0)}};
+    FloatingHulls(make_serial_executor()).step(SurfaceQuery(ocean.frame_at(0)), hulls, 1.0 / 60);
+    return hulls[0].loads.displaced_m3 > 0 ? 0 : 1;
+}
+END
+"$cmake" -S "$work/floating_application" -B "$work/floating_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
+  "$cmake" --build "$work/floating_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/floating_build/floating_application"
 
 # The component that renders, tested with the example of an application with its own context.
 if [ -d "$work/prefix/include/pelagic/gl" ]; then
@@ -134,6 +163,8 @@ if command -v pkg-config >/dev/null; then
   env -u LD_LIBRARY_PATH "$work/c_static" | diff - "$work/c_application.txt"
   "$cxx" -std=c++20 "$work/quadtree_application/main.cpp" -o "$work/quadtree_pc" $(pkg-config --cflags --libs pelagic_quadtree)
   "$work/quadtree_pc"
+  "$cxx" -std=c++20 "$work/floating_application/main.cpp" -o "$work/floating_pc" $(pkg-config --cflags --libs pelagic_floating)
+  "$work/floating_pc"
 fi
 
 # The licences of compiled-in code are installed.
@@ -164,7 +195,7 @@ if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)
   exit 1
 fi
 if grep -rn '#include.*glm' message jobs simd sim pelagic.h; then
-  echo "GLM is for the quadtree component only"
+  echo "GLM is for the components floating, gl and quadtree only"
   exit 1
 fi
 if [ -x "$work/prefix/bin/pelagic" ]; then

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/gl/functions.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
@@ -31,6 +32,8 @@ extern AnalyticSea other_waves;
 extern Camera camera;
 extern gl::GetProcAddress get_proc_address;
 extern glm::dvec3 head;
+extern std::vector<glm::dvec3> vertices;
+extern std::vector<HullMesh::Triangle> triangles;
 extern std::vector<glm::dmat4> both_eyes;
 extern std::vector<double> xs, zs;
 extern std::vector<float> heights, ups, heave;

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Generates images of docs/gallery.md and examples/buoyancy. From an export: height (dark troughs,
+# Generates images of docs/gallery.md. From an export: height (dark troughs,
 # light crests) beside the gradient map, both tiled twice along x so that a seam would be visible.
-# Then the plan of a selection, and the trace of floating boxes. Needs Debian's openimageio-tools
-# and librsvg2-bin.
+# Then the plan of a selection. Needs Debian's openimageio-tools and librsvg2-bin.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
@@ -13,8 +12,3 @@ oiiotool --iconfig oiio:UnassociatedAlpha 1 "$work/gradient_0000.png" --ch R,G,B
 oiiotool "$work/height.png" "$work/height.png" "$work/gradient.png" "$work/gradient.png" --mosaic 4x1 -o docs/images/sea.png
 build/release/bin/pelagic quadtree --camera 10,6,20 --target 100,2,60 --svg "$work/plan.svg" >/dev/null
 rsvg-convert --width 900 "$work/plan.svg" --output docs/images/quadtree.png
-build/release/bin/buoyancy "$work" 60
-rsvg-convert --width 800 --background-color white "$work/trace.svg" --output "$work/trace.png"
-# Eight shades a channel suffice for curves, with half the bytes.
-oiiotool "$work/trace.png" --ch R,G,B --mulc 0.02745 -d uint8 -o "$work/shades.png"
-oiiotool "$work/shades.png" --mulc 36.43 -d uint8 --attrib png:compressionLevel 9 -o docs/images/buoyancy.png

@@ -82,11 +82,24 @@ struct DynamicWaves::State {
         DynamicWavesView view;  ///< empty until a frame is complete
     };
     struct Command {
-        enum class Kind { add_impulse, add_source, set_source, remove_source, set_center, set_rain } kind;
+        enum class Kind {
+            add_impulse,
+            add_source,
+            set_source,
+            add_footprint,
+            set_footprint,
+            remove_source,
+            set_center,
+            set_rain
+        } kind;
         std::uint32_t number = 0;
         Disturbance disturbance = {};  ///< for set_center: the position
         Rain rain = {};
+        std::size_t footprint = 0;  ///< index in `footprints`
     };
+
+    std::uint32_t new_source();
+    void add_footprint_command(Command::Kind kind, std::uint32_t number, const PressureFootprint& footprint);
 
     void apply_commands(bool time_goes_on);
     void begin_run(GraphRun& run);
@@ -96,8 +109,12 @@ struct DynamicWaves::State {
 
     std::shared_ptr<Executor> executor;
     DynamicWaveGrid grid;
-    std::vector<Command> commands;       ///< since the last begin_frame()
-    std::size_t new_impulses = 0;        ///< among them
+    std::vector<Command> commands;              ///< since the last begin_frame()
+    /// Footprints of commands: the first new_footprints since the last begin_frame(); the rest keep
+    /// their memory.
+    std::vector<PressureFootprint> footprints;
+    std::size_t new_footprints = 0;
+    std::size_t new_impulses = 0;        ///< among the commands
     std::vector<std::uint32_t> numbers;  ///< of the sources after all commands, in ascending order
     DoubleBuffer<Slot> slots;
     const DynamicWavesView* shown = &slots.back().view;  ///< of the frame completed last
@@ -129,15 +146,38 @@ void DynamicWaves::add_impulse(const Disturbance& disturbance) {
     state_->commands.push_back({State::Command::Kind::add_impulse, 0, disturbance});
 }
 
-std::uint32_t DynamicWaves::add_source(const Disturbance& source) {
-    require(check(source));
-    if (state_->numbers.size() == DynamicWaveSources::max_count)
+std::uint32_t DynamicWaves::State::new_source() {
+    if (numbers.size() == DynamicWaveSources::max_count)
         throw std::invalid_argument(invalid_value_message("the number of sources", DynamicWaveSources::max_count + 1,
                                                           "at most " + number_text(DynamicWaveSources::max_count)));
-    const std::uint32_t number = state_->grid.sources().new_number();
-    state_->numbers.push_back(number);
+    numbers.push_back(grid.sources().new_number());
+    return numbers.back();
+}
+
+void DynamicWaves::State::add_footprint_command(Command::Kind kind, std::uint32_t number,
+                                                const PressureFootprint& footprint) {
+    if (new_footprints == footprints.size()) footprints.emplace_back();
+    footprints[new_footprints] = footprint;
+    commands.push_back({.kind = kind, .number = number, .footprint = new_footprints++});
+}
+
+std::uint32_t DynamicWaves::add_source(const Disturbance& source) {
+    require(check(source));
+    const std::uint32_t number = state_->new_source();
     state_->commands.push_back({State::Command::Kind::add_source, number, source});
     return number;
+}
+
+std::uint32_t DynamicWaves::add_footprint(const PressureFootprint& footprint) {
+    require(check(footprint));
+    const std::uint32_t number = state_->new_source();
+    state_->add_footprint_command(State::Command::Kind::add_footprint, number, footprint);
+    return number;
+}
+
+void DynamicWaves::set_footprint(std::uint32_t number, const PressureFootprint& footprint) {
+    require(check(footprint));
+    state_->add_footprint_command(State::Command::Kind::set_footprint, number, footprint);
 }
 
 void DynamicWaves::set_source(std::uint32_t number, const Disturbance& source) {
@@ -194,6 +234,13 @@ void DynamicWaves::State::apply_commands(bool time_goes_on) {
             case Command::Kind::set_source:
                 if (sources.has(command.number)) grid.set_source(command.number, command.disturbance);
                 break;
+            case Command::Kind::add_footprint:
+                grid.set_footprint(command.number, footprints[command.footprint]);
+                break;
+            case Command::Kind::set_footprint:
+                if (sources.has_footprint(command.number))
+                    grid.set_footprint(command.number, footprints[command.footprint]);
+                break;
             case Command::Kind::remove_source: sources.remove(command.number); break;
             case Command::Kind::set_center: grid.set_center(command.disturbance.x_m, command.disturbance.z_m); break;
             case Command::Kind::set_rain: grid.set_rain(command.rain); break;
@@ -201,6 +248,7 @@ void DynamicWaves::State::apply_commands(bool time_goes_on) {
     }
     if (time_goes_on) sources.settle();
     commands.clear();
+    new_footprints = 0;
     new_impulses = 0;
 }
 
@@ -324,6 +372,7 @@ void DynamicWaves::restore_state(std::span<const std::uint8_t> saved) {
     s.last_tick = clock.last_tick;
     s.last_time_s = clock.last_time_s;
     s.commands.clear();
+    s.new_footprints = 0;
     s.new_impulses = 0;
     s.numbers = s.grid.sources().numbers();
 }
@@ -334,6 +383,8 @@ std::size_t DynamicWaves::memory_bytes() const {
     const State& s = *state_;
     std::size_t bytes = sizeof(State) + s.grid.bytes() + s.commands.capacity() * sizeof(State::Command) +
                         s.numbers.capacity() * sizeof(std::uint32_t);
+    for (const PressureFootprint& footprint : s.footprints)
+        bytes += sizeof footprint + footprint.depth_m.capacity() * sizeof(float);
     for (const State::Slot& slot : s.slots) bytes += slot.bytes();
     return bytes;
 }

@@ -52,6 +52,9 @@ class DynamicWaveGrid {
     DynamicWaveSources& sources() { return sources_; }
     const DynamicWaveSources& sources() const { return sources_; }
     void set_source(std::uint32_t number, const Disturbance& source) { sources_.set(number, source, ticks_); }
+    void set_footprint(std::uint32_t number, const PressureFootprint& footprint) {
+        sources_.set_footprint(number, footprint, ticks_);
+    }
     void set_rain(const Rain& rain) { sources_.set_rain(rain, options_); }
 
     /// Prepare and finish each run of the tick's stages.

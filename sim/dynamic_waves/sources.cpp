@@ -19,6 +19,7 @@ namespace pelagic {
 namespace {
 
 constexpr double gauss_reach = 3;  ///< in radii
+constexpr double farthest_m = 1e8;
 
 /// Returns the range of texels of the grid within `reach_m` of a position along an axis, its end
 /// exclusive.
@@ -31,7 +32,7 @@ std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridP
 }
 
 struct SavedHeader {
-    std::int64_t next_number, lasting, waiting, settled;
+    std::int64_t next_number, lasting, waiting, settled, footprints;
     double rain_drops, rain_radius, rain_height;
     std::int64_t rain_seed;
 };
@@ -41,6 +42,82 @@ struct SavedSource {
     std::int64_t number, since, shape, mode;
     double x, z, radius, length, heading, height, rate, velocity_x, velocity_z;
 };
+
+/// A saved footprint, whose depths follow, padded to a multiple of 8 bytes.
+struct SavedFootprint {
+    std::int64_t number, since, columns, rows;
+    double x, z, forward_x, forward_z, velocity_x, velocity_z, length, beam;
+};
+
+std::size_t saved_depth_bytes(std::int64_t columns, std::int64_t rows) {
+    return (static_cast<std::size_t>(columns * rows) * sizeof(float) + 7) / 8 * 8;
+}
+
+SavedFootprint saved_footprint(std::uint32_t number, std::int64_t since, const PressureFootprint& of) {
+    return {number,       since,        of.columns,        of.rows,           of.x_m,      of.z_m,
+            of.forward_x, of.forward_z, of.velocity_x_mps, of.velocity_z_mps, of.length_m, of.beam_m};
+}
+
+/// Reads saved values one after the other.
+class SavedBytes {
+   public:
+    explicit SavedBytes(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+    template <class Value>
+    Value next() {
+        Value value;
+        std::memcpy(&value, take(sizeof value).data(), sizeof value);
+        return value;
+    }
+    std::span<const std::uint8_t> take(std::size_t count) {
+        if (rest_.size() < count) throw_size();
+        const auto taken = rest_.first(count);
+        rest_ = rest_.subspan(count);
+        return taken;
+    }
+    void expect_end() const {
+        if (!rest_.empty()) throw_size();
+    }
+    [[noreturn]] void throw_size() const {
+        throw std::invalid_argument(
+            "the saved sources have a wrong size, expected as many bytes as their counts give");
+    }
+
+   private:
+    std::span<const std::uint8_t> rest_;
+};
+
+PressureFootprint footprint_of(const SavedFootprint& saved, SavedBytes& bytes) {
+    if (saved.columns < 1 || saved.columns > PressureFootprint::max_columns || saved.rows < 1 ||
+        saved.rows > PressureFootprint::max_rows)
+        throw std::invalid_argument("a saved footprint has " + number_text(saved.columns) + " x " +
+                                    number_text(saved.rows) + " cells, expected 1 to 64 each");
+    PressureFootprint footprint = {
+        .x_m = saved.x,
+        .z_m = saved.z,
+        .forward_x = saved.forward_x,
+        .forward_z = saved.forward_z,
+        .velocity_x_mps = saved.velocity_x,
+        .velocity_z_mps = saved.velocity_z,
+        .length_m = saved.length,
+        .beam_m = saved.beam,
+        .columns = static_cast<int>(saved.columns),
+        .rows = static_cast<int>(saved.rows),
+        .depth_m = std::vector<float>(static_cast<std::size_t>(saved.columns * saved.rows))};
+    const auto depths = bytes.take(saved_depth_bytes(saved.columns, saved.rows));
+    std::memcpy(footprint.depth_m.data(), depths.data(), footprint.depth_m.size() * sizeof(float));
+    require(check(footprint));
+    return footprint;
+}
+
+/// Throws unless a saved number follows the last one and its tick is a completed one.
+void check_saved(std::int64_t number, std::int64_t since, std::int64_t last, const SavedHeader& header,
+                 std::int64_t ticks) {
+    if (number <= last || number >= header.next_number)
+        throw std::invalid_argument(
+            invalid_value_message("a saved source's number", number, "more than the preceding number"));
+    if (since < 0 || since > ticks)
+        throw std::invalid_argument(invalid_value_message("a saved source's tick", since, "a completed tick"));
+}
 
 SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturbance& of) {
     return {number,
@@ -106,8 +183,28 @@ void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, st
     sources_.insert(at, {number, source, ticks});
 }
 
+void DynamicWaveSources::set_footprint(std::uint32_t number, const PressureFootprint& footprint, std::int64_t ticks) {
+    assert(check(footprint).empty());
+    const auto at =
+        std::lower_bound(footprints_.begin(), footprints_.end(), number,
+                         [](const Footprint& known, std::uint32_t wanted) { return known.number < wanted; });
+    if (at != footprints_.end() && at->number == number) {
+        at->of = footprint;
+        at->since = ticks;
+        return;
+    }
+    assert(sources_.size() + footprints_.size() < max_count);
+    footprints_.insert(at, {number, footprint, ticks});
+}
+
+bool DynamicWaveSources::has_footprint(std::uint32_t number) const {
+    return std::any_of(footprints_.begin(), footprints_.end(),
+                       [number](const Footprint& known) { return known.number == number; });
+}
+
 void DynamicWaveSources::remove(std::uint32_t number) {
     std::erase_if(sources_, [number](const Source& source) { return source.number == number; });
+    std::erase_if(footprints_, [number](const Footprint& footprint) { return footprint.number == number; });
 }
 
 bool DynamicWaveSources::has(std::uint32_t number) const {
@@ -119,6 +216,8 @@ bool DynamicWaveSources::has(std::uint32_t number) const {
 std::vector<std::uint32_t> DynamicWaveSources::numbers() const {
     std::vector<std::uint32_t> numbers;
     for (const Source& source : sources_) numbers.push_back(source.number);
+    for (const Footprint& footprint : footprints_) numbers.push_back(footprint.number);
+    std::sort(numbers.begin(), numbers.end());
     return numbers;
 }
 
@@ -131,6 +230,12 @@ void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t
         moved.z_m += since_s * moved.velocity_z_mps;
         // A source that has left the valid range has no effect.
         if (check(moved).empty()) add_splash(moved, placement, tick_s);
+    }
+    for (Footprint& footprint : footprints_) {
+        const double since_s = static_cast<double>(ticks - footprint.since) * tick_s;
+        footprint.moved_x_m = since_s * footprint.of.velocity_x_mps;
+        footprint.moved_z_m = since_s * footprint.of.velocity_z_mps;
+        add_footprint_splash(footprint, placement);
     }
     for (const Disturbance& disturbance : waiting_) add_splash(disturbance, placement, tick_s);
     waiting_.clear();
@@ -156,6 +261,29 @@ void DynamicWaveSources::add_splash(const Disturbance& of, const GridPlacement& 
     if (!is_hull) add_profile(splashes_.back(), placement);
 }
 
+void DynamicWaveSources::add_footprint_splash(const Footprint& footprint, const GridPlacement& placement) {
+    const PressureFootprint& of = footprint.of;
+    const double x_m = of.x_m + footprint.moved_x_m, z_m = of.z_m + footprint.moved_z_m;
+    if (!(std::fabs(x_m) <= farthest_m && std::fabs(z_m) <= farthest_m)) return;
+    // the rectangle, and half a cell around it
+    const double ahead = (of.length_m + of.length_m / of.columns) / 2, abeam = (of.beam_m + of.beam_m / of.rows) / 2;
+    const double reach_x = std::fabs(of.forward_x) * ahead + std::fabs(of.forward_z) * abeam;
+    const double reach_z = std::fabs(of.forward_z) * ahead + std::fabs(of.forward_x) * abeam;
+    const auto [first_x, end_x] = reached(x_m, reach_x, placement, 0);
+    const auto [first_z, end_z] = reached(z_m, reach_z, placement, 1);
+    if (first_x >= end_x || first_z >= end_z) return;
+    splashes_.push_back({.of = {.mode = Disturbance::Mode::pressure},
+                         .fraction = 0,
+                         .first_x = first_x,
+                         .end_x = end_x,
+                         .first_z = first_z,
+                         .end_z = end_z,
+                         .profile = 0,
+                         .cosine = 1,
+                         .sine = 0,
+                         .footprint = &footprint});
+}
+
 void DynamicWaveSources::add_profile(const Splash& splash, const GridPlacement& placement) {
     const auto add_along = [&](double middle_m, std::int64_t first, std::int64_t end) {
         for (std::int64_t texel = first; texel < end; ++texel) {
@@ -179,6 +307,15 @@ void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& p
         const std::size_t row = placement.in_torus(z);
         if (row < first_row || row >= first_row + rows) continue;
         const std::size_t begin = row * stride;
+        if (splash.footprint) {
+            const Footprint& footprint = *splash.footprint;
+            const double z_m = static_cast<double>(z) * placement.texel_m() - footprint.moved_z_m;
+            for (std::int64_t x = splash.first_x; x < splash.end_x; ++x) {
+                const double x_m = static_cast<double>(x) * placement.texel_m() - footprint.moved_x_m;
+                at_texel(begin + placement.in_torus(x), -static_cast<float>(depth_at(footprint.of, x_m, z_m)), 1.f);
+            }
+            continue;
+        }
         if (of.shape == Disturbance::Shape::gauss) {
             const float* const along_x = profiles_.data() + splash.profile;
             const float along_z = along_x[splash.end_x - splash.first_x + z - splash.first_z];
@@ -254,7 +391,10 @@ void DynamicWaveSources::end_tick() {
 }
 
 std::size_t DynamicWaveSources::saved_bytes() const {
-    return sizeof(SavedHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
+    std::size_t bytes = sizeof(SavedHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
+    for (const Footprint& footprint : footprints_)
+        bytes += sizeof(SavedFootprint) + saved_depth_bytes(footprint.of.columns, footprint.of.rows);
+    return bytes;
 }
 
 void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
@@ -264,64 +404,73 @@ void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
                                 static_cast<std::int64_t>(sources_.size()),
                                 static_cast<std::int64_t>(waiting_.size()),
                                 static_cast<std::int64_t>(settled_),
+                                static_cast<std::int64_t>(footprints_.size()),
                                 rain.drops_per_m2_s,
                                 rain.radius_m,
                                 rain.height_m,
                                 rain.seed};
-    std::memcpy(bytes.data(), &header, sizeof header);
-    std::uint8_t* to = bytes.data() + sizeof header;
-    const auto put = [&to](const SavedSource& saved) {
+    std::uint8_t* to = bytes.data();
+    const auto put = [&to](const auto& saved) {
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
     };
+    put(header);
     for (const Source& source : sources_) put(saved_source(source.number, source.since, source.disturbance));
     for (const Disturbance& disturbance : waiting_) put(saved_source(0, 0, disturbance));
+    for (const Footprint& footprint : footprints_) {
+        put(saved_footprint(footprint.number, footprint.since, footprint.of));
+        const std::size_t depths = footprint.of.depth_m.size() * sizeof(float);
+        const std::size_t padded = saved_depth_bytes(footprint.of.columns, footprint.of.rows);
+        std::memcpy(to, footprint.of.depth_m.data(), depths);
+        std::memset(to + depths, 0, padded - depths);
+        to += padded;
+    }
 }
 
 DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
                                                 const DynamicWavesOptions& water) {
-    SavedHeader header{};
-    if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
+    SavedBytes from(bytes);
+    const auto header = from.next<SavedHeader>();
     const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
     constexpr auto max_of_each = static_cast<std::int64_t>(max_count);
     if (!can_be(header.lasting, max_of_each) || !can_be(header.waiting, max_of_each) ||
-        !can_be(header.settled, header.waiting) ||
-        bytes.size() !=
-            sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
-        throw std::invalid_argument(invalid_value_message("the saved sources", number_text(bytes.size()) + " bytes",
-                                                          "as many as their count gives"));
+        !can_be(header.footprints, max_of_each - header.lasting) || !can_be(header.settled, header.waiting))
+        from.throw_size();
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(
             invalid_value_message("the saved state's next source", header.next_number, "[1, 2^32)"));
     DynamicWaveSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
-    const std::uint8_t* from = bytes.data() + sizeof header;
-    const auto next = [&from] {
-        SavedSource saved;
-        std::memcpy(&saved, from, sizeof saved);
-        from += sizeof saved;
-        return saved;
-    };
     for (std::int64_t i = 0, last = 0; i < header.lasting; ++i) {
-        const SavedSource saved = next();
-        if (saved.number <= last || saved.number >= header.next_number)
-            throw std::invalid_argument(
-                invalid_value_message("a saved source's number", saved.number, "more than the preceding number"));
-        if (saved.since < 0 || saved.since > ticks)
-            throw std::invalid_argument(
-                invalid_value_message("a saved source's tick", saved.since, "a completed tick"));
+        const auto saved = from.next<SavedSource>();
+        check_saved(saved.number, saved.since, last, header, ticks);
         sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }
-    for (std::int64_t i = 0; i < header.waiting; ++i) sources.waiting_.push_back(disturbance_of(next()));
+    for (std::int64_t i = 0; i < header.waiting; ++i)
+        sources.waiting_.push_back(disturbance_of(from.next<SavedSource>()));
+    for (std::int64_t i = 0, last = 0; i < header.footprints; ++i) {
+        const auto saved = from.next<SavedFootprint>();
+        check_saved(saved.number, saved.since, last, header, ticks);
+        const auto number = static_cast<std::uint32_t>(saved.number);
+        if (sources.has(number))
+            throw std::invalid_argument(
+                invalid_value_message("a saved footprint's number", saved.number, "another than those of sources"));
+        sources.footprints_.push_back({number, footprint_of(saved, from), saved.since});
+        last = saved.number;
+    }
+    from.expect_end();
     sources.settled_ = static_cast<std::size_t>(header.settled);
     return sources;
 }
 
 std::size_t DynamicWaveSources::bytes() const {
-    return sources_.capacity() * sizeof(Source) + waiting_.capacity() * sizeof(Disturbance) +
-           splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float) + rain_.bytes();
+    std::size_t depths = 0;
+    for (const Footprint& footprint : footprints_) depths += footprint.of.depth_m.capacity() * sizeof(float);
+    return depths + footprints_.capacity() * sizeof(Footprint) + sources_.capacity() * sizeof(Source) +
+           waiting_.capacity() * sizeof(Disturbance) + splashes_.capacity() * sizeof(Splash) +
+           profiles_.capacity() * sizeof(float) + rain_.bytes();
 }
 
 }  // namespace pelagic

@@ -32,15 +32,19 @@ class DynamicWaveSources {
     /// Adds or replaces a source.
     /// \param ticks  number of completed ticks, from which on the source moves from its position
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
+    /// Adds or replaces a footprint. \pre check(footprint) is empty
+    void set_footprint(std::uint32_t number, const PressureFootprint& footprint, std::int64_t ticks);
+    bool has_footprint(std::uint32_t number) const;
+    /// Removes a source or a footprint.
     void remove(std::uint32_t number);
     bool has(std::uint32_t number) const;
     /// Sets the rain from the next tick on. \pre check(rain, water) is empty
     void set_rain(const Rain& rain, const DynamicWavesOptions& water) { rain_ = RainDrops(rain, water); }
-    /// Returns the numbers of the sources, in ascending order.
+    /// Returns the numbers of sources and footprints, in ascending order.
     std::vector<std::uint32_t> numbers() const;
 
     /// Determines the texels that the next tick's disturbances reach. They act in this order:
-    /// sources by number, impulses in the order of their commands, rain.
+    /// sources by number, footprints by number, impulses in the order of their commands, rain.
     /// \param ticks  number of completed ticks
     void begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s);
     /// Applies disturbances to rows of the torus before the step. Pressures subtract their shape,
@@ -66,6 +70,12 @@ class DynamicWaveSources {
         Disturbance disturbance;
         std::int64_t since;  ///< number of completed ticks when it was set
     };
+    struct Footprint {
+        std::uint32_t number;
+        PressureFootprint of;
+        std::int64_t since;
+        double moved_x_m = 0, moved_z_m = 0;  ///< since then, in the tick in flight
+    };
     /// A disturbance in the tick in flight.
     struct Splash {
         Disturbance of;
@@ -74,8 +84,11 @@ class DynamicWaveSources {
         std::int64_t first_z, end_z;
         std::size_t profile;  ///< of a Gaussian: index of its values along x, then along z
         double cosine, sine;  ///< of a hull's heading
+        /// Null: one of the shapes. Else only the texels and the mode of the other members count.
+        const Footprint* footprint = nullptr;
     };
 
+    void add_footprint_splash(const Footprint& footprint, const GridPlacement& placement);
     void add_splash(const Disturbance& of, const GridPlacement& placement, double tick_s);
     void add_profile(const Splash& splash, const GridPlacement& placement);
     template <class AtTexel>
@@ -83,8 +96,9 @@ class DynamicWaveSources {
                     AtTexel at_texel) const;
 
     std::uint32_t next_number_ = 1;
-    std::vector<Source> sources_;       ///< in ascending order of numbers
-    std::vector<Disturbance> waiting_;  ///< impulses for the next tick
+    std::vector<Source> sources_;        ///< in ascending order of numbers
+    std::vector<Footprint> footprints_;  ///< in ascending order of numbers
+    std::vector<Disturbance> waiting_;   ///< impulses for the next tick
     /// Number of impulses that are not provisional, which are the first ones.
     std::size_t settled_ = 0;
     std::vector<Splash> splashes_;  ///< disturbances of the tick in flight

@@ -1,0 +1,121 @@
+// Three boats in a storm, which make waves and float on those of each other. The next frame is
+// computed while the boats use the current one.
+//
+//   boat [SECONDS] > motion.csv
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+namespace {
+
+using namespace pelagic;
+
+constexpr double tick_s = 1.0 / 60;
+
+/// Returns a hull with a keel, chines, gunwales and a deck, narrower towards the bow. An application
+/// reads its own mesh instead.
+HullMesh boat_mesh(double length_m, double beam_m, double height_m) {
+    constexpr std::uint32_t sections = 10, ring = 6;
+    constexpr double y[ring] = {0, 0.4, 1, 1.05, 1, 0.4}, z[ring] = {0, 0.75, 1, 0, -1, -0.75};
+    std::vector<glm::dvec3> vertices;
+    std::vector<HullMesh::Triangle> triangles;
+    for (std::uint32_t i = 0; i <= sections; ++i) {
+        const double along = static_cast<double>(i) / sections;
+        for (std::uint32_t j = 0; j < ring; ++j)
+            vertices.emplace_back(length_m * (along - 0.5), height_m * y[j],
+                                  beam_m / 2 * (1 - 0.8 * along * along) * z[j]);
+    }
+    for (std::uint32_t i = 0; i < sections; ++i)
+        for (std::uint32_t j = 0; j < ring; ++j) {
+            const std::uint32_t a = ring * i + j, b = ring * i + (j + 1) % ring, c = a + ring, d = b + ring;
+            triangles.insert(triangles.end(), {{a, c, b}, {b, c, d}});
+        }
+    constexpr std::uint32_t bow = ring * sections;
+    for (std::uint32_t j = 1; j + 1 < ring; ++j)
+        triangles.insert(triangles.end(), {{0, j, j + 1}, {bow, bow + j + 1, bow + j}});
+    return HullMesh(vertices, triangles);
+}
+
+struct Boat {
+    const char* name;
+    Hull hull;
+};
+
+SeaState storm() {
+    for (const SeaPreset& preset : sea_presets())
+        if (preset.name == "storm") return preset.sea;
+    return {};
+}
+
+/// Returns SECONDS, or 0 if it is not a number from 1 to 3600.
+double seconds_of(int argc, char** argv) {
+    if (argc < 2) return 60;
+    char* end = nullptr;
+    const double seconds = std::strtod(argv[1], &end);
+    return argc == 2 && end != argv[1] && *end == 0 && seconds >= 1 && seconds <= 3600 ? seconds : 0;
+}
+
+void print(double time_s, const Boat& boat, const HullState& state) {
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    const double pitch_rad = std::asin(axes[0].y), roll_rad = std::atan2(-axes[2].y, axes[1].y);
+    std::printf("%.3f,%s,%.3f,%.2f,%.2f\n", time_s, boat.name, state.position_m.y - boat.hull.afloat().height_m,
+                pitch_rad * 180 / std::numbers::pi, roll_rad * 180 / std::numbers::pi);
+}
+
+void sail(double seconds) {
+    const Boat boats[] = {
+        {"dinghy", Hull(boat_mesh(4, 1.7, 0.8), {.mass_kg = 350})},
+        {"yacht", Hull(boat_mesh(12, 4, 2.5), {.mass_kg = 14'000, .centre_of_mass_m = glm::dvec3(-1, 1, 0)})},
+        {"ship", Hull(boat_mesh(60, 14, 9), {.mass_kg = 1'200'000, .centre_of_mass_m = glm::dvec3(-5, 4, 0)})},
+    };
+    // 12 texels along the dinghy, and room for the ship.
+    Ocean ocean(storm(), {.queries = true,
+                          .velocities = true,
+                          .dynamic_waves = DynamicWavesOptions{.resolution = 512, .side_m = 160, .border_m = 20}});
+    std::vector<FloatingHull> hulls;
+    std::vector<HullWake> wakes;
+    wakes.reserve(std::size(boats));
+    for (const Boat& boat : boats) {
+        const HullState state = boat.hull.at_rest(0, 20.0 * static_cast<double>(hulls.size()));
+        hulls.push_back({.hull = &boat.hull, .state = state});
+        hulls.back().wake = &wakes.emplace_back(ocean.dynamic_waves(), boat.hull, state);
+    }
+    FloatingHulls jobs(make_default_executor());
+    const int ticks = static_cast<int>(std::lround(seconds / tick_s));
+    std::puts("time_s,boat,heave_m,pitch_deg,roll_deg");
+    ocean.schedule(0);
+    for (int i = 0; i < ticks; ++i) {
+        const Frame& frame = ocean.complete();
+        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+        ocean.dynamic_waves().set_center(hulls[1].state.position_m.x, hulls[1].state.position_m.z);
+        ocean.schedule((i + 1) * tick_s);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+        for (std::size_t j = 0; j < hulls.size(); ++j) print((i + 1) * tick_s, boats[j], hulls[j].state);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = seconds_of(argc, argv);
+    if (seconds == 0) {
+        std::fprintf(stderr, "boat: SECONDS is %s, expected a number from 1 to 3600\n", argv[1]);
+        return 2;
+    }
+    try {
+        sail(seconds);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "boat: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,74 @@
+#include "pelagic/floating/floating_hulls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+namespace pelagic {
+namespace {
+
+constexpr std::size_t jobs = 64;
+
+}  // namespace
+
+struct FloatingHulls::State {
+    /// Steps a job's hulls: one query for all of them.
+    void run(std::size_t job) {
+        const std::size_t begin = job * hulls_a_job;
+        if (begin >= hulls.size()) return;
+        const std::span<FloatingHull> ours = hulls.subspan(begin, std::min(hulls_a_job, hulls.size() - begin));
+        HullWorkspace& workspace = workspaces[job];
+        workspace.x.clear();
+        workspace.z.clear();
+        for (FloatingHull& floating : ours) {
+            Hull::drift(floating.state, 0.5 * step_s);
+            floating.hull->append_points(floating.state, workspace);
+        }
+        workspace.sample(*water);
+        std::size_t point = 0;
+        for (FloatingHull& floating : ours) {
+            const std::size_t vertices = floating.hull->mesh().vertices().size();
+            const auto its = [&](auto& values) { return std::span(values).subspan(point, vertices); };
+            if (floating.wake)
+                floating.wake->leave_out(its(workspace.x), its(workspace.z), its(workspace.height_m),
+                                         its(workspace.velocity_y_mps));
+            floating.loads = floating.hull->loads_at(point, floating.state, step_s, floating.inputs, workspace);
+            floating.hull->complete_step(floating.state, floating.loads, step_s, floating.inputs);
+            point += vertices;
+        }
+    }
+
+    const SurfaceQuery* water = nullptr;
+    std::span<FloatingHull> hulls;
+    double step_s = 0;
+    std::size_t hulls_a_job = 1;
+    std::array<HullWorkspace, jobs> workspaces;
+    std::shared_ptr<Executor> executor;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> graph_run;
+};
+
+FloatingHulls::FloatingHulls(std::shared_ptr<Executor> executor) : state_(new State) {
+    state_->executor = std::move(executor);
+    state_->graph.add(
+        {.name = "hulls", .count = jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
+             for (std::size_t job = begin; job < end; ++job) state->run(job);
+         }});
+    state_->graph_run = state_->executor->prepare(state_->graph);
+}
+
+FloatingHulls::~FloatingHulls() = default;
+
+void FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
+    Hull::check_step(water, step_s);
+    for (std::size_t i = 0; i < hulls.size(); ++i)
+        if (const std::string reason = Hull::check(hulls[i].state); !reason.empty())
+            throw std::invalid_argument("hull " + std::to_string(i) + ": " + reason);
+    state_->water = &water;
+    state_->hulls = hulls;
+    state_->step_s = step_s;
+    state_->hulls_a_job = std::max<std::size_t>(1, (hulls.size() + jobs - 1) / jobs);
+    state_->graph_run->run();
+}
+
+}  // namespace pelagic

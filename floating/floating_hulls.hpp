@@ -1,0 +1,45 @@
+// Many hulls on an executor's threads.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+/// A hull of a batch. Hulls of one kind share a Hull.
+struct FloatingHull {
+    const Hull* hull = nullptr;
+    HullState state;
+    HullInputs inputs = {};
+    /// If not null, the hollow of the hull's own pressure is left out. Must outlive the step.
+    const HullWake* wake = nullptr;
+    HullLoads loads = {};  ///< of the last step
+};
+
+/// Steps hulls on an executor. Results are bit-identical to those of Hull::step(), for any number
+/// of threads. One thread at a time uses an object.
+class FloatingHulls {
+   public:
+    /// Creates jobs for an executor.
+    explicit FloatingHulls(std::shared_ptr<Executor> executor);
+    ~FloatingHulls();
+    FloatingHulls(const FloatingHulls&) = delete;  // the stage points into it
+    FloatingHulls& operator=(const FloatingHulls&) = delete;
+
+    /// Advances the hulls by a step and returns when all are done. The calling thread takes part.
+    /// Allocates nothing in Pelagic's code once each job has had as many vertices.
+    /// \throws std::invalid_argument  what Hull::step() throws, after the hull.s number: "hull 3: ...";
+    ///                                no hull is changed then
+    void step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s);
+
+   private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace pelagic

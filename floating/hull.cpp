@@ -1,0 +1,216 @@
+#include "pelagic/floating/hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "pelagic/floating/wet_surface.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+using Options = HullOptions;
+constexpr NumericField<Options> fields[] = {
+    {"mass_kg", &Options::mass_kg, 1e-6, 1e10, "[1e-6, 1e10]"},
+    {"heave_damping", &Options::heave_damping, 0, 0.999, "[0, 0.999]"},
+    {"roll_damping", &Options::roll_damping, 0, 0.999, "[0, 0.999]"},
+    {"pressure_coefficient", &Options::pressure_coefficient, 0, 10, "[0, 10]"},
+    {"suction_coefficient", &Options::suction_coefficient, 0, 10, "[0, 10]"},
+    {"friction_coefficient", &Options::friction_coefficient, 0, 1, "[0, 1]"},
+    {"air_coefficient", &Options::air_coefficient, 0, 10, "[0, 10]"},
+    {"water_density_kgpm3", &Options::water_density_kgpm3, 500, 2000, "[500, 2000]"},
+    {"air_density_kgpm3", &Options::air_density_kgpm3, 0, 10, "[0, 10]"},
+};
+
+/// Returns whether all pivots of a symmetric matrix are at least 0, within rounding.
+bool is_positive(HullMatrix matrix) {
+    double largest = 0;
+    for (std::size_t i = 0; i < 6; ++i) largest = std::max(largest, std::fabs(matrix[i][i]));
+    for (std::size_t pivot = 0; pivot < 6; ++pivot) {
+        if (!(matrix[pivot][pivot] >= -1e-12 * largest)) return false;
+        for (std::size_t row = pivot + 1; row < 6; ++row) {
+            if (matrix[pivot][pivot] <= 1e-12 * largest) {
+                if (std::fabs(matrix[row][pivot]) > 1e-12 * largest) return false;
+                continue;
+            }
+            const double factor = matrix[row][pivot] / matrix[pivot][pivot];
+            for (std::size_t column = pivot; column < 6; ++column)
+                matrix[row][column] -= factor * matrix[pivot][column];
+        }
+    }
+    return true;
+}
+
+std::string check_added_mass(const HullMatrix& matrix) {
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) {
+            const std::string name = "added_mass[" + std::to_string(i) + "][" + std::to_string(j) + "]";
+            if (!(std::fabs(matrix[i][j]) <= 1e15)) return invalid_value_message(name, matrix[i][j], "[-1e15, 1e15]");
+            if (matrix[i][j] != matrix[j][i])
+                return invalid_value_message(name, matrix[i][j], number_text(matrix[j][i]) + ", a symmetric matrix");
+        }
+    return is_positive(matrix) ? "" : "added_mass is not positive semi-definite, expected no negative eigenvalue";
+}
+
+/// Returns the added mass of a plate that moves along its normal in unbounded water, sides a <= b:
+/// rho pi/4 a^2 b (Newman, table 4.3), times b / (b + 0.7 a) for its ends. The result is within 3 %
+/// of the table of DNV-RP-C205, appendix D.
+double plate_added_mass_kg(double density_kgpm3, double side_m, double other_m) {
+    const double a = std::min(side_m, other_m), b = std::max(side_m, other_m);
+    return density_kgpm3 * std::numbers::pi / 4 * a * a * b * b / (b + 0.7 * a);
+}
+
+}  // namespace
+
+std::span<const NumericField<HullOptions>> hull_fields() { return fields; }
+
+std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
+    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (options.centre_of_mass_m)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = mesh.lower_m()[axis], high = mesh.upper_m()[axis],
+                         at = (*options.centre_of_mass_m)[axis];
+            if (!(at >= low && at <= high))
+                return invalid_value_message(
+                    std::string("centre_of_mass_m.") + "xyz"[axis], at,
+                    "a position within the mesh, " + number_text(low) + " to " + number_text(high));
+        }
+    if (options.inertia_kgm2)
+        for (int axis = 0; axis < 3; ++axis)
+            if (!((*options.inertia_kgm2)[axis] > 0 && (*options.inertia_kgm2)[axis] <= 1e16))
+                return invalid_value_message(std::string("inertia_kgm2.") + "xyz"[axis],
+                                             (*options.inertia_kgm2)[axis], "(0, 1e16]");
+    return options.added_mass ? check_added_mass(*options.added_mass) : "";
+}
+
+std::string Hull::check(const HullState& state) {
+    const auto is_small = [](const glm::dvec3& v, double max) {  // false for NaN
+        return std::fabs(v.x) <= max && std::fabs(v.y) <= max && std::fabs(v.z) <= max;
+    };
+    if (!is_small(state.position_m, 1e8)) return "the hull's position_m is out of range [-1e8, 1e8]";
+    if (!is_small(state.velocity_mps, 1e4)) return "the hull's velocity_mps is out of range [-1e4, 1e4]";
+    if (!is_small(state.angular_velocity_radps, 1e4))
+        return "the hull's angular_velocity_radps is out of range [-1e4, 1e4]";
+    const double norm = glm::dot(state.orientation, state.orientation);
+    if (!(std::fabs(norm - 1) < 1e-3)) return "the hull's orientation is not a unit quaternion";
+    return {};
+}
+
+void Hull::check_step(const SurfaceQuery& water, double step_s) {
+    if (!water.has_velocities())
+        throw std::invalid_argument("hulls need OceanOptions::velocities, which the frame was made without");
+    if (!(step_s > 0 && step_s <= 0.1))
+        throw std::invalid_argument(invalid_value_message("step_s", step_s, "(0, 0.1] s"));
+}
+
+Hull::Hull(HullMesh mesh, const HullOptions& options)
+    : mesh_(std::move(mesh)), options_(options), mass_kg_(options.mass_kg) {
+    require(check(mesh_, options));
+    centre_of_mass_m_ = options.centre_of_mass_m.value_or(mesh_.centre_m());
+    if (options.inertia_kgm2) {
+        inertia_kgm2_ = *options.inertia_kgm2;
+    } else {
+        const glm::dmat3& s = mesh_.second_moments_m5();
+        inertia_kgm2_ =
+            mass_kg_ / mesh_.volume_m3() * glm::dvec3(s[1][1] + s[2][2], s[0][0] + s[2][2], s[0][0] + s[1][1]);
+    }
+    for (const glm::dvec3& vertex : mesh_.vertices()) arms_m_.push_back(vertex - centre_of_mass_m_);
+
+    // A vertex represents a third of its triangles in plan.
+    weights_.assign(arms_m_.size(), 0);
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh_.triangles()) {
+        const double in_plan = std::fabs(glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y);
+        for (const std::uint32_t vertex : {a, b, c}) weights_[vertex] += in_plan;
+        sum += 3 * in_plan;
+    }
+    for (double& weight : weights_) weight /= sum;
+    find_rest();
+    if (options.added_mass)
+        added_mass_ = *options.added_mass;
+    else
+        set_default_added_mass();
+    if (!afloat_.floats) return;
+    const double weight_n = mass_kg_ * gravity_mps2;
+    const double heave_n_per_m = options.water_density_kgpm3 * gravity_mps2 * afloat_.waterplane_m2;
+    strip_damping_ =
+        2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1])) / afloat_.waterplane_m2;
+    roll_damping_ = 2 * options.roll_damping *
+                    std::sqrt(weight_n * std::max(afloat_.roll_gm_m, 0.0) * (inertia_kgm2_.x + added_mass_[3][3]));
+}
+
+/// Finds the height at which the upright hull displaces its mass, by bisection.
+void Hull::find_rest() {
+    floating_volume_m3_ = mass_kg_ / options_.water_density_kgpm3;
+    afloat_.floats = floating_volume_m3_ < mesh_.volume_m3();
+    if (!afloat_.floats) {
+        floating_volume_m3_ = mesh_.volume_m3();
+        return;
+    }
+    const auto at_height = [&](double height_m) {
+        Hydrostatics wet;
+        const auto vertex = [&](std::uint32_t i) {
+            return HullVertex{arms_m_[i], glm::dvec3{}, -(height_m + arms_m_[i].y)};
+        };
+        for (const auto& [a, b, c] : mesh_.triangles())
+            cut_at_waterline(
+                {vertex(a), vertex(b), vertex(c)}, [&](const HullTriangle& t) { wet.add(t); },
+                [](const HullTriangle&) {});
+        return wet;
+    };
+    double low = centre_of_mass_m_.y - mesh_.upper_m().y, high = centre_of_mass_m_.y - mesh_.lower_m().y;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (at_height(middle).force_m3.y > floating_volume_m3_ ? low : high) = middle;
+    }
+    const Hydrostatics wet = at_height(high);
+    afloat_.height_m = high;
+    afloat_.draught_m = centre_of_mass_m_.y - mesh_.lower_m().y - high;
+    afloat_.waterplane_m2 = wet.waterplane_m2;
+    const double volume = wet.force_m3.y, buoyancy_m = -high - wet.depth_moment_m4 / volume;
+    const double x = wet.x_m3 / wet.waterplane_m2, z = wet.z_m3 / wet.waterplane_m2;
+    afloat_.roll_gm_m = buoyancy_m + (wet.zz_m4 - z * wet.z_m3) / volume;
+    afloat_.pitch_gm_m = buoyancy_m + (wet.xx_m4 - x * wet.x_m3) / volume;
+}
+
+/// Water on one side halves the added mass of a plate that lies on the surface, and of the mirror
+/// image of a plate that stands in it. A hull that does not float is taken as half submerged.
+void Hull::set_default_added_mass() {
+    const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
+    const double density = options_.water_density_kgpm3;
+    const double draught = afloat_.floats ? afloat_.draught_m : size.y / 2;
+    const auto half_plate = [&](double a, double b) { return plate_added_mass_kg(density, a, b) / 2; };
+    const double heave = half_plate(size.x, size.z), sway = half_plate(size.x, 2 * draught);
+    // Rotation: strips across the length, and a plate's rotation about its middle line, rho pi/8
+    // (beam/2)^4 a metre in unbounded water (Newman, table 4.3).
+    const double half_beam2 = size.z * size.z / 4;
+    const double diagonal[] = {half_plate(size.z, 2 * draught),
+                               heave,
+                               sway,
+                               density * std::numbers::pi / 16 * half_beam2 * half_beam2 * size.x,
+                               sway * size.x * size.x / 12,
+                               heave * size.x * size.x / 12};
+    for (std::size_t i = 0; i < 6; ++i) added_mass_[i][i] = diagonal[i];
+}
+
+glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {
+    return state.position_m - glm::mat3_cast(state.orientation) * centre_of_mass_m_;
+}
+
+HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
+    HullState state;
+    state.position_m = {x_m, afloat_.height_m, z_m};
+    // from +x towards +z is a negative rotation about y
+    const auto [sine, cosine] = det::sine_cosine_of_turns(heading_rad / (2 * two_pi));
+    state.orientation = glm::dquat(cosine, 0, -sine, 0);
+    state.submersion = afloat_.floats ? 1 : 0;
+    return state;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,225 @@
+// Forces of the water on a rigid hull, from its triangle mesh.
+//
+//   const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 900});
+//   HullState boat = hull.at_rest(0, 0);
+//   hull.step(SurfaceQuery(ocean.complete()), boat, 1.0 / 60);
+//
+// An application with a physics engine sets the pose and the velocity of the state, calls loads()
+// and applies the result. Forces, with w the velocity of the hull relative to the water at a
+// triangle, n its outward normal and S its area below the waterline:
+//
+//   pressure    -n S p, p = rho (g + a) d at the depth d below the surface above it; a is the
+//               vertical acceleration of the water at the hull. Integrated exactly over triangles
+//               cut at the waterline (J. Kerner, "Water interaction model for boats in video
+//               games", Gamasutra 2015). In linear waves g + a contains the decrease of pressure
+//               with depth, to first order in depth over wavelength.
+//   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the acceleration of the water
+//               (J. N. Newman, Marine Hydrodynamics, MIT Press 1977, chapter 4)
+//   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
+//               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
+//   radiation   linear damping of heave and pitch on strips across the length, and of roll
+//   slamming    -(dA/dt) w while the added mass increases (T. von Karman, NACA TN 321, 1929)
+//   air         1/2 rho_air C_a S (w.n)^2 on faces above the water that meet the wind
+//
+// Results are bit-identical on every machine: only + - * / and square roots are used.
+//
+// Limitations. Water inside an open hull, lift of keels and foils, and the moment of a fluid on a
+// body in oblique flow (Munk) are left out. Added mass is given at rest and scales with the
+// displaced volume, at most by 1. Friction does not depend on the Reynolds number.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/floating/hull_mesh.hpp"
+#include "pelagic/message/numeric_field.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+/// Rows and columns: surge, heave, sway (translation along x, y, z of the hull), roll, yaw, pitch
+/// (rotation about x, y, z through the centre of mass); kg, kg m and kg m^2.
+using HullMatrix = std::array<std::array<double, 6>, 6>;
+
+struct HullOptions {
+    double mass_kg = 0;  ///< [1e-6, 1e10]
+    /// In the axes of the mesh; unset: the centre of the mesh's volume.
+    std::optional<glm::dvec3> centre_of_mass_m = {};
+    /// Moments of inertia about the axes through the centre of mass, positive; unset: those of a
+    /// body that fills the mesh evenly.
+    std::optional<glm::dvec3> inertia_kgm2 = {};
+    /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
+    /// waterline's length and beam and of twice the draught (Newman, table 4.3).
+    std::optional<HullMatrix> added_mass = {};
+    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 1)
+    double roll_damping = 0.05;         ///< fraction of critical damping; [0, 1)
+    double pressure_coefficient = 0.7;  ///< of advancing faces; [0, 10]
+    /// Of retreating faces; with 0.7 the drag is that of a cube, 1.05 (Hoerner 1965); [0, 10].
+    double suction_coefficient = 0.35;
+    double friction_coefficient = 4e-3;  ///< [0, 1]; ITTC 1957 at a Reynolds number of 3e6
+    double air_coefficient = 1;          ///< of faces above the water; [0, 10]
+    double water_density_kgpm3 = 1025;   ///< [500, 2000]
+    double air_density_kgpm3 = 1.225;    ///< [0, 10]
+};
+
+/// Returns the table of the numeric options.
+std::span<const NumericField<HullOptions>> hull_fields();
+
+/// A rigid body in world axes, and what the water's forces remember of the previous step.
+struct HullState {
+    glm::dvec3 position_m{};              ///< of the centre of mass
+    glm::dquat orientation{1, 0, 0, 0};   ///< world from hull, unit
+    glm::dvec3 velocity_mps{};            ///< of the centre of mass
+    glm::dvec3 angular_velocity_radps{};  ///< in world axes
+    /// Of the previous step: vertical velocity and rotation of the water's surface under the hull,
+    /// and the fraction of the added mass.
+    double water_velocity_y_mps = 0;
+    glm::dvec3 water_rotation_radps{};
+    double submersion = 0;
+    bool has_previous_step = false;  ///< false: no acceleration of water and no slamming
+};
+
+/// A force and its torque about the centre of mass, in world axes.
+struct HullForce {
+    glm::dvec3 force_n{}, torque_nm{};
+
+    HullForce& operator+=(const HullForce& other) {
+        force_n += other.force_n;
+        torque_nm += other.torque_nm;
+        return *this;
+    }
+};
+
+/// Forces of water and air on a hull. `total()` leaves out weight and -A du/dt.
+struct HullLoads {
+    HullForce pressure;    ///< of the water's weight and acceleration
+    HullForce added_mass;  ///< A a_w
+    HullForce drag;        ///< drag, radiation damping and air
+    HullForce slamming;
+    double displaced_m3 = 0;
+    double submersion = 0;  ///< displaced over floating volume, at most 1: scales added mass
+    /// The plane through the water's surface at the hull: height at the centre of mass, and slopes.
+    double water_height_m = 0, water_slope_x = 0, water_slope_z = 0;
+    glm::dvec3 water_velocity_mps{};    ///< mean under the hull
+    glm::dvec3 water_rotation_radps{};  ///< of the surface under the hull, about x and z
+    glm::dvec3 water_acceleration_mps2{};
+    HullMatrix mass{};       ///< of the hull, and its added mass now; axes of the hull
+    HullMatrix stiffness{};  ///< -d pressure / d pose; axes of the hull
+
+    /// Returns the sum of all forces.
+    HullForce total() const {
+        HullForce sum = pressure;
+        return sum += added_mass, sum += drag, sum += slamming;
+    }
+};
+
+/// What else acts on a hull in a step.
+struct HullInputs {
+    HullForce force;  ///< of engines, tow lines and contacts
+    glm::dvec3 wind_mps{};
+};
+
+/// The hull at rest in still water, upright: the mesh's y axis is vertical.
+struct HullAfloat {
+    bool floats = false;   ///< false: heavier than its volume of water; the rest is 0 then
+    double draught_m = 0;  ///< of the lowest vertex
+    double height_m = 0;   ///< of the centre of mass above the water
+    double waterplane_m2 = 0;
+    double roll_gm_m = 0, pitch_gm_m = 0;  ///< metacentric heights
+};
+
+/// Memory of a step, reused so that steps allocate nothing after the first.
+struct HullWorkspace {
+    std::vector<double> x, z;
+    std::vector<float> height_m, velocity_x_mps, velocity_y_mps, velocity_z_mps;
+    struct Vertex {
+        glm::dvec3 arm_m;         ///< from the centre of mass, world axes
+        glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water
+        double depth_m;           ///< below the surface, negative above it
+    };
+    std::vector<Vertex> vertices;
+
+    /// Samples the water at (x, z).
+    void sample(const SurfaceQuery& water);
+};
+
+/// The immutable part of hulls of one kind: mesh, mass and coefficients. Any thread may use it.
+class Hull {
+   public:
+    /// \throws std::invalid_argument  check(mesh, options), unless it is empty
+    Hull(HullMesh mesh, const HullOptions& options);
+
+    /// Returns an empty string for usable options, else what is wrong: "mass_kg 0 is out of range
+    /// [1e-6, 1e10]".
+    static std::string check(const HullMesh& mesh, const HullOptions& options);
+    /// Returns an empty string for a usable state, else what is wrong: "position_m is not finite".
+    static std::string check(const HullState& state);
+    /// \throws std::invalid_argument  if the frame has no velocities, or step_s is out of range
+    static void check_step(const SurfaceQuery& water, double step_s);
+
+    const HullMesh& mesh() const { return mesh_; }
+    const HullAfloat& afloat() const { return afloat_; }
+    double mass_kg() const { return mass_kg_; }
+    const HullMatrix& added_mass() const { return added_mass_; }       ///< at rest
+    glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh
+    /// Returns the world position of the mesh's origin, to draw it.
+    glm::dvec3 mesh_origin_m(const HullState& state) const;
+
+    /// Returns a state at rest in still water, upright, with the hull's x axis turned from +x
+    /// towards +z by the heading.
+    HullState at_rest(double x_m, double z_m, double heading_rad = 0) const;
+
+    /// Returns the loads of a state, and stores in it what the next call needs.
+    /// \param water   of a frame with velocities
+    /// \param state   successive calls are step_s apart
+    /// \param step_s  (0, 0.1]: drag is that of an implicit step of this length, so that an
+    ///                explicit integrator remains stable
+    /// \throws std::invalid_argument  check(state) if it is not empty, or what check_step() throws;
+    ///                                the state is unchanged then
+    HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+                    HullWorkspace& workspace) const;
+
+    /// Solves (M + A) du = step_s F for the velocities after a step, with weight and the inputs'
+    /// force, and stores them in the state. An application whose physics engine has no mass matrix
+    /// sets the body's velocities to the result.
+    void accelerate(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs = {}) const;
+
+    /// Advances a state by a step: half of the motion, forces, the other half (Verlet). Without
+    /// waves, wind and inputs each step reduces the mechanical energy. Throws what loads() throws.
+    void step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+              HullWorkspace& workspace) const;
+
+   private:
+    friend class FloatingHulls;
+    void append_points(const HullState& state, HullWorkspace& workspace) const;
+    HullLoads loads_at(std::size_t first_point, HullState& state, double step_s, const HullInputs& inputs,
+                       HullWorkspace& workspace) const;
+    struct Speeds;
+    static void drift(HullState& state, double seconds);
+    Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,
+                        const HullInputs& inputs) const;
+    void complete_step(HullState& middle, const HullLoads& forces, double step_s, const HullInputs& inputs) const;
+    void find_rest();
+    void set_default_added_mass();
+
+    HullMesh mesh_;
+    HullOptions options_;
+    double mass_kg_;
+    glm::dvec3 centre_of_mass_m_, inertia_kgm2_;
+    std::vector<glm::dvec3> arms_m_;  // vertices from the centre of mass
+    std::vector<double> weights_;     // of vertices in means over the plan; their sum is 1
+    HullMatrix added_mass_{};
+    HullAfloat afloat_;
+    double floating_volume_m3_ = 0;
+    double strip_damping_ = 0;  // kg/s for a square metre of waterplane
+    double roll_damping_ = 0;   // kg m^2/s
+};
+
+}  // namespace pelagic

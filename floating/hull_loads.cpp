@@ -1,0 +1,251 @@
+// Sums of forces over a hull's triangles.
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+
+#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/matrix6.hpp"
+#include "pelagic/floating/wet_surface.hpp"
+#include "pelagic/message/require.hpp"
+#include "pelagic/simd/constants.hpp"
+
+namespace pelagic {
+namespace {
+
+/// A force and its torque, and the power that the hull loses to it: at most 0.
+struct Loss {
+    HullForce force;
+    double power_w = 0;
+
+    void add(const glm::dvec3& arm_m, const glm::dvec3& force_n, const glm::dvec3& relative_mps) {
+        force.force_n += force_n;
+        force.torque_nm += glm::cross(arm_m, force_n);
+        power_w += glm::dot(force_n, relative_mps);
+    }
+};
+
+/// The plane through the water's heights and vertical velocities at the vertices, by least squares.
+struct MeanWater {
+    double x_m = 0, z_m = 0;  // of the vertices, from the centre of mass
+    double height_m = 0;
+    glm::dvec3 velocity_mps{};
+    double slope_x = 0, slope_z = 0;        // of the height
+    double gradient_x = 0, gradient_z = 0;  // of the vertical velocity, 1/s
+};
+
+MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex> vertices, double height_m,
+                     const glm::dvec3& velocity_mps, const glm::dvec3& angular_velocity_radps) {
+    MeanWater mean;
+    const auto water_velocity = [&](const HullVertex& vertex) {
+        return velocity_mps + glm::cross(angular_velocity_radps, vertex.arm_m) - vertex.relative_mps;
+    };
+    double x = 0, z = 0, height = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const HullVertex& vertex = vertices[i];
+        x += weights[i] * vertex.arm_m.x;
+        z += weights[i] * vertex.arm_m.z;
+        height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
+        mean.velocity_mps += weights[i] * water_velocity(vertex);
+    }
+    mean.x_m = x;
+    mean.z_m = z;
+    mean.height_m = height_m + height;
+    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const HullVertex& vertex = vertices[i];
+        const double dx = vertex.arm_m.x - x, dz = vertex.arm_m.z - z;
+        const double dh = weights[i] * (vertex.arm_m.y + vertex.depth_m - height);
+        const double dv = weights[i] * (water_velocity(vertex).y - mean.velocity_mps.y);
+        xx += weights[i] * dx * dx;
+        xz += weights[i] * dx * dz;
+        zz += weights[i] * dz * dz;
+        xh += dx * dh, zh += dz * dh, xv += dx * dv, zv += dz * dv;
+    }
+    const double determinant = xx * zz - xz * xz;
+    if (determinant > 1e-9 * xx * zz) {
+        mean.slope_x = (zz * xh - xz * zh) / determinant;
+        mean.slope_z = (xx * zh - xz * xh) / determinant;
+        mean.gradient_x = (zz * xv - xz * zv) / determinant;
+        mean.gradient_z = (xx * zv - xz * xv) / determinant;
+    }
+    return mean;
+}
+
+/// Returns the acceleration of the water at the surface: the vertical one from two steps, at a
+/// fixed position; the horizontal one from the slope, because pressure is constant along the
+/// surface.
+glm::dvec3 water_acceleration(const MeanWater& mean, const HullState& state, double step_s) {
+    if (!state.has_previous_step) return {};
+    const double along = state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z;
+    const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along;
+    // Waves break before the surface falls freely.
+    const double vertical = std::clamp(change, -gravity_mps2, gravity_mps2);
+    return {-(gravity_mps2 + vertical) * mean.slope_x, vertical, -(gravity_mps2 + vertical) * mean.slope_z};
+}
+
+/// -d pressure / d pose in world axes, about the centre of mass: what the waterplane and the lever
+/// of the buoyancy add.
+HullMatrix world_stiffness(const Hydrostatics& wet, double weight_npm3, double buoyancy_y_m3) {
+    // Rows of the deflection of a point at (x, z): 1 for heave, -z for rotation about x, x about z.
+    const double cells[3][3] = {{wet.waterplane_m2, -wet.z_m3, wet.x_m3},
+                                {-wet.z_m3, wet.zz_m4, -wet.xz_m4},
+                                {wet.x_m3, -wet.xz_m4, wet.xx_m4}};
+    constexpr std::size_t axes[] = {1, 3, 5};
+    HullMatrix matrix{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) matrix[axes[i]][axes[j]] = weight_npm3 * cells[i][j];
+    for (const std::size_t axis : {3, 5}) matrix[axis][axis] += weight_npm3 * buoyancy_y_m3;
+    return matrix;
+}
+
+/// Rotates a matrix of world axes to those of the hull.
+HullMatrix in_hull(const HullMatrix& world, const glm::dmat3& axes) {
+    HullMatrix result{};
+    for (const std::size_t row : {0, 3})
+        for (const std::size_t column : {0, 3}) {
+            glm::dmat3 block{0};
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                    block[j][i] = world[row + static_cast<std::size_t>(i)][column + static_cast<std::size_t>(j)];
+            add_block(result, row, column, 1, glm::transpose(axes) * block * axes);
+        }
+    return result;
+}
+
+}  // namespace
+
+void Hull::append_points(const HullState& state, HullWorkspace& workspace) const {
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    for (const glm::dvec3& arm : arms_m_) {
+        const glm::dvec3 turned = axes * arm;
+        workspace.x.push_back(state.position_m.x + turned.x);
+        workspace.z.push_back(state.position_m.z + turned.z);
+    }
+}
+
+HullLoads Hull::loads_at(std::size_t first_point, HullState& state, double step_s, const HullInputs& inputs,
+                         HullWorkspace& workspace) const {
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    std::vector<HullVertex>& vertices = workspace.vertices;
+    vertices.resize(arms_m_.size());
+    for (std::size_t i = 0; i < arms_m_.size(); ++i) {
+        const std::size_t point = first_point + i;
+        HullVertex& vertex = vertices[i];
+        vertex.arm_m = axes * arms_m_[i];
+        vertex.depth_m = workspace.height_m[point] - (state.position_m.y + vertex.arm_m.y);
+        vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
+                              glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
+                                         workspace.velocity_z_mps[point]);
+    }
+    const MeanWater mean =
+        mean_water(weights_, vertices, state.position_m.y, state.velocity_mps, state.angular_velocity_radps);
+    HullLoads loads;
+    loads.water_velocity_mps = mean.velocity_mps;
+    loads.water_slope_x = mean.slope_x;
+    loads.water_slope_z = mean.slope_z;
+    loads.water_height_m = mean.height_m - mean.slope_x * mean.x_m - mean.slope_z * mean.z_m;
+    // a rotation about z lifts points at x, one about x lowers points at z
+    loads.water_rotation_radps = {-mean.gradient_z, 0, mean.gradient_x};
+    loads.water_acceleration_mps2 = water_acceleration(mean, state, step_s);
+
+    Hydrostatics wet;
+    Loss drag;
+    const double half_water = 0.5 * options_.water_density_kgpm3, half_air = 0.5 * options_.air_density_kgpm3;
+    const auto add_wet = [&](const HullTriangle& triangle) {
+        wet.add(triangle);
+        const glm::dvec3 area = triangle.area_m2(), relative = triangle.relative_mps(), arm = triangle.centre_m();
+        const double area_m2 = glm::length(area);
+        if (area_m2 == 0) return;
+        const glm::dvec3 normal = area / area_m2;
+        const double across = glm::dot(relative, normal);
+        const glm::dvec3 along = relative - across * normal;
+        const double coefficient = across > 0 ? options_.pressure_coefficient : options_.suction_coefficient;
+        drag.add(arm,
+                 -half_water * area_m2 *
+                     (coefficient * std::fabs(across) * across * normal +
+                      options_.friction_coefficient * glm::length(along) * along),
+                 relative);
+        if (area.y >= 0) return;
+        // A strip across the length does not take part in roll.
+        const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0];
+        const double rise = relative.y - glm::cross(state.angular_velocity_radps, arm - on_axis).y;
+        drag.add(on_axis, {0, strip_damping_ * area.y * rise, 0}, {0, rise, 0});
+    };
+    const auto add_dry = [&](const HullTriangle& triangle) {
+        const glm::dvec3 area = triangle.area_m2(), arm = triangle.centre_m();
+        const glm::dvec3 relative =
+            state.velocity_mps + glm::cross(state.angular_velocity_radps, arm) - inputs.wind_mps;
+        const double flow = glm::dot(relative, area);
+        if (flow <= 0) return;
+        drag.add(arm, -half_air * options_.air_coefficient * flow * flow / glm::dot(area, area) * area, relative);
+    };
+    for (const auto& [a, b, c] : mesh_.triangles())
+        cut_at_waterline({vertices[a], vertices[b], vertices[c]}, add_wet, add_dry);
+
+    loads.displaced_m3 = wet.force_m3.y;
+    loads.submersion = std::clamp(loads.displaced_m3 / floating_volume_m3_, 0.0, 1.0);
+    const double roll = glm::dot(state.angular_velocity_radps - loads.water_rotation_radps, axes[0]);
+    const double roll_nm = -roll_damping_ * loads.submersion * roll;
+    drag.force.torque_nm += roll_nm * axes[0];
+    drag.power_w += roll_nm * roll;
+
+    const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + loads.water_acceleration_mps2.y);
+    loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
+    const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
+    loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
+
+    const glm::dmat3 to_hull = glm::transpose(axes);
+    const auto to_world = [&](const Vector6& v) { return HullForce{axes * first_half(v), axes * second_half(v)}; };
+    for (std::size_t i = 0; i < 3; ++i) {
+        loads.mass[i][i] = mass_kg_;
+        loads.mass[i + 3][i + 3] = inertia_kgm2_[static_cast<int>(i)];
+    }
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) loads.mass[i][j] += loads.submersion * added_mass_[i][j];
+    glm::dvec3 water_spin_change{};
+    if (state.has_previous_step)
+        water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
+    const Vector6 water = joined(to_hull * loads.water_acceleration_mps2, to_hull * water_spin_change);
+    Vector6 inertial = product(added_mass_, water);
+    for (double& value : inertial) value *= loads.submersion;
+    loads.added_mass = to_world(inertial);
+    if (state.has_previous_step && loads.submersion > state.submersion) {
+        Vector6 momentum =
+            product(added_mass_, joined(to_hull * (state.velocity_mps - loads.water_velocity_mps),
+                                        to_hull * (state.angular_velocity_radps - loads.water_rotation_radps)));
+        for (double& value : momentum) value *= (state.submersion - loads.submersion) / step_s;
+        loads.slamming = to_world(momentum);
+    }
+    // A long step would reverse the motion that drag opposes: the part that stops it is enough.
+    const Vector6 in_axes = joined(to_hull * drag.force.force_n, to_hull * drag.force.torque_nm);
+    const double kick = step_s * dot(in_axes, solve(loads.mass, in_axes));
+    const double kept = kick > -drag.power_w ? -drag.power_w / kick : 1;
+    loads.drag = {kept * drag.force.force_n, kept * drag.force.torque_nm};
+
+    state.water_velocity_y_mps = mean.velocity_mps.y;
+    state.water_rotation_radps = loads.water_rotation_radps;
+    state.submersion = loads.submersion;
+    state.has_previous_step = true;
+    return loads;
+}
+
+HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+                      HullWorkspace& workspace) const {
+    check_step(water, step_s);
+    require(check(state));
+    workspace.x.clear();
+    workspace.z.clear();
+    append_points(state, workspace);
+    workspace.sample(water);
+    return loads_at(0, state, step_s, inputs, workspace);
+}
+
+void HullWorkspace::sample(const SurfaceQuery& water) {
+    for (auto* values : {&height_m, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps}) values->resize(x.size());
+    water.sample({.x = x, .z = z}, {.height_m = height_m,
+                                    .velocity_x_mps = velocity_x_mps,
+                                    .velocity_y_mps = velocity_y_mps,
+                                    .velocity_z_mps = velocity_z_mps});
+}
+
+}  // namespace pelagic

@@ -1,0 +1,71 @@
+// Coupling of a hull with dynamic waves: the water that the hull displaces is the pressure that
+// makes its wake.
+//
+//   HullWake wake(waves, hull, state);                       // waves: ocean.dynamic_waves()
+//   const Frame& frame = ocean.complete();
+//   wake.press(waves, hull, state, loads, tick_s);
+//   ocean.schedule(next_s);                                  // a tick later
+//   hulls.step(SurfaceQuery(frame), ..., tick_s);            // with FloatingHull::wake = &wake
+//
+// The loads of a hull leave out the hollow that its own pressure makes at rest, because that
+// pressure is its buoyancy. Waves that it radiated earlier stay, for itself and for others.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_plan.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/pressure_footprint.hpp"
+
+namespace pelagic {
+
+class HullWake {
+   public:
+    /// Time constant with which the pressure returns to the hull. Wind waves carry the hull, but
+    /// not the grid, so the pressure follows the hull's motion relative to the water. With smaller
+    /// values it makes waves as the water oscillates; with larger ones it lags behind a drifting
+    /// hull.
+    static constexpr double return_s = 10;
+
+    /// Adds a pressure to the waves. It grows from zero to the hull's weight within launch_s().
+    /// \pre both outlive this object
+    HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state);
+
+    /// Moves the pressure to the hull. Its shape follows the submerged hull within a third of the
+    /// period of waves of the hull's length. Call it between
+    /// complete() and schedule(), whose frames are a tick apart.
+    /// \param loads  of the hull's last step
+    void press(const HullState& state, const HullLoads& loads, double tick_s);
+
+    /// Returns four periods of waves with the hull's length. A change of this duration makes hardly
+    /// any waves.
+    double launch_s() const;
+
+    /// Subtracts the hull's own hollow from samples of the last completed frame.
+    void leave_out(std::span<const double> x, std::span<const double> z, std::span<float> height_m,
+                   std::span<float> velocity_y_mps) const;
+
+    /// Returns the pressure of the next tick.
+    const PressureFootprint& footprint() const { return footprints_[0]; }
+
+   private:
+    double period_s() const;  // of waves of the hull's length
+    void shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const;
+    double hollow_m(const PressureFootprint& footprint, double x_m, double z_m) const;
+
+    DynamicWaves* waves_;
+    const Hull* hull_;
+    HullPlan plan_;
+    std::uint32_t source_;
+    double afloat_s_ = 0, tick_s_ = 0;
+    glm::dvec3 hull_m_;      // position of the hull at the previous press()
+    glm::dvec3 pressure_m_;  // position of the pressure
+    // Of the next frame, of the last completed frame, which shows the tick before it, and of that
+    // tick.
+    std::array<PressureFootprint, 3> footprints_;
+};
+
+}  // namespace pelagic

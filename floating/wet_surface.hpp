@@ -1,0 +1,79 @@
+// Triangles of a hull, cut at the waterline, and integrals over the wet ones.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "pelagic/floating/hull.hpp"
+
+namespace pelagic {
+
+using HullVertex = HullWorkspace::Vertex;
+
+struct HullTriangle {
+    HullVertex a, b, c;
+
+    /// Returns the area along the outward normal.
+    glm::dvec3 area_m2() const { return 0.5 * glm::cross(b.arm_m - a.arm_m, c.arm_m - a.arm_m); }
+    glm::dvec3 centre_m() const { return (a.arm_m + b.arm_m + c.arm_m) / 3.0; }
+    glm::dvec3 relative_mps() const { return (a.relative_mps + b.relative_mps + c.relative_mps) / 3.0; }
+};
+
+/// Returns the point of zero depth between a vertex below the surface and one above it.
+inline HullVertex at_waterline(const HullVertex& below, const HullVertex& above) {
+    const double along = below.depth_m / (below.depth_m - above.depth_m);
+    return {below.arm_m + along * (above.arm_m - below.arm_m),
+            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0};
+}
+
+/// Calls wet(triangle) for the parts below the surface and dry(triangle) for those above it.
+/// Winding is kept.
+template <class Wet, class Dry>
+void cut_at_waterline(HullTriangle triangle, Wet&& wet, Dry&& dry) {
+    auto& [a, b, c] = triangle;
+    const int below = (a.depth_m > 0) + (b.depth_m > 0) + (c.depth_m > 0);
+    if (below == 3) return wet(triangle);
+    if (below == 0) return dry(triangle);
+    // Turn the triangle until a is the only vertex on its side.
+    const auto alone = [&](const HullVertex& vertex) { return (vertex.depth_m > 0) == (below == 1); };
+    while (!alone(a)) triangle = {b, c, a};
+    const HullVertex ab = below == 1 ? at_waterline(a, b) : at_waterline(b, a);
+    const HullVertex ac = below == 1 ? at_waterline(a, c) : at_waterline(c, a);
+    const HullTriangle tip{a, ab, ac}, left{ab, b, c}, right{ab, c, ac};
+    if (below == 1) return wet(tip), dry(left), dry(right);
+    dry(tip), wet(left), wet(right);
+}
+
+/// Integrals of a depth that is linear on each triangle; exact. The waterplane's follow from those
+/// over the wet surface, because a column from the bottom to the surface meets both.
+struct Hydrostatics {
+    glm::dvec3 force_m3{};   ///< -integral n d: the displaced volume, along y in still water
+    glm::dvec3 torque_m4{};  ///< about the centre of mass
+    double waterplane_m2 = 0, x_m3 = 0, z_m3 = 0, xx_m4 = 0, xz_m4 = 0, zz_m4 = 0;
+    double depth_moment_m4 = 0;  ///< displaced volume times the mean depth in it
+
+    void add(const HullTriangle& triangle) {
+        const auto& [a, b, c] = triangle;
+        const glm::dvec3 area = triangle.area_m2();
+        const double depths = a.depth_m + b.depth_m + c.depth_m;
+        const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;
+        force_m3 -= depths / 3 * area;
+        const glm::dvec3 moment = depths * arms + a.depth_m * a.arm_m + b.depth_m * b.arm_m + c.depth_m * c.arm_m;
+        torque_m4 += glm::cross(area, moment) / 12.0;
+        waterplane_m2 -= area.y;
+        x_m3 -= area.y / 3 * arms.x;
+        z_m3 -= area.y / 3 * arms.z;
+        const auto second = [&](int i, int j) {
+            return area.y / 12 *
+                   (arms[i] * arms[j] + a.arm_m[i] * a.arm_m[j] + b.arm_m[i] * b.arm_m[j] + c.arm_m[i] * c.arm_m[j]);
+        };
+        xx_m4 -= second(0, 0);
+        xz_m4 -= second(0, 2);
+        zz_m4 -= second(2, 2);
+        depth_moment_m4 -=
+            area.y / 24 * (depths * depths + a.depth_m * a.depth_m + b.depth_m * b.depth_m + c.depth_m * c.depth_m);
+    }
+};
+
+}  // namespace pelagic

@@ -1,0 +1,84 @@
+// Meshes of hulls for tests.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "pelagic/floating/hull_mesh.hpp"
+
+namespace pelagic {
+
+struct HullSoup {
+    std::vector<glm::dvec3> vertices;
+    std::vector<HullMesh::Triangle> triangles;
+};
+
+/// A box around the origin, each face of cells x cells squares of two triangles.
+inline HullSoup box_soup(const glm::dvec3& size_m, int cells = 1) {
+    HullSoup soup;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            const int right = (axis + 1) % 3, up = (axis + 2) % 3;
+            const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+            const auto across = static_cast<std::uint32_t>(cells + 1);
+            for (int j = 0; j <= cells; ++j)
+                for (int i = 0; i <= cells; ++i) {
+                    glm::dvec3 at{};
+                    at[axis] = side / 2;
+                    at[right] = static_cast<double>(i) / cells - 0.5;
+                    at[up] = static_cast<double>(j) / cells - 0.5;
+                    soup.vertices.push_back(at * size_m);
+                }
+            for (std::uint32_t j = 0; j + 1 < across; ++j)
+                for (std::uint32_t i = 0; i + 1 < across; ++i) {
+                    const std::uint32_t a = first + j * across + i, b = a + 1, c = a + across, d = c + 1;
+                    if (side > 0)
+                        soup.triangles.insert(soup.triangles.end(), {{a, b, d}, {a, d, c}});
+                    else
+                        soup.triangles.insert(soup.triangles.end(), {{a, d, b}, {a, c, d}});
+                }
+        }
+    return soup;
+}
+
+inline HullMesh box_mesh(const glm::dvec3& size_m, int cells = 1) {
+    const HullSoup soup = box_soup(size_m, cells);
+    return HullMesh(soup.vertices, soup.triangles);
+}
+
+/// A prism along x whose section is a triangle with its edge down: a keel at y = 0, a deck at
+/// y = height_m.
+inline HullMesh wedge_mesh(double length_m, double beam_m, double height_m) {
+    const double x = length_m / 2, z = beam_m / 2;
+    const std::vector<glm::dvec3> vertices{{-x, 0, 0}, {-x, height_m, -z}, {-x, height_m, z},
+                                           {x, 0, 0},  {x, height_m, -z},  {x, height_m, z}};
+    const std::vector<HullMesh::Triangle> triangles{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                                                    {0, 3, 5}, {0, 5, 2}, {1, 2, 5}, {1, 5, 4}};
+    return HullMesh(vertices, triangles);
+}
+
+/// A boat of 128 triangles with a keel, chines, gunwales and a cambered deck, narrower towards the
+/// bow; the keel is at y = 0.
+inline HullMesh boat_mesh(double length_m, double beam_m, double height_m) {
+    constexpr std::uint32_t sections = 10, ring = 6;
+    constexpr double y[ring] = {0, 0.4, 1, 1.05, 1, 0.4}, z[ring] = {0, 0.75, 1, 0, -1, -0.75};
+    std::vector<glm::dvec3> vertices;
+    std::vector<HullMesh::Triangle> triangles;
+    for (std::uint32_t i = 0; i <= sections; ++i) {
+        const double along = static_cast<double>(i) / sections;
+        for (std::uint32_t j = 0; j < ring; ++j)
+            vertices.emplace_back(length_m * (along - 0.5), height_m * y[j],
+                                  beam_m / 2 * (1 - 0.8 * along * along) * z[j]);
+    }
+    for (std::uint32_t i = 0; i < sections; ++i)
+        for (std::uint32_t j = 0; j < ring; ++j) {
+            const std::uint32_t a = ring * i + j, b = ring * i + (j + 1) % ring, c = a + ring, d = b + ring;
+            triangles.insert(triangles.end(), {{a, c, b}, {b, c, d}});
+        }
+    constexpr std::uint32_t bow = ring * sections;
+    for (std::uint32_t j = 1; j + 1 < ring; ++j)
+        triangles.insert(triangles.end(), {{0, j, j + 1}, {bow, bow + j + 1, bow + j}});
+    return HullMesh(vertices, triangles);
+}
+
+}  // namespace pelagic

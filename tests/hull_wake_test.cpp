@@ -1,0 +1,255 @@
+// Wakes of hulls: the pressure is the displaced water, a hull at rest keeps its draught, and a
+// towed one leaves the waves of Kelvin.
+#include "pelagic/floating/hull_wake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/hull_meshes.hpp"
+#include "pelagic/tests/kelvin_wake.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Waves of a millimetre, so that only hulls move the water.
+const SeaState still{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
+
+TEST(HullPlan, HoldsTheVolumeOfTheHull) {
+    const HullMesh mesh = boat_mesh(6, 2.2, 1.2);
+    const HullPlan plan = plan_of(mesh, 24, 9);
+    double volume = 0;
+    for (std::size_t i = 0; i < plan.low_m.size(); ++i)
+        volume += plan.coverage[i] * (plan.high_m[i] - plan.low_m[i]) * plan.length_m * plan.beam_m / (24 * 9);
+    // 16 verticals a cell
+    EXPECT_NEAR(volume / mesh.volume_m3(), 1, 0.01);
+    EXPECT_EQ(*std::min_element(plan.coverage.begin(), plan.coverage.end()), 0) << "beside the bow";
+}
+
+struct Towed {
+    Ocean ocean;
+    Hull hull;
+    FloatingHulls jobs;
+    std::vector<FloatingHull> hulls;
+    HullWake wake;
+    int tick = 0;
+
+    Towed(const DynamicWavesOptions& waves, HullMesh mesh, const HullOptions& options)
+        : ocean(still,
+                {.executor = make_thread_executor(2), .queries = true, .velocities = true, .dynamic_waves = waves}),
+          hull(std::move(mesh), options),
+          jobs(make_serial_executor()),
+          hulls(1, {.hull = &hull, .state = hull.at_rest(0, 0)}),
+          wake(ocean.dynamic_waves(), hull, hulls[0].state) {
+        hulls[0].wake = &wake;
+        ocean.schedule(0);
+    }
+
+    /// Advances by a tick. The tow keeps the speed, the course and the trim.
+    void advance(double speed_mps) {
+        const double tick_s = 1.0 / ocean.dynamic_waves().options().ticks_per_s;
+        const Frame& frame = ocean.complete();
+        wake.press(hulls[0].state, hulls[0].loads, tick_s);
+        ocean.dynamic_waves().set_center(hulls[0].state.position_m.x, 0);
+        ocean.schedule(++tick * tick_s);
+        hulls[0].state.velocity_mps.x = speed_mps;
+        hulls[0].state.velocity_mps.z = 0;
+        hulls[0].state.angular_velocity_radps = {};
+        hulls[0].state.orientation = glm::dquat(1, 0, 0, 0);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+    }
+};
+
+TEST(HullWake, AHullAtRestKeepsItsDraught) {
+    Towed boat({.resolution = 128, .side_m = 64, .border_m = 12}, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
+    const double draught = boat.hull.afloat().draught_m;
+    double largest = 0, largest_volume = 0;
+    const int ticks = is_sanitized ? 60 : 30 * 60;
+    for (int i = 0; i < ticks; ++i) {
+        boat.advance(0);
+        if (i < 24 * 60) continue;
+        largest = std::max(largest, std::fabs(boat.hulls[0].state.position_m.y - boat.hull.afloat().height_m));
+        largest_volume = std::max(largest_volume, std::fabs(boat.hulls[0].loads.displaced_m3 * 1025 / 6000 - 1));
+    }
+    RecordProperty("largest_m", std::to_string(largest));
+    if (is_sanitized) return;
+    EXPECT_GT(depth_at(boat.wake.footprint(), 0, 0), 0.5 * draught) << "its pressure acts";
+    EXPECT_LT(largest_volume, 0.005);
+    EXPECT_LT(largest, 0.005 * draught);
+}
+
+// A launch passes at 4 m/s, 7 m from another launch, which heaves when the wake arrives.
+TEST(HullWake, APassingHullMakesAnotherHeave) {
+    const Hull launch(boat_mesh(6, 2.5, 1.5), {.mass_kg = 4000});
+    const auto heave_of_the_other = [&](bool goes_by) {
+        Ocean ocean(still, {.executor = make_serial_executor(),
+                            .queries = true,
+                            .velocities = true,
+                            .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+        std::vector<FloatingHull> hulls(1, {.hull = &launch, .state = launch.at_rest(0, 0)});
+        if (goes_by) hulls.push_back({.hull = &launch, .state = launch.at_rest(-16, 7)});
+        std::vector<HullWake> wakes;
+        wakes.reserve(2);
+        for (FloatingHull& floating : hulls)
+            floating.wake = &wakes.emplace_back(ocean.dynamic_waves(), launch, floating.state);
+        FloatingHulls jobs(make_serial_executor());
+        std::vector<double> heave;
+        constexpr double tick_s = 1.0 / 60;
+        ocean.schedule(0);
+        for (int i = 1; i < 14 * 60; ++i) {
+            const Frame& frame = ocean.complete();
+            for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+            ocean.schedule(i * tick_s);
+            jobs.step(SurfaceQuery(frame), hulls, tick_s);
+            heave.push_back(hulls[0].state.position_m.y);
+            if (!goes_by) continue;
+            // Towed along +x, after five seconds in which both have come to rest.
+            hulls[1].state.velocity_mps = {i * tick_s < 5 ? 0 : 4, hulls[1].state.velocity_mps.y, 0};
+            hulls[1].state.orientation = glm::dquat(1, 0, 0, 0);
+            hulls[1].state.angular_velocity_radps = {};
+        }
+        return heave;
+    };
+    const std::vector<double> with = heave_of_the_other(true), without = heave_of_the_other(false);
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        const double time_s = static_cast<double>(i) / 60, moved = std::fabs(with[i] - without[i]);
+        // 7 m beside the boat's track, a wake of 19.47 degrees is 20 m behind the boat. The boat
+        // sets out at 5 s, 16 m short of the other hull.
+        if (time_s > 4 && time_s < 6) before = std::max(before, moved);
+        if (time_s > 9) after = std::max(after, moved);
+    }
+    RecordProperty("before_m", std::to_string(before));
+    RecordProperty("after_m", std::to_string(after));
+    EXPECT_GT(after, 0.05);
+    EXPECT_LT(before, after / 3);
+}
+
+// The edge is measured 6 to 13 wavelengths behind the hull. Nearer, bow and stern waves interfere
+// and the highest waves lie inside: at a Froude number of 0.45 the angle is 17.3 degrees over 1.5
+// to 6 wavelengths, and 18.2 over 3 to 12.
+TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the test above runs the same code";
+    for (const double froude : {0.3, 0.45}) {
+        SCOPED_TRACE(froude);
+        const double length = 10, speed = froude * std::sqrt(9.80665 * length),
+                     wave = 2 * pi * speed * speed / 9.80665;
+        const double texel = std::min(length / 12, wave / 10);
+        Towed boat({.resolution = 512, .side_m = 512 * texel, .ticks_per_s = 20, .border_m = 40 * texel},
+                   boat_mesh(length, 3, 2), {.mass_kg = 9000});
+        // Waves fall behind at half of the hull's speed, after the pressure has grown.
+        const double seconds = 32 * wave / speed + 2 * boat.wake.launch_s();
+        for (int i = 0; i < 20 * seconds; ++i) boat.advance(speed);
+        const DynamicWavesView view = boat.ocean.complete().dynamic_waves;
+        const double at = boat.wake.footprint().x_m;
+        const auto height = [&](double behind, double aside) { return sample(view, at - behind, aside).height_m; };
+        const KelvinWake measured = measure_wake(height, wave, view.texel_m, 6, 13);
+        EXPECT_NEAR(measured.length_m, wave, 0.05 * wave);
+        for (const double angle : measured.angle_rad) EXPECT_NEAR(angle * 180 / pi, std::asin(1.0 / 3) * 180 / pi, 1);
+        const double sinkage = boat.hull.afloat().height_m - boat.hulls[0].state.position_m.y;
+        RecordProperty("sinkage_m" + std::to_string(froude), std::to_string(sinkage));
+        EXPECT_GT(sinkage, 0) << "a hull sinks into the trough that it makes";
+        EXPECT_LT(sinkage, 0.2 * boat.hull.afloat().draught_m);
+    }
+}
+
+// From a buoy of 2 kg to a ship of 5,000 t, dropped into a storm with dynamic waves: none leaves
+// the water for long, and none is faster than a fall from the crests and the water are together.
+TEST(HullWake, HullsOfAnySizeStayInAStorm) {
+    Ocean ocean({.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19, .fetch_m = 400e3, .choppiness = 1},
+                {.executor = make_thread_executor(2),
+                 .queries = true,
+                 .velocities = true,
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 256, .side_m = 256, .border_m = 24}});
+    const Hull kinds[] = {
+        Hull(box_mesh({0.3, 0.2, 0.2}), {.mass_kg = 2}), Hull(boat_mesh(4, 1.6, 0.8), {.mass_kg = 350}),
+        Hull(boat_mesh(12, 4, 2.5), {.mass_kg = 14e3}), Hull(box_mesh({90, 12, 14}, 4), {.mass_kg = 5e6})};
+    std::vector<FloatingHull> hulls;
+    std::vector<HullWake> wakes;
+    wakes.reserve(7);
+    for (int i = 0; i < 7; ++i) {
+        const Hull& hull = kinds[i % 4];
+        hulls.push_back({.hull = &hull, .state = hull.at_rest(60.0 * (i % 4) - 90, 50.0 * (i / 4) - 25, i)});
+        hulls.back().state.position_m.y += i < 4 ? 0 : 6;
+        hulls.back().state.angular_velocity_radps = {0.5, -0.3, 0.2};
+        wakes.emplace_back(ocean.dynamic_waves(), hull, hulls.back().state);
+        hulls.back().wake = &wakes.back();
+    }
+    FloatingHulls jobs(make_thread_executor(2));
+    constexpr double tick_s = 1.0 / 60;
+    double fastest = 0, largest_wave = 0;
+    ocean.schedule(0);
+    for (int i = 1; i <= (is_sanitized ? 60 : 3600); ++i) {
+        const Frame& frame = ocean.complete();
+        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+        ocean.schedule(i * tick_s);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+        largest_wave =
+            std::max<double>({largest_wave, frame.dynamic_waves.height_max_m, -frame.dynamic_waves.height_min_m});
+        for (const FloatingHull& floating : hulls) {
+            const double speed = glm::length(floating.state.velocity_mps);
+            fastest = std::max(fastest, speed);
+            ASSERT_TRUE(std::isfinite(speed));
+            ASSERT_LT(speed, 25) << i << ", " << floating.hull->mass_kg() << " kg";
+            ASSERT_LT(std::fabs(floating.state.position_m.y), 20) << i << ", " << floating.hull->mass_kg() << " kg";
+            ASSERT_NEAR(glm::dot(floating.state.orientation, floating.state.orientation), 1, 1e-9);
+        }
+    }
+    EXPECT_LT(largest_wave, 12) << "no hollow is deeper than the deepest hull is high";
+    RecordProperty("fastest_mps", std::to_string(fastest));
+    RecordProperty("largest_wave_m", std::to_string(largest_wave));
+}
+
+// Two seas with the same ticks and commands: the second is restored from the first after 30 ticks.
+TEST(HullWake, FootprintsAreSavedAndRestored) {
+    const DynamicWavesOptions options{.resolution = 64, .side_m = 32, .border_m = 4};
+    PressureFootprint footprint{.x_m = 3,
+                                .z_m = -1,
+                                .forward_x = 0.6,
+                                .forward_z = 0.8,
+                                .velocity_x_mps = 2,
+                                .length_m = 6,
+                                .beam_m = 2,
+                                .columns = 5,
+                                .rows = 2,
+                                .depth_m = {0.1f, 0.5f, 0.6f, 0.5f, 0.2f, 0.1f, 0.5f, 0.7f, 0.5f, 0.2f}};
+    DynamicWaves first(options), second(options);
+    first.add_footprint(footprint);
+    first.add_source({.radius_m = 2, .height_m = 0.1});
+    for (int i = 0; i < 30; ++i) first.advance(i / 60.0);
+    const std::vector<std::uint8_t> saved = first.save_state();
+    second.restore_state(saved);
+    for (int i = 30; i < 60; ++i) EXPECT_EQ(hash_of(first.advance(i / 60.0)), hash_of(second.advance(i / 60.0))) << i;
+    first.restore_state(saved);
+    for (int i = 30; i < 60; ++i) first.advance(i / 60.0);
+    EXPECT_EQ(hash_of(first.view()), hash_of(second.view()));
+    // A damaged state changes nothing. The header begins with counts of sources.
+    for (std::size_t cut = 1; cut < 300; cut += 7)
+        EXPECT_THROW(second.restore_state(std::span(saved).first(saved.size() - cut)), std::invalid_argument) << cut;
+    EXPECT_EQ(hash_of(first.advance(1.1)), hash_of(second.advance(1.1)));
+}
+
+TEST(HullWake, AnUnusableFootprintIsRefused) {
+    DynamicWaves waves({.resolution = 64, .side_m = 32, .border_m = 4});
+    PressureFootprint footprint{.columns = 2, .rows = 2, .depth_m = {0, 0, 0, 0}};
+    EXPECT_EQ(check(footprint), "");
+    footprint.depth_m[2] = -1;
+    EXPECT_EQ(check(footprint), "depth_m -1 is out of range [0, 100] m");
+    footprint.depth_m = {0};
+    EXPECT_EQ(check(footprint), "depth_m's size is 1, expected columns x rows, 4");
+    EXPECT_THROW(waves.add_footprint(footprint), std::invalid_argument);
+    EXPECT_NE(check({.forward_x = 2, .columns = 1, .rows = 1, .depth_m = {0}}), "");
+    EXPECT_EQ(check(PressureFootprint{}), "columns 0 is out of range [1, 64]");
+}
+
+}  // namespace
+}  // namespace pelagic
