@@ -58,7 +58,7 @@ set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers allocator isa)
 set(sim_headers analytic_cascades cascade cascade_plan disturbance dynamic_waves dynamic_waves_view foam_report forecast frame frame_buffers
                 gerstner_input ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance snapshot_foam spray statistics surface_query
-                surface_query_jobs surface_ray texture_targets wave_input)
+                surface_query_jobs surface_ray texture_targets water_frame wave_input)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers application_scene display errors exposure functions headless_context light_meter objects pixel_ring render_target views
                sky/light_presets sky/sky sky/sky_baker
