@@ -393,7 +393,8 @@ void Ocean::set_water_frame(const WaterFrame& water) {
     if (state_->shore && water.sea_level_m != 0)
         throw std::invalid_argument("WaterFrame::sea_level_m cannot be combined with OceanOptions::shore");
     if (state_->shore && (water.current_x_mps != 0 || water.current_z_mps != 0))
-        throw std::invalid_argument("WaterFrame::current_x_mps and current_z_mps cannot be combined with OceanOptions::shore");
+        throw std::invalid_argument(
+            "WaterFrame::current_x_mps and current_z_mps cannot be combined with OceanOptions::shore");
     state_->water_frame = water;
     if (state_->dynamic_waves) state_->dynamic_waves->set_current(water.current_x_mps, water.current_z_mps);
 }

@@ -204,9 +204,10 @@ void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& s
     copy(samples.velocity_z_mps, chunk.velocity_z);
     if (samples.error_m.empty() && samples.converged.empty()) return;
     for (std::size_t i = 0; i < chunk.count; ++i) {
-        const float error_m = has_sample(points.x[chunk.first + i] - origin_.x_m, points.z[chunk.first + i] - origin_.z_m)
-                                  ? chunk.error[i]
-                                  : std::numeric_limits<float>::infinity();
+        const float error_m =
+            has_sample(points.x[chunk.first + i] - origin_.x_m, points.z[chunk.first + i] - origin_.z_m)
+                ? chunk.error[i]
+                : std::numeric_limits<float>::infinity();
         if (!samples.error_m.empty()) samples.error_m[chunk.first + i] = error_m;
         if (!samples.converged.empty()) samples.converged[chunk.first + i] = error_m <= tolerance_m_;
     }

@@ -330,12 +330,12 @@ struct Spray::State {
         for (int n = 0; n < emitter.count; ++n) {
             const SprayVector place = random.in_ball(), change = random.in_ball();
             Stored droplet;
-            droplet.flight = {.start_m = {emitter.x_m - origin.x_m, emitter.y_m - origin.y_m, emitter.z_m - origin.z_m},
-                              .start_mps = {emitter.velocity_x_mps - water_frame.current_x_mps,
-                                            emitter.velocity_y_mps,
-                                            emitter.velocity_z_mps - water_frame.current_z_mps},
-                              .wind_mps = gust(wind, random),
-                              .relaxation_s = relaxation_of(emitter.drop_mm)};
+            droplet.flight = {
+                .start_m = {emitter.x_m - origin.x_m, emitter.y_m - origin.y_m, emitter.z_m - origin.z_m},
+                .start_mps = {emitter.velocity_x_mps - water_frame.current_x_mps, emitter.velocity_y_mps,
+                              emitter.velocity_z_mps - water_frame.current_z_mps},
+                .wind_mps = gust(wind, random),
+                .relaxation_s = relaxation_of(emitter.drop_mm)};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 droplet.flight.start_m[axis] += emitter.extent_m * place[axis];
                 droplet.flight.start_mps[axis] += emitter.spread_mps * change[axis];

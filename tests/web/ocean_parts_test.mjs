@@ -264,7 +264,7 @@ test('an invalid option is rejected by one line that names it, its value and wha
 test('types have the options, defaults and accepted values of the library', async () => {
   const types = readFileSync(join(folder, 'index.d.ts'), 'utf8');
   const interfaces = { dynamicWaves: 'DynamicWavesOptions', disturbance: 'Disturbance', rain: 'Rain', shore: 'ShoreOptions',
-                       analyticWave: 'AnalyticWave', ripple: 'Ripple' };
+                       analyticWave: 'AnalyticWave', ripple: 'Ripple', waterFrame: 'WaterFrame' };
   const tables = await optionTables();
   assert.deepEqual(Object.keys(tables).sort(), Object.keys(interfaces).sort());
   for (const [part, name] of Object.entries(interfaces)) {
