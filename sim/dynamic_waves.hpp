@@ -73,7 +73,7 @@ struct DynamicWavesSample {
 };
 
 /// Samples a view at a position in the water's frame: bilinear between texels, slopes by central
-/// differences at texels. Returns zeros outside the grid, and if x_m or z_m is not finite. Any thread.
+/// differences at texels. Returns zeros outside the grid, and if x_m or z_m is infinite or NaN.
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m);
 
 /// Returns the XXH3 of the grid's position, heights, vertical velocities and foam, little-endian;

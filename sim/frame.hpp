@@ -69,9 +69,9 @@ struct Frame {
 ///
 /// The hash covers these outputs of each cascade, in this order and little-endian: the rows of dx,
 /// height and dz; the half floats except foam; the gradient chain; the bounds. For several cascades
-/// the two chains of slopes replace the gradient chain. It leaves out the time, water frame, velocities,
-/// fold maps and chains that only OceanOptions enables, so an ocean with more outputs has equal
-/// hashes. It also leaves out textures written to memory of the application (texture_targets.hpp).
+/// the two chains of slopes replace the gradient chain. It leaves out time and water frame, and the
+/// velocities, fold maps and chains that only OceanOptions enables, so an ocean with more outputs
+/// has equal hashes. It also leaves out textures in the application's memory (texture_targets.hpp).
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the

@@ -106,8 +106,8 @@ class Spray {
     /// OceanOptions::velocities, if its time is no tick, or if the centre is out of range.
     void add_tick(const Frame& frame, double center_x_m, double center_z_m);
 
-    /// Adds droplets of emitters. Their wind and water frame are those of the last tick. A jump in time keeps them.
-    /// If there are more than 8192, the oldest are discarded.
+    /// Adds droplets of emitters. Their wind and water frame are those of the last tick. A jump in
+    /// time keeps them. If there are more than 8192, the oldest are discarded.
     /// Throws std::invalid_argument and changes nothing if an emitter is invalid, or if the
     /// emitters of a call have more than 8192 droplets.
     void emit(std::span<const SprayEmitter> emitters);

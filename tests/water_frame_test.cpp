@@ -79,8 +79,8 @@ std::string message_of(auto call) {
     return "nothing was thrown";
 }
 
-// After a day the water has drifted by 130 km. The queries of an ocean without a current, at x - U t
-// in double, have the same bits, and the velocity of the water is larger by U.
+// After a day the water has drifted by 130 km. The queries of an ocean without a current, at
+// x - U t in double, have the same bits, and the velocity of the water is larger by U.
 TEST(WaterFrame, QueryWithACurrentIsTheQueryUpstream) {
     for (const int cascades : {1, 3})
         for (const Isa isa : isas_here())
@@ -165,7 +165,8 @@ TEST(WaterFrame, RayMeetsTheLiftedWater) {
         query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
         const auto hit = first_hit(query, {.origin_m = {x, 100, z}, .direction = {0, -1, 0}, .reach_m = 100});
         ASSERT_TRUE(hit);
-        EXPECT_NEAR(hit->position_m[1], static_cast<double>(height_m), 1e-3);  // the query's tolerance
+        // to the query's tolerance
+        EXPECT_NEAR(hit->position_m[1], static_cast<double>(height_m), 1e-3);
         EXPECT_NEAR(hit->distance_m, 100 - static_cast<double>(height_m), 1e-3);
     }
 }
@@ -196,7 +197,7 @@ TEST(WaterFrame, RingsDriftWithTheCurrent) {
                 sum_z += height * height * (z + origin.z_m);
             }
         ASSERT_GT(all, 1e-3);
-        // The drop acts one tick, 1/60 s, after the first advance, in which the water moves by 3 cm.
+        // The drop acts a tick, 1/60 s, after the first advance. Meanwhile the water moves by 3 cm.
         EXPECT_NEAR(sum_x / all, x_m + water.current_x_mps * (later_s - drop_s), 0.03);
         EXPECT_NEAR(sum_z / all, z_m + water.current_z_mps * (later_s - drop_s), 0.03);
     }
@@ -258,7 +259,8 @@ TEST(WaterFrame, QueriesSeeTheDynamicWavesInPlace) {
     const std::vector<double> x{10, 22}, z{0, 0};
     std::vector<float> height_m(2);
     query.sample({x, z}, {.height_m = height_m});
-    EXPECT_GT(height_m[0], -4.7f);  // the water flows through the bulge, and has more than 0.3 of it
+    // Water flows through the bulge, and rises to more than 0.3 of it.
+    EXPECT_GT(height_m[0], -4.7f);
     EXPECT_NEAR(static_cast<double>(height_m[1]), -5, 0.2);
 }
 

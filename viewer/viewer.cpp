@@ -372,14 +372,14 @@ class Viewer {
         return frame;
     }
 
-    /// Enqueues splashes and the boat's pressure for the next ticks.
+    /// Enqueues splashes and the boat's pressure for the next ticks, and keeps the grid at its
+    /// place, from which a current carries it.
     void disturb_water(const Frame& frame, double passed_s) {
         const SurfaceQuery query(frame);
         if (clicked_) make_splash(query);
         clicked_.reset();
         if (boat_is_requested_ != boat_.has_value()) boat_is_requested_ ? place_boat() : remove_boat();
-        if (!boat_)
-            return ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);  // a current carries it
+        if (!boat_) return ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         const glm::dvec2 before = boat_->place_m();
         boat_->step(
             passed_s, helm_, [&](double x, double z) { return drawn_height(query, x, z); }, frame.time_s);
@@ -445,7 +445,7 @@ class Viewer {
         has_caustics_ = true;
     }
 
-    /// Returns the water plane at the camera; for small water, which is nearly level, the sea level.
+    /// Returns the water plane at the camera. Small water is nearly level, so its plane is level.
     gl::CameraWaterPlane camera_water_plane(const Frame& frame) const {
         if (surface_ != gl::Surface::open) return {.height_m = frame.water_frame.sea_level_m};
         return gl::camera_water_plane(SurfaceQuery(frame), camera_.camera().position_m);

@@ -23,7 +23,7 @@ namespace pelagic::tools {
 class EventPlayer {
    public:
     /// Throws what event_commands() throws.
-    /// \param water  with the current; positions of events and of the grid's centre are in the world
+    /// \param water  with the current. Events and the grid's centre have positions in the world.
     EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa,
                 const WaterFrame& water = {});
 
