@@ -186,8 +186,8 @@ void QueryCommand::run() {
     const std::vector<double> times_s = times(sea);
     const Interpolation interpolation =
         interpolation_ ? one_of<Interpolation>("--interpolation", *interpolation_) : Interpolation::cubic;
+    const WaterFrame water = water_frame_.resolve(floor_.has_shore());
     const std::optional<ShoreOptions> shore = this->shore(sea);
-    const WaterFrame water = water_frame_.resolve(shore.has_value());
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
     if (!points_ || points_->empty())

@@ -175,10 +175,10 @@ SceneOptions SceneFlags::resolve() const {
     options.sea = sea_.resolve();
     options.compute = compute_.resolve();
     options.sky = default_sky(options.sea.sea);
+    options.water_frame = water_frame_.resolve(floor_.has_shore());
     const FloorOptions floor = floor_.resolve(options.sea);
     if (floor.field) options.floor = gl::floor_of(*floor.field);
     options.shore = floor.shore();
-    options.water_frame = water_frame_.resolve(options.shore.has_value());
     options.camera = chosen_camera(camera_, options.sea.sea, options.water_frame.sea_level_m);
 
     const auto given = [&](const char* flag, auto use) {
