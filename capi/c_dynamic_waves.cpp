@@ -177,6 +177,10 @@ pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, do
     return guarded([&] { needed_waves(waves).set_center(x_m, z_m); });
 }
 
+pelagic_status pelagic_dynamic_waves_set_current(pelagic_dynamic_waves* waves, double x_mps, double z_mps) {
+    return guarded([&] { needed_waves(waves).set_current(x_mps, z_mps); });
+}
+
 pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s) {
     return guarded([&] {
         DynamicWaves& ours = needed_waves(waves);

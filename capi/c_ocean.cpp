@@ -293,6 +293,14 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
     });
 }
 
+pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water) {
+    return guarded([&] {
+        Ocean& sea = needed(ocean, "ocean").ocean;
+        const pelagic_water_frame wanted = read_struct(water, "water");
+        sea.set_water_frame({wanted.sea_level_m, wanted.current_x_mps, wanted.current_z_mps});
+    });
+}
+
 pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));

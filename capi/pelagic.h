@@ -421,6 +421,26 @@ PELAGIC_API pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pe
  * Lifetime: pointers of its frames and the handle of its dynamic waves become invalid. */
 PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
+/* A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and
+ * commands of dynamic waves use positions in the world. Frames, their hashes and views are in the
+ * water's frame, whose origin lies at (current_x_mps t, sea_level_m, current_z_mps t) in the
+ * world. */
+typedef struct pelagic_water_frame {
+    uint32_t struct_size;
+    uint32_t reserved;                   /* 0 */
+    double sea_level_m;                  /* [-1000, 1000] */
+    double current_x_mps, current_z_mps; /* [-10, 10] */
+} pelagic_water_frame;
+
+/* Sets the sea level and the current of frames that are scheduled from now on, and the current of
+ * the ocean's dynamic waves. All are 0 at first. The current has flowed since t = 0: to change it
+ * moves the sea by the change times t.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for any value but 0 with
+ *   pelagic_ocean_options.shore.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water);
+
 typedef struct pelagic_ocean_info {
     uint32_t struct_size;
     int32_t resolution; /* N, of each cascade */
@@ -944,6 +964,18 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_w
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
  * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
+
+/* Sets the current, which carries the grid. Positions and velocities of commands are then in the
+ * world, and those of views in the water's frame. Set the centre again to keep the grid at a point.
+ * pelagic_ocean_set_water_frame() sets the current of an ocean's waves. A saved state does not
+ * include it.
+ *
+ * x_mps, z_mps: [-10, 10].
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
+ * Threads: one thread per object. */
+PELAGIC_API pelagic_status pelagic_dynamic_waves_set_current(pelagic_dynamic_waves* waves, double x_mps,
+                                                             double z_mps);
 
 /* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with
  * q = (r / radius_m)^2. The drops depend only on the seed, the tick and the position in the

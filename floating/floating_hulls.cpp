@@ -30,7 +30,7 @@ struct FloatingHulls::State {
             const std::size_t vertices = floating.hull->mesh().vertices().size();
             const auto its = [&](auto& values) { return std::span(values).subspan(point, vertices); };
             if (floating.wake)
-                floating.wake->leave_out(its(workspace.x), its(workspace.z), its(workspace.height_m),
+                floating.wake->leave_out(water->frame(), its(workspace.x), its(workspace.z), its(workspace.height_m),
                                          its(workspace.velocity_y_mps));
             floating.loads = floating.hull->loads_at(point, floating.state, step_s, floating.inputs, workspace);
             floating.hull->complete_step(floating.state, floating.loads, step_s, floating.inputs);

@@ -89,10 +89,12 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     }
 }
 
-void HullWake::press(const HullState& state, const HullLoads& loads, double tick_s) {
+void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s) {
     afloat_s_ += tick_s;
     tick_s_ = tick_s;
-    pressure_m_ += state.position_m - hull_m_ - tick_s * loads.water_velocity_mps;
+    // the current carries the grid, too
+    const glm::dvec3 current(frame.water_frame.current_x_mps, 0, frame.water_frame.current_z_mps);
+    pressure_m_ += state.position_m - hull_m_ - tick_s * (loads.water_velocity_mps - current);
     pressure_m_ += std::min(tick_s / return_s, 1.0) * (state.position_m - pressure_m_);
     hull_m_ = state.position_m;
     std::rotate(footprints_.begin(), footprints_.begin() + 2, footprints_.end());
@@ -102,20 +104,28 @@ void HullWake::press(const HullState& state, const HullLoads& loads, double tick
     waves_->set_footprint(source_, footprints_[0]);
 }
 
-/// Returns the depth that the grid shows: bilinear between its texels.
-double HullWake::hollow_m(const PressureFootprint& footprint, double x_m, double z_m) const {
+/// Returns the depth that a frame's view of the grid shows: bilinear between its texels. The view is
+/// a tick late, and the current has carried it on for that tick.
+double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double time_s, double x_m,
+                          double z_m) const {
     const double texel = waves_->options().side_m / waves_->options().resolution;
-    const double i = std::floor(x_m / texel), j = std::floor(z_m / texel);
-    const double right = x_m / texel - i, bottom = z_m / texel - j;
-    const auto at = [&](double column, double row) { return depth_at(footprint, column * texel, row * texel); };
+    const WaterFrame::Origin origin = water.origin_at(time_s), before = water.origin_at(time_s - tick_s_);
+    const double x = (x_m - origin.x_m) / texel, z = (z_m - origin.z_m) / texel;
+    const double i = std::floor(x), j = std::floor(z), right = x - i, bottom = z - j;
+    const auto at = [&](double column, double row) {
+        return depth_at(footprint, column * texel + before.x_m, row * texel + before.z_m);
+    };
     return (1 - bottom) * ((1 - right) * at(i, j) + right * at(i + 1, j)) +
            bottom * ((1 - right) * at(i, j + 1) + right * at(i + 1, j + 1));
 }
 
-void HullWake::leave_out(std::span<const double> x, std::span<const double> z, std::span<float> height_m,
-                         std::span<float> velocity_y_mps) const {
+void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
+                         std::span<float> height_m, std::span<float> velocity_y_mps) const {
+    const auto hollow = [&](const PressureFootprint& footprint, std::size_t point) {
+        return hollow_m(footprint, frame.water_frame, frame.time_s, x[point], z[point]);
+    };
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double before = hollow_m(footprints_[2], x[i], z[i]), after = hollow_m(footprints_[1], x[i], z[i]);
+        const double before = hollow(footprints_[2], i), after = hollow(footprints_[1], i);
         height_m[i] = static_cast<float>(height_m[i] + before);
         if (tick_s_ > 0) velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + (after - before) / tick_s_);
     }

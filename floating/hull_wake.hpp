@@ -3,7 +3,7 @@
 //
 //   HullWake wake(waves, hull, state);                       // waves: ocean.dynamic_waves()
 //   const Frame& frame = ocean.complete();
-//   wake.press(waves, hull, state, loads, tick_s);
+//   wake.press(frame, state, loads, tick_s);
 //   ocean.schedule(next_s);                                  // a tick later
 //   hulls.step(SurfaceQuery(frame), ..., tick_s);            // with FloatingHull::wake = &wake
 //
@@ -18,6 +18,7 @@
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/floating/hull_plan.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/pressure_footprint.hpp"
 
 namespace pelagic {
@@ -37,16 +38,17 @@ class HullWake {
     /// Moves the pressure to the hull. Its shape follows the submerged hull within a third of the
     /// period of waves of the hull's length. Call it between
     /// complete() and schedule(), whose frames are a tick apart.
+    /// \param frame  the frame completed last
     /// \param loads  of the hull's last step
-    void press(const HullState& state, const HullLoads& loads, double tick_s);
+    void press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s);
 
     /// Returns four periods of waves with the hull's length. A change of this duration makes hardly
     /// any waves.
     double launch_s() const;
 
     /// Subtracts the hull's own hollow from samples of the last completed frame.
-    void leave_out(std::span<const double> x, std::span<const double> z, std::span<float> height_m,
-                   std::span<float> velocity_y_mps) const;
+    void leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
+                   std::span<float> height_m, std::span<float> velocity_y_mps) const;
 
     /// Returns the pressure of the next tick.
     const PressureFootprint& footprint() const { return footprints_[0]; }
@@ -54,7 +56,8 @@ class HullWake {
    private:
     double period_s() const;  // of waves of the hull's length
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const;
-    double hollow_m(const PressureFootprint& footprint, double x_m, double z_m) const;
+    double hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double time_s, double x_m,
+                    double z_m) const;
 
     DynamicWaves* waves_;
     const Hull* hull_;

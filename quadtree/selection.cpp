@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
 #include "pelagic/message/number_text.hpp"
@@ -60,15 +61,18 @@ const DrawList& Selection::select(const SelectionInput& input) {
     check_position("viewer_m", &input.viewer_m.x, 3);
     const glm::dvec2 centre = input.centre_m.value_or(glm::dvec2(input.viewer_m.x, input.viewer_m.z));
     check_position("centre_m", &centre.x, 2);
+    check_position("sea_level_m", &input.sea_level_m, 1);
     check_bounds(input.bounds);
     if (input.views.size() > max_views) throw std::invalid_argument("views are more than 32");
     next_frusta_.clear();  // separate, so that an invalid view does not change the list
-    for (const glm::dmat4& view : input.views) next_frusta_.emplace_back(view, input.depth);
+    const glm::dvec3 still_water(0, input.sea_level_m, 0);
+    for (const glm::dmat4& view : input.views)
+        next_frusta_.emplace_back(glm::translate(view, still_water), input.depth);
 
     frusta_.swap(next_frusta_);
     list_.grid = grid_around(centre);
     const glm::dvec2 corner = glm::dvec2(list_.grid.corner) * list_.grid.step_m;
-    levels_.update({input.viewer_m.x - corner.x, input.viewer_m.y, input.viewer_m.z - corner.y});
+    levels_.update({input.viewer_m.x - corner.x, input.viewer_m.y - input.sea_level_m, input.viewer_m.z - corner.y});
     list_.statistics = {};
     walk(input.bounds);
     sort_into_batches();

@@ -54,7 +54,8 @@ struct SelectionInput {
     /// View-projection matrices, for instance of both eyes and a shadow; if empty, nothing is
     /// culled.
     std::span<const glm::dmat4> views{};
-    SurfaceBounds bounds{};
+    SurfaceBounds bounds{};               ///< heights above the sea level
+    double sea_level_m = 0;               ///< height of still water in the world; within 1e8 m of 0
     ClipDepth depth = ClipDepth::either;  ///< depth range of all views
 };
 

@@ -73,8 +73,8 @@ struct DynamicWavesSample {
     double foam = 0;  ///< 0 to 1
 };
 
-/// Samples a view: bilinear between texels, slopes by central differences at texels. Returns zeros
-/// outside the grid, and if x_m or z_m is not finite. Any thread.
+/// Samples a view at a position in the water's frame: bilinear between texels, slopes by central
+/// differences at texels. Returns zeros outside the grid, and if x_m or z_m is infinite or NaN.
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m);
 
 /// Returns the XXH3 of the grid's position, heights, vertical velocities and foam, little-endian;
@@ -135,6 +135,11 @@ class DynamicWaves {
     /// Moves the grid's centre to within half a texel of the point; x_m and z_m in [-1e8, 1e8].
     /// Texels that stay in the grid are unchanged, and those that enter are flat.
     void set_center(double x_m, double z_m);
+    /// Sets the current, which carries the grid; each in [-10, 10]. Positions and velocities of
+    /// commands are then in the world, and those of views in the water's frame (water_frame.hpp).
+    /// Call set_center() again to keep the grid at a point. Ocean::set_water_frame() sets the
+    /// current of an ocean's waves. A saved state does not include it.
+    void set_current(double x_mps, double z_mps);
     /// Sets the rain from the next tick on; 0 drops end it.
     void set_rain(const Rain& rain);
 

@@ -9,7 +9,7 @@ namespace pelagic {
 /// The dynamic-wave grid, whose height adds to that of the cascades at the drawn position,
 /// x = undisplaced x + Dx, z alike. Waves fade towards its edges, where they are 0.
 ///
-/// Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m and is in column
+/// Texel (i, j) of the water's frame has the position x = i texel_m, z = j texel_m and is in column
 /// i mod N of row j mod N. The grid has first_x <= i < first_x + N, and first_z <= j < first_z + N.
 struct DynamicWavesView {
     int resolution = 0;  ///< N, a power of two; 0: there are no dynamic waves

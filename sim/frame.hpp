@@ -11,6 +11,7 @@
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/snapshot_foam.hpp"
+#include "pelagic/sim/water_frame.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -59,16 +60,19 @@ struct Frame {
     /// Whether the cascades have foam (OceanOptions::foam), and how their compression makes it.
     bool has_foam = false;
     SnapshotFoam foam;
+    /// Position of the water in the world, as of Ocean::set_water_frame(). All other members,
+    /// `bounds` included, are in the water's frame.
+    WaterFrame water_frame;
 };
 
 /// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
 ///
 /// The hash covers these outputs of each cascade, in this order and little-endian: the rows of dx,
 /// height and dz; the half floats except foam; the gradient chain; the bounds. For several cascades
-/// the two chains of slopes replace the gradient chain. It leaves out the time, velocities, fold
-/// maps and chains that only OceanOptions enables, so an ocean with more outputs has equal hashes.
-/// It also leaves out textures written to memory of the application (texture_targets.hpp), and
-/// planes that the frame does not have (OceanOptions::planes).
+/// the two chains of slopes replace the gradient chain. It leaves out time and water frame, and the
+/// velocities, fold maps and chains that only OceanOptions enables, so an ocean with more outputs
+/// has equal hashes. It also leaves out textures in the application's memory (texture_targets.hpp),
+/// and planes that the frame does not have (OceanOptions::planes).
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the

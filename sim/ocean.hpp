@@ -25,6 +25,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
+#include "pelagic/sim/water_frame.hpp"
 #include "pelagic/sim/wave_input.hpp"
 #include "pelagic/simd/allocator.hpp"
 #include "pelagic/simd/isa.hpp"
@@ -163,6 +164,16 @@ class Ocean {
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
         schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
     }
+
+    /// Sets the sea level and the current of frames that are scheduled from now on, and the current
+    /// of the ocean's dynamic waves. Frame::water_frame has them; all else in a frame is unchanged.
+    /// The current has flowed since t = 0: to change it moves the sea by the change times t.
+    ///
+    /// Throws std::invalid_argument(check(water)) if a value is out of range, and for any value but
+    /// 0 if the ocean has a shore.
+    void set_water_frame(const WaterFrame& water);
+    /// Returns the sea level and the current of the frame scheduled next.
+    const WaterFrame& water_frame() const;
 
     /// Returns the dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's
     /// frames. Frames of equal times with equal commands between them have bit-identical waves.

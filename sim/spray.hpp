@@ -36,7 +36,7 @@ namespace pelagic {
 
 struct Frame;
 
-/// A clump of drops.
+/// A clump of drops; position and velocity are in the world.
 struct SprayDroplet {
     double x_m = 0, y_m = 0, z_m = 0;
     float velocity_x_mps = 0, velocity_y_mps = 0, velocity_z_mps = 0;
@@ -100,14 +100,14 @@ class Spray {
     ///
     /// Each tick adds at most 512 droplets of crests; if there are more, each is less probable. The
     /// heights of dynamic waves and of a shore are included. The foam of their waves makes no
-    /// spray.
+    /// spray. With Frame::water_frame the current carries the droplets of crests and of emitters.
     /// \param center_x_m,center_z_m  centre of the spray, usually the camera; each in [-1e8, 1e8]
     /// Throws std::invalid_argument and changes nothing if the frame was made without
     /// OceanOptions::velocities, if its time is no tick, or if the centre is out of range.
     void add_tick(const Frame& frame, double center_x_m, double center_z_m);
 
-    /// Adds droplets of emitters. Their wind is that of the last tick. A jump in time keeps them.
-    /// If there are more than 8192, the oldest are discarded.
+    /// Adds droplets of emitters. Their wind and water frame are those of the last tick. A jump in
+    /// time keeps them. If there are more than 8192, the oldest are discarded.
     /// Throws std::invalid_argument and changes nothing if an emitter is invalid, or if the
     /// emitters of a call have more than 8192 droplets.
     void emit(std::span<const SprayEmitter> emitters);

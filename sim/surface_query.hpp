@@ -19,6 +19,9 @@
 // velocity at the given position. A shore also multiplies each cascade by its weight at the given
 // position p: q + sum of weight D(q) = p.
 //
+// Positions, heights and velocities are in the world: Frame::water_frame has a sea level and a
+// current, which moves the surface.
+//
 // Results depend only on the frame, the point, the tolerance and the interpolation. They do not
 // depend on other points of the batch, their order, the thread or the instruction set.
 #pragma once
@@ -112,8 +115,8 @@ class SurfaceQuery {
 
     /// Returns the queried frame.
     const Frame& frame() const { return frame_; }
-    /// Returns the bounds of the frame.
-    const FrameBounds& bounds() const { return frame_.bounds; }
+    /// Returns the bounds of the frame, with heights in the world.
+    const FrameBounds& bounds() const { return bounds_; }
     double texel_m() const { return texel_m_; }  ///< of the finest cascade
     /// Returns the largest error of a converged point, metres.
     double tolerance_m() const { return tolerance_m_; }
@@ -128,13 +131,17 @@ class SurfaceQuery {
 
    private:
     bool cascades_have_foam() const { return frame_.has_foam; }
+    /// Takes a position in the water.
     bool has_sample(double x, double z) const;
     void take(const SurfacePoints& points, PointChunk& chunk) const;
     void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
     void add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    void move_to_world(const SurfaceSamples& samples, const PointChunk& chunk) const;
 
     const Kernels* kernels_;
     Frame frame_;
+    WaterFrame::Origin origin_;  ///< of the water, in the world
+    FrameBounds bounds_;
     double texel_m_;
     SurfaceQueryOptions options_;
     float tolerance_m_;

@@ -240,6 +240,9 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
                     "an ocean advances these waves, expected waves of pelagic_dynamic_waves_create");
     EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(without.get()), &surface), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(without.get()), 0, 0), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_dynamic_waves_set_current(waves_of(without.get()), 0, 0), PELAGIC_INVALID_ARGUMENT);
+    expect_rejected(pelagic_dynamic_waves_set_current(waves_of(with.get()), 11, 0), PELAGIC_INVALID_ARGUMENT,
+                    "current_x_mps 11 is out of range [-10, 10]");
     pelagic_disturbance wrong = drop();
     EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(without.get()), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;

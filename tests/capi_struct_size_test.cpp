@@ -150,6 +150,10 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     rain.drops_per_m2_s = 1;
     expect_read_in_every_size(
         rain, [&](pelagic_rain* falls) { return pelagic_dynamic_waves_set_rain(waves_of(water.get()), falls); });
+    auto water_frame = sized<pelagic_water_frame>();
+    water_frame.sea_level_m = 2;
+    expect_read_in_every_size(
+        water_frame, [&](pelagic_water_frame* wanted) { return pelagic_ocean_set_water_frame(ocean.get(), wanted); });
     auto ray = sized<pelagic_ray>();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, [&](pelagic_ray* asked) {

@@ -191,6 +191,40 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
     }
 }
 
+// With a sea level and a current, the height at x is that of another ocean at x - U t, lifted.
+TEST(CInterface, WaterFrameMovesQueries) {
+    auto options = sized<pelagic_ocean_options>();
+    options.queries = 1;
+    const COcean with = ocean_of(small_sea(), options), without = ocean_of(small_sea(), options);
+    auto water = sized<pelagic_water_frame>();
+    water.sea_level_m = 3;
+    water.current_x_mps = 1.5;
+    water.current_z_mps = -0.5;
+    ASSERT_EQ(pelagic_ocean_set_water_frame(with.get(), &water), PELAGIC_OK) << pelagic_last_error();
+    frame_at(with.get(), 10);
+    frame_at(without.get(), 10);
+    const double x = 7, z = 2, upstream_x = 7 - 15, upstream_z = 2 + 5;
+    float moved = 0, still = 0;
+    const auto height = [](pelagic_ocean* ocean, const double* at_x, const double* at_z, float* height_m) {
+        auto points = sized<pelagic_points>();
+        points.count = 1;
+        points.x = at_x;
+        points.z = at_z;
+        auto samples = sized<pelagic_samples>();
+        samples.height_m = height_m;
+        return pelagic_ocean_query(ocean, &points, &samples);
+    };
+    ASSERT_EQ(height(with.get(), &x, &z, &moved), PELAGIC_OK);
+    ASSERT_EQ(height(without.get(), &upstream_x, &upstream_z, &still), PELAGIC_OK);
+    EXPECT_EQ(moved, static_cast<float>(static_cast<double>(still) + 3));
+    water.sea_level_m = nan;
+    expect_invalid(pelagic_ocean_set_water_frame(with.get(), &water),
+                   "sea_level_m nan is out of range [-1000, 1000]");
+    water.sea_level_m = 0;
+    water.reserved = 1;
+    expect_invalid(pelagic_ocean_set_water_frame(with.get(), &water), "water.reserved is set, expected 0");
+}
+
 TEST(CInterface, NullPointersAreNamed) {
     const COcean ocean = make_ocean();
     auto sea = small_sea();
@@ -203,6 +237,7 @@ TEST(CInterface, NullPointersAreNamed) {
     auto hit = sized<pelagic_hit>();
     auto buffers = sized<pelagic_frame_buffers>();
     auto cascade = sized<pelagic_cascade>();
+    const auto water = sized<pelagic_water_frame>();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
     std::int32_t flag = 0;
@@ -229,6 +264,8 @@ TEST(CInterface, NullPointersAreNamed) {
     expect_invalid(pelagic_ocean_hash(nullptr, &hash), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(nullptr, &sea), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), nullptr), "sea is NULL");
+    expect_invalid(pelagic_ocean_set_water_frame(nullptr, &water), "ocean is NULL");
+    expect_invalid(pelagic_ocean_set_water_frame(ocean.get(), nullptr), "water is NULL");
     expect_invalid(pelagic_ocean_poll_sea(nullptr, &flag), "ocean is NULL");
     expect_invalid(pelagic_ocean_complete_sea(nullptr), "ocean is NULL");
     expect_invalid(pelagic_ocean_query(nullptr, &points, &samples), "ocean is NULL");

@@ -82,6 +82,8 @@ const std::map<std::string, Words> other_values = {
     {"events-side", {"--events", events_placeholder, "--events-side", "80"}},
     {"events-resolution", {"--events", events_placeholder, "--events-resolution", "128"}},
     {"events-at", {"--events", events_placeholder, "--events-at", "-3.5,2"}},
+    {"sea-level", {"--sea-level", "-1.8"}},
+    {"current", {"--current", "-0.5,1.25"}},
     {"events-step", {"--events", events_placeholder, "--events-step", "verlet"}},
 };
 

@@ -65,7 +65,10 @@ const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame
     }
     std::vector<glm::dmat4> views;
     for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
-    const DrawList& list = selection.select({.viewer_m = camera.position_m, .views = views, .bounds = frame.bounds});
+    const DrawList& list = selection.select({.viewer_m = camera.position_m,
+                                             .views = views,
+                                             .bounds = frame.bounds,
+                                             .sea_level_m = frame.water_frame.sea_level_m});
     target->bind();
     gl().ClearColor(clear.x, clear.y, clear.z, 1);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

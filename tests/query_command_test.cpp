@@ -174,6 +174,31 @@ TEST(QueryCommand, KeepsTheColumnsOfTheFileAndFindsXAndZByName) {
     }
 }
 
+// The water of (7, 2) at 100 s comes from (7 - 2 * 100, 2 + 1 * 100).
+TEST(QueryCommand, SeaLevelAndCurrentMoveTheWater) {
+    const std::vector<std::string> sea = {"--time", "100", "--resolution", "64", "--patch-size", "250"};
+    std::vector<std::string> options = sea;
+    options.insert(options.end(), {"--sea-level", "3", "--current", "2,-1"});
+    const std::vector<std::string> moved = lines_of(query("7,2\n", options).out),
+                                   still = lines_of(query("-193,102\n", sea).out);
+    ASSERT_EQ(moved.size(), 2u);
+    ASSERT_EQ(still.size(), 2u);
+    const std::vector<double> a = numbers_in(moved[1]), b = numbers_in(still[1]);
+    ASSERT_EQ(a.size(), 12u);
+    ASSERT_EQ(b.size(), 12u);
+    const std::vector<double> added = {200, -100, 3, 0, 0, 0, 2, 0, -1, 0, 0, 0};
+    // Floats of a few metres have rounding errors of 5e-7.
+    for (std::size_t i = 0; i < added.size(); ++i) EXPECT_NEAR(a[i], b[i] + added[i], 1e-6) << i;
+    for (const auto& [wrong, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"--sea-level", "1001"}, "--sea-level is 1001, expected metres in [-1000, 1000]"},
+             {{"--current", "1"}, "--current is 1, expected X,Z in m/s, each in [-10, 10]"},
+             {{"--current", "1,-11"}, "--current is 1,-11, expected X,Z in m/s, each in [-10, 10]"}}) {
+        const Outcome outcome = query("7,2\n", wrong);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+    }
+}
+
 TEST(QueryCommand, ReadsStandardInput) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "1,2\n3,4\n");

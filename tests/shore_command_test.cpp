@@ -133,6 +133,8 @@ TEST(ShoreCommand, InvalidOptionsAreNamed) {
          "waves\n"},
         {{"--floor", file, "--shore", "--waves", "pond"},
          "pelagic: --waves is pond, expected spectrum or analytic where there is a shore\n"},
+        {{"--floor", file, "--shore", "--sea-level", "1"}, "pelagic: --sea-level cannot be combined with --shore\n"},
+        {{"--floor", file, "--shore", "--current", "1,0"}, "pelagic: --current cannot be combined with --shore\n"},
     };
     for (const auto& [arguments, line] : cases) {
         const Outcome run = query(folder, "0,0\n", arguments);

@@ -270,11 +270,13 @@ class Viewer {
                                     .foam = true,
                                     .dynamic_waves = dynamic_waves,
                                     .shore = has_shore ? options_.shore : std::nullopt});
+        ocean_->set_water_frame(options_.water_frame);
         spray_.reset();
         if (options_.spray.value_or(true))
             spray_ = std::make_unique<ViewSpray>(Forecast{.first = shown_sea_, .changes = changes},
                                                  OceanOptions{.executor = make_default_executor(options_.threads),
                                                               .shore = has_shore ? options_.shore : std::nullopt});
+        if (spray_) spray_->ocean().set_water_frame(options_.water_frame);
         boat_source_.reset();
         ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         stage_times_->follow(ocean_->graph());
@@ -370,13 +372,14 @@ class Viewer {
         return frame;
     }
 
-    /// Enqueues splashes and the boat's pressure for the next ticks.
+    /// Enqueues splashes and the boat's pressure for the next ticks, and keeps the grid at its
+    /// place, from which a current carries it.
     void disturb_water(const Frame& frame, double passed_s) {
         const SurfaceQuery query(frame);
         if (clicked_) make_splash(query);
         clicked_.reset();
         if (boat_is_requested_ != boat_.has_value()) boat_is_requested_ ? place_boat() : remove_boat();
-        if (!boat_) return;
+        if (!boat_) return ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         const glm::dvec2 before = boat_->place_m();
         boat_->step(
             passed_s, helm_, [&](double x, double z) { return drawn_height(query, x, z); }, frame.time_s);
@@ -427,7 +430,9 @@ class Viewer {
     /// Returns the height of the drawn water. Small water (gl::Surface) replaces the cascades and
     /// excludes their heights.
     double drawn_height(const SurfaceQuery& query, double x, double z) const {
-        if (surface_ != gl::Surface::open) return sample(query.frame().dynamic_waves, x, z).height_m;
+        const WaterFrame::Origin origin = query.frame().water_frame.origin_at(query.frame().time_s);
+        if (surface_ != gl::Surface::open)
+            return origin.y_m + sample(query.frame().dynamic_waves, x - origin.x_m, z - origin.z_m).height_m;
         float height_m = 0;
         query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
         return static_cast<double>(height_m);
@@ -440,9 +445,9 @@ class Viewer {
         has_caustics_ = true;
     }
 
-    /// Returns the water plane at the camera; for small water, which is nearly level, y = 0.
+    /// Returns the water plane at the camera. Small water is nearly level, so its plane is level.
     gl::CameraWaterPlane camera_water_plane(const Frame& frame) const {
-        if (surface_ != gl::Surface::open) return {};
+        if (surface_ != gl::Surface::open) return {.height_m = frame.water_frame.sea_level_m};
         return gl::camera_water_plane(SurfaceQuery(frame), camera_.camera().position_m);
     }
 
@@ -518,6 +523,7 @@ class Viewer {
         const DrawList& list = selection_->select({.viewer_m = camera.position_m,
                                                    .views = {&eye.clip_from_world, 1},
                                                    .bounds = frame.bounds,
+                                                   .sea_level_m = frame.water_frame.sea_level_m,
                                                    .depth = ClipDepth::minus_one_to_one});
         statistics_.select_us = select.milliseconds() * 1000;
         statistics_.patches = list.instances.size();

@@ -11,6 +11,7 @@
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water/sea_floor.hpp"
 #include "pelagic/sim/forecast.hpp"
+#include "pelagic/sim/water_frame.hpp"
 #include "pelagic/viewer/panel.hpp"
 
 namespace pelagic::viewer {
@@ -21,6 +22,8 @@ struct ViewOptions {
     gl::SeaFloor floor = {};
     /// If set, the sea floor affects the waves, unless the sea state does not support a shore.
     std::optional<ShoreOptions> shore = {};
+    /// Sea level and current; excluded by a shore.
+    WaterFrame water_frame = {};
     /// Whether spray is drawn. If unset, it is drawn except with Shading::headset.
     std::optional<bool> spray = {};
     /// Transitions of settings.sea, until the user changes the sea state.

@@ -95,7 +95,7 @@ void sail(double seconds) {
     ocean.schedule(0);
     for (int i = 0; i < ticks; ++i) {
         const Frame& frame = ocean.complete();
-        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(hulls[j].state, hulls[j].loads, tick_s);
+        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(frame, hulls[j].state, hulls[j].loads, tick_s);
         ocean.dynamic_waves().set_center(hulls[1].state.position_m.x, hulls[1].state.position_m.z);
         ocean.schedule((i + 1) * tick_s);
         jobs.step(SurfaceQuery(frame), hulls, tick_s);

@@ -53,6 +53,14 @@ void OceanNode::set_time(double time_s) {
     if (ocean_ && !is_stale_) start(time_s);
 }
 
+void OceanNode::set_water_frame(const WaterFrame& water) {
+    if (water == water_frame_) return;
+    if (!settings_.shore.heights_m.empty() && water != WaterFrame{})
+        return reject("sea_level_m and current cannot be combined with shore_heights_m");
+    water_frame_ = water;
+    if (ocean_ && !is_stale_) ocean_->set_water_frame(water);
+}
+
 void OceanNode::set_material(const Variant& material) {
     drawing_.reset();  // uses the current material
     material_ = std::make_unique<Value>(material);
@@ -64,6 +72,7 @@ std::string OceanNode::invalid_options(const SeaState& sea) const {
         if (const std::string reason = check(settings_.dynamic_waves_options); !reason.empty())
             return "dynamic_waves_" + reason;
     if (settings_.shore.heights_m.empty()) return {};
+    if (water_frame_ != WaterFrame{}) return "shore_heights_m cannot be combined with sea_level_m and current";
     if (const std::string reason = check(settings_.shore); !reason.empty()) return "shore_" + reason;
     return check(settings_.shore, sea);
 }
@@ -92,6 +101,7 @@ bool OceanNode::make_ocean() {
     is_awaited_ = true;
     ocean_.reset();
     ocean_ = std::make_unique<Ocean>(sea, std::move(options));
+    ocean_->set_water_frame(water_frame_);
     has_dynamic_waves_ = settings_.dynamic_waves;
     return true;
 }

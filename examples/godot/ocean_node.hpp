@@ -41,6 +41,9 @@ class OceanNode {
     double time_s() const { return time_s_; }
     void set_time(double time_s);
     bool is_playing() const { return is_playing_; }
+    const WaterFrame& water_frame() const { return water_frame_; }
+    /// Sets the sea level and the current from the next frame on.
+    void set_water_frame(const WaterFrame& water);
     void set_playing(bool playing) { is_playing_ = playing; }
     const Value& material() const { return *material_; }
     void set_material(const Variant& material);
@@ -84,6 +87,7 @@ class OceanNode {
     bool is_stale_ = true;            ///< the ocean differs from settings_
     bool has_dynamic_waves_ = false;  ///< of the ocean
     double time_s_ = 0;
+    WaterFrame water_frame_;
     bool is_playing_ = true;
     std::optional<Frame> frame_;
     bool is_awaited_ = true;           ///< frame_ is older than time_s_

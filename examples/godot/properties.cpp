@@ -121,6 +121,24 @@ std::string preset_names() {
     return names;
 }
 
+/// A property of the sea level or of the current, which may change in every frame.
+Property water_property(const NumericField<WaterFrame>& field) {
+    const std::string name(field.name), accepted(field.accepted);
+    return {name,
+            type_real,
+            hint_range,
+            number_text(field.min) + "," + number_text(field.max) + ",0.001",
+            [&field](const OceanNode& node) { return Value(field.value_in(node.water_frame())); },
+            [=, &field](OceanNode& node, const Variant& variant) {
+                const double value = number(variant);
+                if (!field.accepts(value)) return node.reject(invalid_value_message(name, value, accepted));
+                WaterFrame water = node.water_frame();
+                field.set(water, value);
+                node.set_water_frame(water);
+            },
+            accepted};
+}
+
 /// The step of dynamic waves, by its name.
 Property step_property() {
     static constexpr std::array<std::string_view, 2> names = {"spectral", "verlet"};
@@ -211,6 +229,7 @@ std::vector<Property> table() {
         step_property(),
     };
     add_fields(all, "dynamic_waves_", &OceanSettings::dynamic_waves_options, dynamic_waves_fields());
+    for (const NumericField<WaterFrame>& field : water_frame_fields()) all.push_back(water_property(field));
     all.push_back(shore_heights_property());
     add_fields(all, "shore_", &OceanSettings::shore, shore_fields());
     return all;

@@ -338,7 +338,10 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     const glm::dvec2 corner = glm::dvec2(grid.corner) * grid.step_m - viewer;
     const glm::dvec2 middle = (glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m - viewer;
     const glm::dvec2 fade = grid.fade_centre - viewer;
+    const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);
+    const glm::dvec2 in_water = viewer - glm::dvec2(origin.x_m, origin.z_m);
     const QuadtreeOptions& options = selection_.options();
+    set("sea_level_m", Value(origin.y_m));
     set("viewer", Value(Vector3{static_cast<float>(viewer_m.x), static_cast<float>(viewer_m.y),
                                 static_cast<float>(viewer_m.z)}));
     set("grid", Value(floats(corner.x, corner.y, grid.step_m, grid.vertices)));
@@ -347,7 +350,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     const double resolution = frame.cascades[0].resolution();
     set("spacing", Value(floats(1 / (options.lod_scale * options.vertices), grid.step_m, std::log2(resolution), 0)));
     set("roughness_between_texels", Value(frame.statistics.roughness));
-    place_dynamic_waves(frame.dynamic_waves, viewer);
+    place_dynamic_waves(frame.dynamic_waves, in_water);
     place_shore(frame.shore, viewer);
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
     set("foam_level", Value(frame.has_foam ? double{frame.foam.level} : SeaStatistics::no_foam_level));
@@ -358,7 +361,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];
         const double side = cascade.grid.side_m;
-        const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
+        const CascadeGrid::Place at = cascade.grid.in_cascade(in_water.x, in_water.y);
         const std::string number = std::to_string(i);
         // The centre of a texture's texel is half a texel from its reference position.
         set(("cascade_place_" + number).c_str(),
@@ -383,6 +386,7 @@ void SeaDrawing::draw(const Frame& frame) {
         {.viewer_m = view.viewer_m,
          .views = view.clip_from_world ? std::span(&*view.clip_from_world, 1) : std::span<const glm::dmat4>(),
          .bounds = frame.bounds,
+         .sea_level_m = frame.water_frame.sea_level_m,
          .depth = ClipDepth::minus_one_to_one});
     for (Batch& batch : patches_) batch.floats.clear();
     for (const DrawBatch& batch : list.batches)

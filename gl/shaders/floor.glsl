@@ -1,6 +1,6 @@
 // Geometry and light of the sea floor: a plane at the sea's depth, or a height field.
 
-// Heights in metres above the still-water level, as half floats. Their precision is best near the
+// Heights in the world in metres, as half floats. Their precision is best near the
 // waterline.
 uniform highp sampler2D floor_heights;
 
@@ -18,7 +18,7 @@ vec2 floor_uv(vec2 at) { return floor_place.xy + at * floor_place.zw; }
 // Returns the height above the still-water level.
 float floor_height(vec2 at, float mip) {
     if (!has_floor_heights()) return floor_look.x;
-    return textureLod(floor_heights, floor_uv(at), mip).x;
+    return textureLod(floor_heights, floor_uv(at), mip).x - viewer.w;
 }
 
 vec3 floor_normal(vec2 at, float mip) {

@@ -25,7 +25,7 @@ void main() {
     if (index.x == cells.x + 2) at.x = max(at.x, far_m);
     if (index.y == cells.y + 2) at.y = max(at.y, far_m);
     float height = floor_look.x;
-    if (floor_place.z > 0.0) height = textureLod(floor_heights, floor_place.xy + at * floor_place.zw, 0.0).x;
+    if (floor_place.z > 0.0) height = textureLod(floor_heights, floor_place.xy + at * floor_place.zw, 0.0).x - viewer.w;
     place = vec4(at.x, height - viewer.z, at.y, 1.0);
     gl_Position = clip_from_viewer[EYE] * place;
 }

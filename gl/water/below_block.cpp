@@ -93,11 +93,12 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
                         input.eyes.empty() ? 1e-3 : pixel_of(input.eyes[0]), floor.is_sand ? 1 : 0};
     block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_m ? 1 : 0};
 
-    place_crests(block, sea, viewer);
+    const glm::dvec2 in_water = sea.in_water(input.viewer_m);
+    place_crests(block, sea, in_water);
     block.caustic_row[0].w = static_cast<float>(caustics.depth_m);
     if (caustics.side_m > 0) {
         const CascadeGrid grid{caustics.side_m, caustics.cosine, caustics.sine};
-        const CascadeGrid::Place at = grid.in_cascade(viewer.x, viewer.y);
+        const CascadeGrid::Place at = grid.in_cascade(in_water.x, in_water.y);
         const auto fraction = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
         block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,
                                grid.sine / grid.side_m};

@@ -12,7 +12,7 @@
 
 namespace pelagic::gl {
 
-/// Plane height_m + dot(slope, xz - viewer_xz), in metres above the still-water level.
+/// Plane height_m + dot(slope, xz - viewer_xz), in metres; heights are in the world.
 struct CameraWaterPlane {
     double height_m = 0;
     glm::dvec2 slope{};

@@ -220,6 +220,7 @@ SeaFacts facts_of(const Frame& frame) {
                    .resolution = frame.cascades[0].resolution(),
                    .cascades = {},
                    .time_s = frame.time_s,
+                   .water_frame = frame.water_frame,
                    .foam = frame.foam,
                    .dynamic_waves = {.resolution = frame.dynamic_waves.resolution,
                                      .texel_m = frame.dynamic_waves.texel_m,
@@ -252,7 +253,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     const SeaState& sea = facts.sea;
     SceneBlock block;
     const QuadtreeGrid& grid = input.list->grid;
-    const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
+    const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z), in_water = facts.in_water(input.viewer_m);
+    const double sea_level_m = facts.water_frame.sea_level_m, above_m = input.viewer_m.y - sea_level_m;
     for (std::size_t i = 0; i < input.eyes.size(); ++i) {
         const glm::dmat4 clip = glm::translate(input.eyes[i].clip_from_world, input.viewer_m);
         block.clip_from_viewer[i] = glm::mat4(clip);
@@ -260,7 +262,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
         block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
     }
     const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
-    block.viewer = {input.draws_sky ? 1 : 0, 0, input.viewer_m.y, 0};
+    block.viewer = {input.draws_sky ? 1 : 0, 0, above_m, sea_level_m};
     block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
     block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
     block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,
@@ -271,7 +273,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     const float exposure = input.exposure.value_or(sky.exposure);
     block.sun_irradiance = {sky.sun_irradiance, exposure};
     block.sky_irradiance = {sky.sky_irradiance, sky.levels - 1};
-    const double height = std::max(1.5, std::abs(input.viewer_m.y));
+    const double height = std::max(1.5, std::abs(above_m));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {water.absorption_per_m, sea.depth_m};
     const float alpha = static_cast<float>(facts.statistics.roughness);
@@ -280,15 +282,15 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     place_crest_light(block, input.crest_glow);
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.statistics.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
-    place_cascades(block, facts, viewer);
-    place_details(block, facts, viewer);
-    place_glints(block, viewer);
-    place_dynamic_waves(block, facts.dynamic_waves, viewer);
+    place_cascades(block, facts, in_water);
+    place_details(block, facts, in_water);
+    place_glints(block, in_water);
+    place_dynamic_waves(block, facts.dynamic_waves, in_water);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
-    place_foam(block, facts, viewer);
-    if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
+    place_foam(block, facts, in_water);
+    if (facts.surface != Surface::open) place_small_water(block, facts, in_water, viewer);
     if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, viewer);
     return block;
 }

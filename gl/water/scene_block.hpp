@@ -85,6 +85,7 @@ struct SeaFacts {
     int resolution = 0;
     std::vector<CascadeFacts> cascades;
     double time_s = 0;
+    WaterFrame water_frame;
     SnapshotFoam foam;
     bool has_displacement_mips = false;
     bool has_foam = false;
@@ -96,6 +97,11 @@ struct SeaFacts {
     bool shore_has_mips = false;
     DynamicWaveFacts dynamic_waves{};
 
+    /// Returns x and z of a position in the water's frame.
+    glm::dvec2 in_water(const glm::dvec3& world_m) const {
+        const WaterFrame::Origin origin = water_frame.origin_at(time_s);
+        return {world_m.x - origin.x_m, world_m.z - origin.z_m};
+    }
     const CascadeFacts& finest_cascade() const { return cascades.back(); }
     double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
 };

@@ -17,7 +17,7 @@ struct SeaFloor {
 
     /// Samples along x and z, each 2 to 4096. 0 selects an even floor at the depth of the sea.
     int columns = 0, rows = 0;
-    /// columns * rows heights above the still-water level, metres, [-11000, 9000]. Sample (i, j) is
+    /// columns * rows heights in the world, metres, [-11000, 9000]. Sample (i, j) is
     /// heights_m[j * columns + i].
     std::vector<float> heights_m = {};
     glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)

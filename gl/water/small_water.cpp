@@ -161,11 +161,11 @@ FlowMap winding_channel() {
     return map;
 }
 
-void place_small_water(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+void place_small_water(SceneBlock& block, const SeaFacts& facts, glm::dvec2 in_water, glm::dvec2 viewer) {
     if (facts.surface == Surface::pond)
-        place_pond(block, facts, viewer);
+        place_pond(block, facts, in_water);
     else
-        place_octaves(block, facts, viewer);
+        place_octaves(block, facts, in_water);
     if (facts.surface == Surface::river) place_flow(block, facts, viewer);
 }
 

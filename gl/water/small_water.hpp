@@ -48,8 +48,9 @@ FlowMap winding_channel();
 struct SceneBlock;
 struct SeaFacts;
 /// Sets the members of the uniform block for facts.surface.
-/// \param viewer  world x and z of the viewer
-void place_small_water(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer);
+/// \param in_water  x and z of the viewer in the water's frame
+/// \param viewer    x and z of the viewer in the world, for the flow of a river
+void place_small_water(SceneBlock& block, const SeaFacts& facts, glm::dvec2 in_water, glm::dvec2 viewer);
 
 }  // namespace pelagic::gl
 

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <string>
+#include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
@@ -100,6 +101,12 @@ void schedule_sea(SharedOcean& ocean, py::handle sea, double from_s, double over
     ocean.schedule_sea(change);
 }
 
+void set_water_frame(SharedOcean& ocean, double sea_level_m, const std::pair<double, double>& current_mps) {
+    const WaterFrame water{sea_level_m, current_mps.first, current_mps.second};
+    const py::gil_scoped_release others_run;
+    ocean.set_water_frame(water);
+}
+
 OceanClass add_ocean_class(py::module_& module) {
     using Facts = SharedOcean::Facts;
     const auto facts_and_docs = [](auto& ocean, const char* name, auto get) {
@@ -121,6 +128,8 @@ OceanClass add_ocean_class(py::module_& module) {
     ocean.def("frame_at", freely_made(&SharedOcean::frame_at), py::arg("time_s"), doc_of("Ocean.frame_at"));
     ocean.def("schedule_sea", &schedule_sea, py::arg("sea"), py::arg("from_s"), py::arg("over_s"),
               py::arg("swell_from_m") = 0.0, doc_of("Ocean.schedule_sea"));
+    ocean.def("set_water_frame", &set_water_frame, py::arg("sea_level_m") = 0.0,
+              py::arg("current_mps") = std::pair(0.0, 0.0), doc_of("Ocean.set_water_frame"));
     add_series(ocean);
     facts_and_docs(
         ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });

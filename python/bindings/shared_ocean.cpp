@@ -111,6 +111,11 @@ void SharedOcean::schedule_sea(const SeaChange& change) {
     opened().schedule_sea(change);
 }
 
+void SharedOcean::set_water_frame(const WaterFrame& water) {
+    const std::lock_guard turn(turn_);
+    opened().set_water_frame(water);
+}
+
 void SharedOcean::use_dynamic_waves(const std::function<void(DynamicWaves&)>& use) {
     const std::lock_guard turn(turn_);
     use(opened().dynamic_waves());

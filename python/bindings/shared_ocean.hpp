@@ -57,6 +57,7 @@ class SharedOcean {
     /// Earlier frames become stale.
     void frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use);
     void schedule_sea(const SeaChange& change);
+    void set_water_frame(const WaterFrame& water);
 
     bool has_dynamic_waves() const { return has_dynamic_waves_; }
     /// Calls use(waves). \pre has_dynamic_waves()

@@ -462,6 +462,11 @@ class Ocean:
         """Schedules a transition to another sea, from a time on and over a number of seconds.
         Cascades, depth, loop and seed must be the same. If swell_from_m, the distance of the
         swell's origin in metres, is not 0, long waves arrive first."""
+    def set_water_frame(self, sea_level_m: float = 0.0, current_mps: Tuple[float, float] = (0.0, 0.0)) -> None:
+        """Sets the sea level, [-1000, 1000], and the velocity of a uniform current along x and z,
+        each [-10, 10], for frames that are scheduled from now on. Queries and dynamic waves then
+        use positions in the world, and the current carries the water; the other data of frames do
+        not change. Raises ValueError with a shore."""
     @property
     def dynamic_waves(self) -> DynamicWaves:
         """The dynamic waves. Requires Ocean(dynamic_waves=...)."""

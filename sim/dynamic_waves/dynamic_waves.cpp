@@ -18,6 +18,7 @@
 #include "pelagic/sim/buffers/height_field_buffers.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/sim/water_frame.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -27,7 +28,7 @@ namespace {
 constexpr double clock_slack = 0x1p-16;
 /// Beyond this, doubles cannot distinguish ticks.
 constexpr double farthest_tick = 0x1p50;
-constexpr double farthest_m = 1e8;
+constexpr double farthest_m = 1e8, fastest_mps = 1000;  // of Disturbance
 
 struct SavedClock {
     std::uint64_t options;  ///< their digest_of()
@@ -101,7 +102,11 @@ struct DynamicWaves::State {
     std::uint32_t new_source();
     void add_footprint_command(Command::Kind kind, std::uint32_t number, const PressureFootprint& footprint);
 
-    void apply_commands(bool time_goes_on);
+    /// Moves a disturbance or a footprint from the world to the water's frame at a time.
+    template <class Source>
+    void move_to_water(Source& source, double time_s) const;
+    /// \param tick_s  time of the tick in which the commands act
+    void apply_commands(bool time_goes_on, double tick_s);
     void begin_run(GraphRun& run);
     void complete_run();
     void show_rows(std::size_t item);
@@ -109,7 +114,7 @@ struct DynamicWaves::State {
 
     std::shared_ptr<Executor> executor;
     DynamicWaveGrid grid;
-    std::vector<Command> commands;              ///< since the last begin_frame()
+    std::vector<Command> commands;  ///< since the last begin_frame()
     /// Footprints of commands: the first new_footprints since the last begin_frame(); the rest keep
     /// their memory.
     std::vector<PressureFootprint> footprints;
@@ -119,6 +124,7 @@ struct DynamicWaves::State {
     DoubleBuffer<Slot> slots;
     const DynamicWavesView* shown = &slots.back().view;  ///< of the frame completed last
     bool has_clock = false;
+    WaterFrame water_frame;      ///< with the current
     double last_time_s = 0;      ///< of the last frame
     std::int64_t last_tick = 0;  ///< by the frames' time
     std::int64_t ticks_due = 0;
@@ -199,6 +205,12 @@ void DynamicWaves::set_center(double x_m, double z_m) {
     state_->commands.push_back({State::Command::Kind::set_center, 0, {.x_m = x_m, .z_m = z_m}});
 }
 
+void DynamicWaves::set_current(double x_mps, double z_mps) {
+    const WaterFrame water{.current_x_mps = x_mps, .current_z_mps = z_mps};
+    require(check(water));
+    state_->water_frame = water;
+}
+
 void DynamicWaves::set_rain(const Rain& rain) {
     require(check(rain, options()));
     state_->commands.push_back({.kind = State::Command::Kind::set_rain, .rain = rain});
@@ -223,16 +235,28 @@ const DynamicWavesView& DynamicWaves::advance(double time_s) {
 
 const DynamicWavesView& DynamicWaves::view() const { return *state_->shown; }
 
-void DynamicWaves::State::apply_commands(bool time_goes_on) {
+template <class Source>
+void DynamicWaves::State::move_to_water(Source& source, double time_s) const {
+    const WaterFrame::Origin origin = water_frame.origin_at(time_s);
+    source.x_m = std::clamp(source.x_m - origin.x_m, -farthest_m, farthest_m);
+    source.z_m = std::clamp(source.z_m - origin.z_m, -farthest_m, farthest_m);
+    source.velocity_x_mps = std::clamp(source.velocity_x_mps - water_frame.current_x_mps, -fastest_mps, fastest_mps);
+    source.velocity_z_mps = std::clamp(source.velocity_z_mps - water_frame.current_z_mps, -fastest_mps, fastest_mps);
+}
+
+void DynamicWaves::State::apply_commands(bool time_goes_on, double tick_s) {
     DynamicWaveSources& sources = grid.sources();
     const bool is_full = sources.waiting() + new_impulses > DynamicWaveSources::max_count;
     if (new_impulses > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
-    for (const Command& command : commands) {
+    for (std::size_t i = 0; i < new_footprints; ++i) move_to_water(footprints[i], tick_s);
+    for (Command& command : commands) {
+        Disturbance& disturbance = command.disturbance;
+        move_to_water(disturbance, tick_s);
         switch (command.kind) {
-            case Command::Kind::add_impulse: sources.add_impulse(command.disturbance); break;
-            case Command::Kind::add_source: grid.set_source(command.number, command.disturbance); break;
+            case Command::Kind::add_impulse: sources.add_impulse(disturbance); break;
+            case Command::Kind::add_source: grid.set_source(command.number, disturbance); break;
             case Command::Kind::set_source:
-                if (sources.has(command.number)) grid.set_source(command.number, command.disturbance);
+                if (sources.has(command.number)) grid.set_source(command.number, disturbance);
                 break;
             case Command::Kind::add_footprint:
                 grid.set_footprint(command.number, footprints[command.footprint]);
@@ -242,7 +266,7 @@ void DynamicWaves::State::apply_commands(bool time_goes_on) {
                     grid.set_footprint(command.number, footprints[command.footprint]);
                 break;
             case Command::Kind::remove_source: sources.remove(command.number); break;
-            case Command::Kind::set_center: grid.set_center(command.disturbance.x_m, command.disturbance.z_m); break;
+            case Command::Kind::set_center: grid.set_center(disturbance.x_m, disturbance.z_m); break;
             case Command::Kind::set_rain: grid.set_rain(command.rain); break;
         }
     }
@@ -258,13 +282,13 @@ void DynamicWaves::begin_frame(double time_s) {
     State& s = *state_;
     assert(!s.frame_in_flight);
     const DefaultFloatEnvironment environment;
-    s.apply_commands(!s.has_clock || time_s > s.last_time_s);
-    s.last_time_s = time_s;
     const double rate = options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
     const std::int64_t tick = tick_at(time_s);
     const auto max_ticks = static_cast<std::int64_t>(max_jump_s * rate);
     s.ticks_due = s.has_clock ? std::clamp(tick - s.last_tick, std::int64_t{0}, max_ticks) : 0;
+    s.apply_commands(!s.has_clock || time_s > s.last_time_s, static_cast<double>(tick - s.ticks_due + 1) / rate);
+    s.last_time_s = time_s;
     s.last_tick = tick;
     s.has_clock = true;
     s.fraction = static_cast<float>(std::min(place - static_cast<double>(tick), 1.0));

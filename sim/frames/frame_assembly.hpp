@@ -47,7 +47,8 @@ class FrameAssembly {
     double next_tick_s() const;
     /// Prepares that tick for the next run of the tick stages. \pre its moment's seas are resident
     void begin_tick();
-    /// Set the frame's dynamic waves and shore. \pre before end_frame()
+    /// Set the frame's water frame, dynamic waves and shore. \pre before end_frame()
+    void show(const WaterFrame& water) { slots_.frame().water_frame = water; }
     void show(const DynamicWavesView& dynamic_waves) { slots_.frame().dynamic_waves = dynamic_waves; }
     void show(const ShoreSurface& shore) { slots_.frame().shore = shore; }
     const Frame& end_frame();

@@ -202,6 +202,7 @@ struct Ocean::State {
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
     std::unique_ptr<DynamicWaves> dynamic_waves;  ///< null without dynamic waves
+    WaterFrame water_frame;                       ///< of frames scheduled from now on
 
     /// \pre the ocean has a shore
     void bake_shore() {
@@ -256,6 +257,7 @@ struct Ocean::State {
             if (dynamic_waves) dynamic_waves->begin_frame(time_s);
             if (shore) shore->begin_frame(time_s);
             frames.begin_frame(time_s, cascades);
+            frames.show(water_frame);
             if (is_ahead && frames.ticks_due() <= 1) begin_run();
         } catch (...) {
             drop_frame();
@@ -403,6 +405,18 @@ void Ocean::schedule_sea(const SeaChange& change) {
     weather.add(change);
     state_->begin_ahead(weather.number_of_last());
 }
+
+void Ocean::set_water_frame(const WaterFrame& water) {
+    require(check(water));
+    if (state_->shore && water.sea_level_m != 0)
+        throw std::invalid_argument("WaterFrame::sea_level_m cannot be combined with OceanOptions::shore");
+    if (state_->shore && (water.current_x_mps != 0 || water.current_z_mps != 0))
+        throw std::invalid_argument(
+            "WaterFrame::current_x_mps and current_z_mps cannot be combined with OceanOptions::shore");
+    state_->water_frame = water;
+    if (state_->dynamic_waves) state_->dynamic_waves->set_current(water.current_x_mps, water.current_z_mps);
+}
+const WaterFrame& Ocean::water_frame() const { return state_->water_frame; }
 
 DynamicWaves& Ocean::dynamic_waves() { return state_->needed_dynamic_waves(); }
 const DynamicWaves& Ocean::dynamic_waves() const { return state_->needed_dynamic_waves(); }

@@ -59,7 +59,7 @@ struct PointChunk {
     alignas(64) Cells blocks[max_cascades];  ///< of several: block of 2 x 2 cells in each cascade
     alignas(64) Floats error;                ///< metres, after find_reference_points()
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
-    alignas(64) double x[capacity], z[capacity];  ///< world position, metres; 0 if it has no sample
+    alignas(64) double x[capacity], z[capacity];  ///< metres, in the water; 0 if it has no sample
     alignas(64) Floats weight[max_cascades];      ///< weight of each cascade at a shore
 
     std::size_t first = 0, count = 0;  ///< range of the batch

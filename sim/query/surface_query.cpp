@@ -52,6 +52,8 @@ SampleSurfaceJob::Outputs outputs_of(const SurfaceSamples& samples, PointChunk& 
 SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options)
     : kernels_(&kernels_for(frame.isa)),
       frame_(frame),
+      origin_(frame.water_frame.origin_at(frame.time_s)),
+      bounds_(frame.bounds),
       texel_m_(frame.cascades.back().texel_m()),
       options_(options),
       tolerance_m_(static_cast<float>(options.tolerance_m)) {
@@ -62,6 +64,8 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
         if (is_one ? cascade.folds.empty() : cascade.contraction.empty())
             throw std::invalid_argument(
                 "the frame cannot be queried: the ocean was created without OceanOptions::queries");
+    for (float FrameBounds::*const height : {&FrameBounds::height_min_m, &FrameBounds::height_max_m})
+        bounds_.*height = static_cast<float>(static_cast<double>(bounds_.*height) + origin_.y_m);
 }
 
 SurfaceQuery SurfaceQuery::with(Interpolation interpolation) const {
@@ -107,6 +111,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             }
             hand_out(points, samples, chunk);
             if (frame_.dynamic_waves || frame_.shore) add_water_of_place(samples, chunk);
+            if (frame_.water_frame != WaterFrame{}) move_to_world(samples, chunk);
         }
     };
     if (frame_.cascades.size() == 1)
@@ -121,8 +126,10 @@ bool SurfaceQuery::has_sample(double x, double z) const {
 }
 
 void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
-    std::copy_n(points.x.begin() + static_cast<std::ptrdiff_t>(chunk.first), chunk.count, chunk.x);
-    std::copy_n(points.z.begin() + static_cast<std::ptrdiff_t>(chunk.first), chunk.count, chunk.z);
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        chunk.x[i] = points.x[chunk.first + i] - origin_.x_m;
+        chunk.z[i] = points.z[chunk.first + i] - origin_.z_m;
+    }
     std::fill(chunk.x + chunk.count, chunk.x + chunk.padded, 0.0);
     std::fill(chunk.z + chunk.count, chunk.z + chunk.padded, 0.0);
     for (std::size_t i = 0; i < chunk.count; ++i)
@@ -171,6 +178,17 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
     }
 }
 
+void SurfaceQuery::move_to_world(const SurfaceSamples& samples, const PointChunk& chunk) const {
+    const auto add = [&](std::span<float> to, double more) {
+        if (to.empty() || more == 0) return;
+        for (float& value : to.subspan(chunk.first, chunk.count))
+            value = static_cast<float>(static_cast<double>(value) + more);
+    };
+    add(samples.height_m, origin_.y_m);
+    add(samples.velocity_x_mps, frame_.water_frame.current_x_mps);
+    add(samples.velocity_z_mps, frame_.water_frame.current_z_mps);
+}
+
 void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& samples,
                             const PointChunk& chunk) const {
     const auto copy = [&](std::span<float> to, const float* from) {
@@ -186,9 +204,10 @@ void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& s
     copy(samples.velocity_z_mps, chunk.velocity_z);
     if (samples.error_m.empty() && samples.converged.empty()) return;
     for (std::size_t i = 0; i < chunk.count; ++i) {
-        const float error_m = has_sample(points.x[chunk.first + i], points.z[chunk.first + i])
-                                  ? chunk.error[i]
-                                  : std::numeric_limits<float>::infinity();
+        const float error_m =
+            has_sample(points.x[chunk.first + i] - origin_.x_m, points.z[chunk.first + i] - origin_.z_m)
+                ? chunk.error[i]
+                : std::numeric_limits<float>::infinity();
         if (!samples.error_m.empty()) samples.error_m[chunk.first + i] = error_m;
         if (!samples.converged.empty()) samples.converged[chunk.first + i] = error_m <= tolerance_m_;
     }

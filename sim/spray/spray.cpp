@@ -303,7 +303,9 @@ struct Spray::State {
     void launch(const Frame& frame, std::int64_t tick, double x_m, double z_m) {
         const BreakingSurface surface(frame);
         wind = Wind::of(frame.sea);
-        const std::size_t count = find_candidates(frame, surface, tick, x_m, z_m);
+        water_frame = frame.water_frame;
+        const WaterFrame::Origin origin = water_frame.origin_at(frame.time_s);
+        const std::size_t count = find_candidates(frame, surface, tick, x_m - origin.x_m, z_m - origin.z_m);
         double all = 0;
         for (std::size_t i = 0; i < count; ++i) all += candidates[i].droplets;
         const double kept = std::min(1.0, max_mean_in_tick / all);
@@ -324,13 +326,16 @@ struct Spray::State {
     void launch(const SprayEmitter& emitter, std::size_t index) {
         Random random(key_of(key_of(options.seed, std::bit_cast<std::int64_t>(emitter.time_s)),
                              static_cast<std::int64_t>(index)));
+        const WaterFrame::Origin origin = water_frame.origin_at(emitter.time_s);
         for (int n = 0; n < emitter.count; ++n) {
             const SprayVector place = random.in_ball(), change = random.in_ball();
             Stored droplet;
-            droplet.flight = {.start_m = {emitter.x_m, emitter.y_m, emitter.z_m},
-                              .start_mps = {emitter.velocity_x_mps, emitter.velocity_y_mps, emitter.velocity_z_mps},
-                              .wind_mps = gust(wind, random),
-                              .relaxation_s = relaxation_of(emitter.drop_mm)};
+            droplet.flight = {
+                .start_m = {emitter.x_m - origin.x_m, emitter.y_m - origin.y_m, emitter.z_m - origin.z_m},
+                .start_mps = {emitter.velocity_x_mps - water_frame.current_x_mps, emitter.velocity_y_mps,
+                              emitter.velocity_z_mps - water_frame.current_z_mps},
+                .wind_mps = gust(wind, random),
+                .relaxation_s = relaxation_of(emitter.drop_mm)};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 droplet.flight.start_m[axis] += emitter.extent_m * place[axis];
                 droplet.flight.start_mps[axis] += emitter.spread_mps * change[axis];
@@ -344,12 +349,22 @@ struct Spray::State {
         }
     }
 
+    SprayDroplet in_world(SprayDroplet droplet, double time_s) const {
+        const WaterFrame::Origin origin = water_frame.origin_at(time_s);
+        droplet.x_m += origin.x_m;
+        droplet.y_m += origin.y_m;
+        droplet.z_m += origin.z_m;
+        droplet.velocity_x_mps += static_cast<float>(water_frame.current_x_mps);
+        droplet.velocity_z_mps += static_cast<float>(water_frame.current_z_mps);
+        return droplet;
+    }
+
     void show(const Ring& ring, double time_s) {
         for (std::size_t i = 0; i < ring.count() && shown_count < max_droplets; ++i) {
             const Stored& stored = ring.newest(i);
             const double age_s = time_s - stored.launch_s;
             if (age_s >= 0 && age_s < static_cast<double>(stored.lifetime_s))
-                shown[shown_count++] = droplet_at(stored, age_s);
+                shown[shown_count++] = in_world(droplet_at(stored, age_s), time_s);
         }
     }
 
@@ -363,6 +378,7 @@ struct Spray::State {
     /// Ticks that of_crests holds, none if the first is after the last.
     std::int64_t first_tick = 0, last_tick = -1;
     Wind wind;
+    WaterFrame water_frame;  ///< of the last tick; flights are in the water's frame
 };
 
 Spray::Spray(const SprayOptions& options, const Allocator& memory) {

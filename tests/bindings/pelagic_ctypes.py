@@ -142,6 +142,16 @@ class pelagic_ocean_options(ctypes.Structure):
     ]
 
 
+class pelagic_water_frame(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("sea_level_m", c_double),
+        ("current_x_mps", c_double),
+        ("current_z_mps", c_double),
+    ]
+
+
 class pelagic_ocean_info(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -517,6 +527,7 @@ STRUCTS = [
     pelagic_statistics,
     pelagic_executor_options,
     pelagic_ocean_options,
+    pelagic_water_frame,
     pelagic_ocean_info,
     pelagic_plane,
     pelagic_bounds,
@@ -555,6 +566,7 @@ FUNCTIONS = {
     "pelagic_executor_set_spin_us": (c_int32, [c_void_p, c_int32]),
     "pelagic_ocean_create": (c_int32, [POINTER(pelagic_sea), POINTER(pelagic_ocean_options), POINTER(c_void_p)]),
     "pelagic_ocean_destroy": (None, [c_void_p]),
+    "pelagic_ocean_set_water_frame": (c_int32, [c_void_p, POINTER(pelagic_water_frame)]),
     "pelagic_ocean_describe": (c_int32, [c_void_p, POINTER(pelagic_ocean_info)]),
     "pelagic_ocean_schedule": (c_int32, [c_void_p, c_double]),
     "pelagic_ocean_schedule_into": (c_int32, [c_void_p, c_double, POINTER(pelagic_texture_targets)]),
@@ -580,6 +592,7 @@ FUNCTIONS = {
     "pelagic_dynamic_waves_set_source": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_disturbance)]),
     "pelagic_dynamic_waves_remove_source": (c_int32, [c_void_p, c_uint32]),
     "pelagic_dynamic_waves_set_center": (c_int32, [c_void_p, c_double, c_double]),
+    "pelagic_dynamic_waves_set_current": (c_int32, [c_void_p, c_double, c_double]),
     "pelagic_rain_defaults": (c_int32, [POINTER(pelagic_rain)]),
     "pelagic_dynamic_waves_set_rain": (c_int32, [c_void_p, POINTER(pelagic_rain)]),
     "pelagic_dynamic_waves_advance": (c_int32, [c_void_p, c_double]),

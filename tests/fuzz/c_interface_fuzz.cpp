@@ -447,7 +447,7 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
     auto frame = sized<pelagic_frame>(bytes);
     const auto which = bytes.take<std::uint8_t>();
     if (which >= 200) return any_dynamic_waves_command(bytes, ocean);
-    switch (which % 12) {
+    switch (which % 13) {
         case 0: must_be_a_status(pelagic_ocean_schedule(ocean, bytes.number())); break;
         case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;
         case 2: must_be_a_status(pelagic_ocean_poll(ocean, &is_ready)); break;
@@ -466,6 +466,14 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 8: any_ray(bytes, ocean); break;
         case 9: any_frame_at(bytes, ocean); break;
         case 10: any_cascade(bytes, ocean); break;
+        case 11: {
+            auto water = sized<pelagic_water_frame>(bytes);
+            water.sea_level_m = bytes.number();
+            water.current_x_mps = bytes.number();
+            water.current_z_mps = bytes.number();
+            must_be_a_status(pelagic_ocean_set_water_frame(ocean, &water));
+            break;
+        }
         default: pelagic_ocean_destroy(ocean); ocean = any_ocean(bytes);
     }
 }

@@ -279,6 +279,18 @@ def test_wave_inputs_add_their_waves(small):
         assert ocean.frame_at(3).hash == both
 
 
+def test_a_sea_level_and_a_current_move_the_water(small):
+    # the water of x at 10 s comes from x - 10 U
+    with pelagic.Ocean(SEA) as still, pelagic.Ocean(SEA) as moving:
+        moving.set_water_frame(sea_level_m=3, current_mps=(1.5, -0.5))
+        x, z = np.array([0.0, 7.0]), np.array([2.0, -40.0])
+        heights = moving.frame_at(10).query(x, z)["height"]
+        np.testing.assert_array_equal(heights, (still.frame_at(10).query(x - 15, z + 5)["height"].astype(float) + 3).astype(np.float32))
+        assert moving.frame_at(10).hash == still.frame_at(10).hash
+        with pytest.raises(ValueError, match=r"^sea_level_m 1001 is out of range \[-1000, 1000\]$"):
+            moving.set_water_frame(sea_level_m=1001)
+
+
 def test_invalid_values_raise_a_one_line_error(small):
     heights = np.zeros((4, 4))
     cases = {

@@ -86,6 +86,17 @@ test('sources, rain and saved states continue bit-identically on any number of t
   }
 });
 
+for (const [where, create, options] of [everywhere[0], everywhere[2]])
+  test(`a sea level and a current move the water ${where}`, async () => {
+    const still = await create({ ...smallSea, queries: true, ...options }), moving = await create({ ...smallSea, queries: true, ...options });
+    await moving.setWaterFrame({ seaLevelM: 3, currentXMps: 1.5, currentZMps: -0.5 });
+    const lifted = await (await moving.frameAt(10)).query([[7, 2]]), upstream = await (await still.frameAt(10)).query([[7 - 15, 2 + 5]]);
+    assert.equal(lifted.heightM[0], Math.fround(upstream.heightM[0] + 3));
+    await assert.rejects(async () => moving.setWaterFrame({ seaLevelM: 1001 }), /^Error: seaLevelM 1001 is out of range \[-1000, 1000\]/);
+    still.dispose();
+    moving.dispose();
+  });
+
 test('saved states need equal options and no frame in flight', async () => {
   const ocean = await createOcean({ ...smallSea, dynamicWaves: grid, ...local });
   const unlike = await createOcean({ ...smallSea, dynamicWaves: { ...grid, sideM: 48 }, ...local });
@@ -264,7 +275,7 @@ test('an invalid option is rejected by one line that names it, its value and wha
 test('types have the options, defaults and accepted values of the library', async () => {
   const types = readFileSync(join(folder, 'index.d.ts'), 'utf8');
   const interfaces = { dynamicWaves: 'DynamicWavesOptions', disturbance: 'Disturbance', rain: 'Rain', shore: 'ShoreOptions',
-                       analyticWave: 'AnalyticWave', ripple: 'Ripple' };
+                       analyticWave: 'AnalyticWave', ripple: 'Ripple', waterFrame: 'WaterFrame' };
   const tables = await optionTables();
   assert.deepEqual(Object.keys(tables).sort(), Object.keys(interfaces).sort());
   for (const [part, name] of Object.entries(interfaces)) {

@@ -20,6 +20,7 @@
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
+#include "pelagic/tools/options/water_frame_options.hpp"
 #include "pelagic/tools/query/points_file.hpp"
 #include "pelagic/tools/query/query_rows.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -119,6 +120,7 @@ class QueryCommand final : public Command {
     SeaOptions sea_;
     ComputeFlags compute_;
     FloorFlags floor_;
+    WaterFrameFlags water_frame_;
     std::optional<std::string> points_, time_, times_, interpolation_;
     bool json_ = false, foam_ = false;
 };
@@ -143,6 +145,7 @@ void QueryCommand::add_options(CLI::App& app) {
     events_.add_to(app);
     sea_.add_to(app, SeaOptions::PresetName::positional_too);
     sea_.add_weather_to(app);
+    water_frame_.add_to(app);
     compute_.add_to(app);
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged. Units are metres and m/s; the\n"
@@ -183,6 +186,7 @@ void QueryCommand::run() {
     const std::vector<double> times_s = times(sea);
     const Interpolation interpolation =
         interpolation_ ? one_of<Interpolation>("--interpolation", *interpolation_) : Interpolation::cubic;
+    const WaterFrame water = water_frame_.resolve(floor_.has_shore());
     const std::optional<ShoreOptions> shore = this->shore(sea);
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
@@ -200,8 +204,9 @@ void QueryCommand::run() {
                                    .velocities = true,
                                    .foam = foam_,
                                    .shore = shore});
+    ocean.set_water_frame(water);
     std::optional<EventPlayer> player;
-    if (events) player.emplace(*events, executor, compute.isa);
+    if (events) player.emplace(*events, executor, compute.isa, water);
     SurfaceQueryJobs jobs(executor);
     SampleBuffers samples(foam_, shore.has_value());
     RowWriter rows(executor, samples, interpolation, json_, times_.has_value());

@@ -96,6 +96,7 @@ class OfflineRenderer {
         if (const std::string name = context_.renderer_name();
             gl::is_software_renderer(name) && options.scene.quality != fastest_quality)
             progress.note(name + " draws without a graphics processor; --quality " + fastest_quality + " is faster");
+        ocean_.set_water_frame(options.scene.water_frame);
         renderer_.set_water(options.scene.water);
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
@@ -106,7 +107,7 @@ class OfflineRenderer {
         }
         if (options.events)
             player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
-                            options.scene.compute.isa);
+                            options.scene.compute.isa, options.scene.water_frame);
         if (options.rock_m) {
             rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
             rock_->set_light(sky);
@@ -134,8 +135,7 @@ class OfflineRenderer {
         measured_.sea_ms.push_back(all.milliseconds());
 
         const gl::Stopwatch select;
-        const DrawList& list = selection_.select(
-            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        const DrawList& list = selected(frame);
         measured_.select_ms.push_back(select.milliseconds());
 
         if (!options_.hdr_file.empty()) {
@@ -189,6 +189,13 @@ class OfflineRenderer {
         return !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
     }
 
+    const DrawList& selected(const Frame& frame) {
+        return selection_.select({.viewer_m = options_.scene.camera.position_m,
+                                  .views = views_,
+                                  .bounds = frame.bounds,
+                                  .sea_level_m = frame.water_frame.sea_level_m});
+    }
+
     std::vector<gl::Eye> eyes_in(int width, int height) const {
         const gl::Viewport whole{0, 0, width, height};
         if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
@@ -212,7 +219,7 @@ class OfflineRenderer {
         // Ponds and rivers are level, or nearly.
         const gl::CameraWaterPlane water = options_.scene.surface == gl::Surface::open
                                                ? gl::camera_water_plane(SurfaceQuery(frame), viewer)
-                                               : gl::CameraWaterPlane{};
+                                               : gl::CameraWaterPlane{.height_m = frame.water_frame.sea_level_m};
         if (gl::shows_caustics(options_.scene.floor, frame.sea.depth_m, viewer.y - water.height_m)) {
             caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
                                        .sun = gl::sun_direction(options_.scene.sky)});
@@ -256,8 +263,7 @@ class OfflineRenderer {
         const int height = std::max(1, options_.scene.height * width / options_.scene.width);
         gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
         const Frame& frame = ocean_.frame_at(0);
-        const DrawList& list = selection_.select(
-            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        const DrawList& list = selected(frame);
         draw(frame, list, eyes_in(width, height), small, true);
         gl::LightMeter meter(context_.functions());
         return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);

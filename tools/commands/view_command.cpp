@@ -130,6 +130,7 @@ void ViewCommand::run() {
                                 .threads = scene.compute.threads};
     options.floor = scene.floor;
     options.shore = scene.shore;
+    options.water_frame = scene.water_frame;
     if (scene.spray != SprayUse::automatic) options.spray = scene.spray == SprayUse::on;
     options.changes = forecast_of(scene.sea).changes;
     options.save_image = [&](std::span<const std::uint8_t> pixels, int width, int height) {
@@ -144,7 +145,7 @@ void ViewCommand::run() {
         scene.spray == SprayUse::automatic ? "" : " --spray " + std::string(name_of(scene.spray));
     std::printf("%llu frames, by %s. Equivalent command without a window:\n  %s\n",
                 static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
-                (render_command_of(result) + scene_.typed_floor() + spray_text).c_str());
+                (render_command_of(result) + scene_.typed_floor() + scene_.typed_water_frame() + spray_text).c_str());
 }
 
 }  // namespace

@@ -5,13 +5,16 @@
 
 namespace pelagic::tools {
 
-EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa)
+EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa,
+                         const WaterFrame& water)
     : options_(options),
       commands_(event_commands(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
-      waves_(options.water, DynamicWaves::Resources{.executor = std::move(executor), .isa = isa}) {
+      waves_(options.water, DynamicWaves::Resources{.executor = std::move(executor), .isa = isa}),
+      has_current_(water.current_x_mps != 0 || water.current_z_mps != 0) {
+    waves_.set_current(water.current_x_mps, water.current_z_mps);
     first_tick_ = commands_.front().tick - 1;
-    waves_.set_center(options_.middle_x_m, options_.middle_z_m);
+    center_grid();
     waves_.advance(time_of(first_tick_));
     tick_ = first_tick_;
     beginning_ = waves_.save_state();
@@ -33,7 +36,9 @@ void EventPlayer::go_to(std::int64_t tick) {
     while (tick_ < tick) {
         for (; next_command_ < commands_.size() && commands_[next_command_].tick == tick_ + 1; ++next_command_)
             run_command(commands_[next_command_]);
-        std::int64_t until = std::min(tick, tick_ + longest_jump);
+        // A current carries the grid, which returns to its place in every tick.
+        if (has_current_) center_grid();
+        std::int64_t until = std::min(tick, tick_ + (has_current_ ? 1 : longest_jump));
         if (next_command_ < commands_.size()) until = std::min(until, commands_[next_command_].tick - 1);
         waves_.advance(time_of(until));
         tick_ = until;

@@ -14,6 +14,7 @@
 
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/water_frame.hpp"
 #include "pelagic/tools/events/event_commands.hpp"
 #include "pelagic/tools/events/event_options.hpp"
 
@@ -22,7 +23,9 @@ namespace pelagic::tools {
 class EventPlayer {
    public:
     /// Throws what event_commands() throws.
-    EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa);
+    /// \param water  with the current. Events and the grid's centre have positions in the world.
+    EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa,
+                const WaterFrame& water = {});
 
     /// Returns the waves at a time, valid until the second call from now. \pre time_s is finite
     DynamicWavesView at(double time_s);
@@ -30,6 +33,7 @@ class EventPlayer {
    private:
     void run_command(const EventCommand& command);
     void go_to(std::int64_t tick);
+    void center_grid() { waves_.set_center(options_.middle_x_m, options_.middle_z_m); }
     double time_of(std::int64_t tick) const { return static_cast<double>(tick) / options_.water.ticks_per_s; }
 
     EventOptions options_;
@@ -38,6 +42,7 @@ class EventPlayer {
     std::vector<std::uint32_t> numbers_;  ///< of each event's source
     std::int64_t first_tick_ = 0, tick_ = 0;
     DynamicWaves waves_;
+    bool has_current_;
     std::vector<std::uint8_t> beginning_;
 };
 

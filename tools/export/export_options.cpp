@@ -230,6 +230,7 @@ void ExportFlags::add_to(CLI::App& app) {
     events_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
+    water_frame_.add_to(app);
     compute_.add_to(app);
 }
 
@@ -334,6 +335,7 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.maps = maps(place.names);
     options.meshes = meshes_.resolve(options.sea, options.times);
     options.events = events_.resolve(sea.sea.depth_m);
+    options.water_frame = water_frame_.resolve(false);
     if (options.events)
         require_reachable(*options.events, options.times.time_of(options.times.number(options.times.count() - 1)));
     const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);

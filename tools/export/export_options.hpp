@@ -15,6 +15,7 @@
 #include "pelagic/tools/maps/map_options.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
+#include "pelagic/tools/options/water_frame_options.hpp"
 
 namespace pelagic::tools {
 
@@ -31,6 +32,7 @@ struct ExportOptions {
     MapOptions maps;
     MeshOptions meshes;
     std::optional<EventOptions> events;  ///< none: no dynamic waves
+    WaterFrame water_frame;              ///< recorded only: files are in the water's frame
     std::optional<Shard> shard;          ///< none: this process makes all frames
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< makes a preview instead of frames
@@ -70,6 +72,7 @@ class ExportFlags {
     SeaOptions sea_;
     MeshFlags meshes_;
     EventFlags events_;
+    WaterFrameFlags water_frame_;
     ComputeFlags compute_;
     /// text of each option by name, without dashes; none if not given
     std::map<std::string, std::optional<std::string>> typed_;

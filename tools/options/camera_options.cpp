@@ -44,8 +44,9 @@ void CameraFlags::add_to(CLI::App& app) {
         ->group(help_group::view);
 }
 
-Camera CameraFlags::resolve() const {
-    Camera camera{default_position_m, default_target_m, glm::radians(default_fov_deg)};
+Camera CameraFlags::resolve(double sea_level_m) const {
+    const glm::dvec3 level(0, sea_level_m, 0);
+    Camera camera{default_position_m + level, default_target_m + level, glm::radians(default_fov_deg)};
     if (camera_) camera.position_m = point("--camera", *camera_);
     if (target_)
         camera.target_m = point("--target", *target_);

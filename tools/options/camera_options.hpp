@@ -13,8 +13,9 @@ namespace pelagic::tools {
 class CameraFlags {
    public:
     void add_to(CLI::App& app);
+    /// \param sea_level_m  height above which the default camera is placed
     /// \throws InputError  if a value is invalid
-    Camera resolve() const;
+    Camera resolve(double sea_level_m = 0) const;
     bool has_place() const { return camera_.has_value(); }  ///< true if --camera was given
 
    private:

@@ -86,10 +86,11 @@ const gl::LightPreset& light_named(const std::string& option, const std::string&
 }
 
 /// Returns the camera of the options. Without --camera it is above the highest crests.
-Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
-    Camera camera = flags.resolve();
+Camera chosen_camera(const CameraFlags& flags, const SeaState& sea, double sea_level_m) {
+    Camera camera = flags.resolve(sea_level_m);
     if (!flags.has_place())
-        camera.position_m.y = std::max(camera.position_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
+        camera.position_m.y =
+            std::max(camera.position_m.y, sea_level_m + 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
     return camera;
 }
 
@@ -138,6 +139,7 @@ void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
     floor_.add_to(app);
     sea_.add_to(app, preset);
     sea_.add_weather_to(app);
+    water_frame_.add_to(app);
     compute_.add_to(app);
 }
 
@@ -172,11 +174,12 @@ SceneOptions SceneFlags::resolve() const {
     SceneOptions options;
     options.sea = sea_.resolve();
     options.compute = compute_.resolve();
-    options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = default_sky(options.sea.sea);
+    options.water_frame = water_frame_.resolve(floor_.has_shore());
     const FloorOptions floor = floor_.resolve(options.sea);
     if (floor.field) options.floor = gl::floor_of(*floor.field);
     options.shore = floor.shore();
+    options.camera = chosen_camera(camera_, options.sea.sea, options.water_frame.sea_level_m);
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);

@@ -20,6 +20,7 @@
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
+#include "pelagic/tools/options/water_frame_options.hpp"
 
 namespace pelagic::tools {
 
@@ -42,6 +43,7 @@ struct SceneOptions {
     float crest_glow = 1;  ///< gl::DrawInput::crest_glow
     gl::SeaFloor floor;
     std::optional<ShoreOptions> shore;  ///< the floor's heights with --shore
+    WaterFrame water_frame;
     gl::Surface surface = gl::Surface::open;
     SprayUse spray = SprayUse::automatic;
     std::optional<gl::FlowMap> flow;
@@ -79,6 +81,8 @@ class SceneFlags {
     static std::string description_of_lights();
     /// Returns the floor's options as given on the command line, to print an equivalent command.
     std::string typed_floor() const { return floor_.typed(); }
+    /// Returns the options of sea level and current in the same form.
+    std::string typed_water_frame() const { return water_frame_.typed(); }
 
    private:
     void read_camera_settings(gl::CameraSettings& settings) const;
@@ -87,6 +91,7 @@ class SceneFlags {
     ComputeFlags compute_;
     CameraFlags camera_;
     FloorFlags floor_;
+    WaterFrameFlags water_frame_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
 };
 

@@ -32,7 +32,7 @@ std::string flag_without_unit(std::string key, std::initializer_list<std::string
 std::string flag_of(const std::string& key) {
     for (const auto& [other_key, flag] : other_flags)
         if (key == other_key) return std::string(flag);
-    return flag_without_unit(key, {"_s", "_m"});
+    return flag_without_unit(key, {"_mps", "_s", "_m"});
 }
 
 std::string flag_at(std::string_view pointer) {

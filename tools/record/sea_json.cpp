@@ -103,6 +103,10 @@ Json options_as_json(const ExportOptions& options) {
         how["events_at"] = {options.events->middle_x_m, options.events->middle_z_m};
         how["events_step"] = name_of(options.events->water.step);
     }
+    const WaterFrame& water = options.water_frame;
+    if (water.sea_level_m != 0) how["sea_level_m"] = water.sea_level_m;
+    if (water.current_x_mps != 0 || water.current_z_mps != 0)
+        how["current_mps"] = {water.current_x_mps, water.current_z_mps};
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);

@@ -235,6 +235,25 @@ namespace Pelagic
     }
 
     /// <summary>
+    /// A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and
+    /// commands of dynamic waves use positions in the world. Frames, their hashes and views are in the
+    /// water's frame, whose origin lies at (CurrentXMps t, SeaLevelM, CurrentZMps t) in the
+    /// world.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct WaterFrame
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        /// <summary>[-1000, 1000]</summary>
+        public double SeaLevelM;
+        /// <summary>[-10, 10]</summary>
+        public double CurrentXMps;
+        /// <summary>[-10, 10]</summary>
+        public double CurrentZMps;
+    }
+
+    /// <summary>
     /// Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
     /// the sums over its cascades: exact for one cascade, upper bounds for several, whose extremes need
     /// not coincide.
@@ -944,6 +963,9 @@ namespace Pelagic
         internal static extern void pelagic_ocean_destroy(IntPtr ocean);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_set_water_frame(IntPtr ocean, WaterFrame* water);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_describe(IntPtr ocean, pelagic_ocean_info* info);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1017,6 +1039,9 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_dynamic_waves_set_center(IntPtr waves, double x_m, double z_m);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_dynamic_waves_set_current(IntPtr waves, double x_mps, double z_mps);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_rain_defaults(Rain* rain);

@@ -338,6 +338,13 @@ class OceanBinding {
         });
     }
 
+    val set_water_frame(const val& water) {
+        return answer_of([&] {
+            ocean_.set_water_frame(water_frame_of(water));
+            return val::undefined();
+        });
+    }
+
     val schedule_sea(const val& options) {
         return answer_of([&] {
             ocean_.schedule_sea(sea_with(ocean_.sea(), options));
@@ -525,6 +532,7 @@ EMSCRIPTEN_BINDINGS(ocean) {
         .function("foamHash", &OceanBinding::foam_hash)
         .function("query", &OceanBinding::query)
         .function("firstHit", &OceanBinding::first_hit)
+        .function("setWaterFrame", &OceanBinding::set_water_frame)
         .function("scheduleSea", &OceanBinding::schedule_sea)
         .function("seaIsReady", &OceanBinding::sea_is_ready)
         .function("completeSea", &OceanBinding::complete_sea)

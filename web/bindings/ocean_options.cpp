@@ -145,6 +145,15 @@ Disturbance disturbance_of(const val& object) {
     return disturbance;
 }
 
+WaterFrame water_frame_of(const val& object) {
+    ObjectReader reader("water", "", object);
+    WaterFrame water;
+    reader.take_fields(water, water_frame_fields());
+    reader.end();
+    require_valid("", check(water));
+    return water;
+}
+
 Rain rain_of(const val& object, const DynamicWavesOptions& options) {
     ObjectReader reader("rain", "", object);
     Rain rain;
@@ -198,6 +207,7 @@ val ocean_option_tables() {
     tables.set("shore", table_of(shore_fields()));
     tables.set("analyticWave", table_of(analytic_wave_fields()));
     tables.set("ripple", table_of(ripple_fields()));
+    tables.set("waterFrame", table_of(water_frame_fields()));
     return tables;
 }
 

@@ -11,6 +11,7 @@
 #include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/water_frame.hpp"
 
 namespace pelagic::web {
 
@@ -24,6 +25,8 @@ DynamicWavesOptions dynamic_waves_options_of(const emscripten::val& object);
 emscripten::val options_of(const DynamicWavesOptions& options);
 
 Disturbance disturbance_of(const emscripten::val& object);
+/// Reads a sea level and a current.
+WaterFrame water_frame_of(const emscripten::val& object);
 /// Reads rain on dynamic waves of these options.
 Rain rain_of(const emscripten::val& object, const DynamicWavesOptions& options);
 
@@ -41,8 +44,8 @@ OceanInput input_of(const std::string& name, const emscripten::val& object);
 /// Replaces the waves, or the ripple, of an input. The object must be of the same kind.
 void set_input(OceanInput& input, const std::string& name, const emscripten::val& object);
 
-/// Returns {dynamicWaves, disturbance, rain, shore, analyticWave, ripple}, arrays of rows as those
-/// of sea_option_table().
+/// Returns {dynamicWaves, disturbance, rain, shore, analyticWave, ripple, waterFrame}, arrays of
+/// rows as those of sea_option_table().
 emscripten::val ocean_option_tables();
 
 }  // namespace pelagic::web

@@ -141,7 +141,10 @@ void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> exposure)
         views.push_back(eye.clip_from_world);
         viewer += eye.position_m / static_cast<double>(eyes.size());
     }
-    const DrawList& list = s.selection.select({.viewer_m = viewer, .views = views, .bounds = s.frame->bounds});
+    const DrawList& list = s.selection.select({.viewer_m = viewer,
+                                               .views = views,
+                                               .bounds = s.frame->bounds,
+                                               .sea_level_m = s.frame->water_frame.sea_level_m});
     {
         const gl::GlStateGuard keep(s.gl);  // enables all masks
         s.gl.ClearColor(0, 0, 0, 1);

@@ -169,6 +169,16 @@ export interface Disturbance {
   velocityZMps?: number;
 }
 
+/** A sea level, for instance of a tide, and a uniform current. */
+export interface WaterFrame {
+  /** Height of still water, metres: [-1000, 1000]. Default 0. */
+  seaLevelM?: number;
+  /** Velocity of the water along x, m/s: [-10, 10]. Default 0. */
+  currentXMps?: number;
+  /** Velocity of the water along z, m/s: [-10, 10]. Default 0. */
+  currentZMps?: number;
+}
+
 /** Rain on dynamic waves. setRain() checks the ranges, which depend on the grid. */
 export interface Rain {
   /**
@@ -284,6 +294,7 @@ export interface OptionTables {
   shore: OptionRow[];
   analyticWave: OptionRow[];
   ripple: OptionRow[];
+  waterFrame: OptionRow[];
 }
 /** Returns the options of dynamic waves, disturbances, rain, shores and wave inputs. */
 export function optionTables(): Promise<OptionTables>;
@@ -316,6 +327,13 @@ export class Ocean {
   query(points: Points, options?: QueryOptions): SurfaceSamples;
   /** Intersects a ray with the frame completed last. */
   firstHit(ray: Ray): Hit | null;
+
+  /**
+   * Sets the sea level and the current of frames that are scheduled from now on; values left out
+   * are 0. Queries and dynamic waves then use positions in the world, and the current carries the
+   * water. The other data of frames do not change. Throws if the ocean has a shore.
+   */
+  setWaterFrame(water: WaterFrame): void;
 
   /**
    * Starts to compute the spectrum of another sea together with frames, which do not change yet:

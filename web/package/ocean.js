@@ -270,6 +270,10 @@ export class Ocean {
     return this.#newestFrame().firstHit(ray);
   }
 
+  setWaterFrame(water) {
+    valueOf(this.#open().setWaterFrame(water));
+  }
+
   scheduleSea(options) {
     const native = this.#open();
     if (this.#isBaking) throw new Error('a sea is scheduled already; call completeSea() first');

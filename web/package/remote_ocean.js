@@ -181,6 +181,10 @@ export class RemoteOcean {
     return this.#newestFrame().firstHit(ray);
   }
 
+  setWaterFrame(water) {
+    return this.#line.call('setWaterFrame', water);
+  }
+
   changeSea(options) {
     return this.#line.call('changeSea', options);
   }

@@ -1,7 +1,7 @@
 // Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
   Bounds, CascadeAbout, CascadeMaps, Disturbance, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
-  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SurfaceSamples, WaveInput,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SurfaceSamples, WaterFrame, WaveInput,
 } from './index.js';
 
 export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
@@ -33,6 +33,7 @@ export class RemoteOcean {
   frameAt(timeS: number): Promise<RemoteFrame>;
   query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
+  setWaterFrame(water: WaterFrame): Promise<void>;
   changeSea(options: SeaOptions): Promise<void>;
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): Promise<void>;
   setInput(index: number, input: WaveInput): Promise<void>;

@@ -72,6 +72,7 @@ const methods = {
   setInput: (index, input) => ocean.setInput(index, input),
   query: (number, points, options) => frameOf(number).query(points, options),
   firstHit: (number, ray) => frameOf(number).firstHit(ray),
+  setWaterFrame: (water) => ocean.setWaterFrame(water),
   changeSea: (options) => ocean.changeSea(options),
   turnInto: (options, when) => ocean.turnInto(options, when),
   sea: () => ocean.sea,

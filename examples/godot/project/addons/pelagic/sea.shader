@@ -38,6 +38,7 @@ uniform sampler2D shore_water;       // height, slopes along x and z, foam
 uniform vec4 shore_place;            // xy: texture coordinates of the camera; zw: change per metre
 uniform vec4 shore_size;             // xy: texels, 0: no shore; z: texels per metre; w: last mip
 uniform vec3 viewer;                 // world position of the camera
+uniform float sea_level_m;           // height of still water
 uniform vec4 grid;                   // xy: corner; z: metres per step; w: steps along a patch
 uniform vec4 grid_shape;             // xy: middle; z: steps along a side; w: finest level
 uniform vec4 fade;                   // xy: centre; z: distance of the end; w: 1 / width of the fade
@@ -167,7 +168,7 @@ vec3 displaced(vec2 index, sampler2DArray maps) {
 	vec2 at = grid.xy + index * grid.z;
 	vec2 from_centre = abs(at - fade.xy);
 	float attenuation = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
-	float step_m = max(spacing.y, length(vec3(at.x, viewer.y, at.y)) * spacing.x);
+	float step_m = max(spacing.y, length(vec3(at.x, viewer.y - sea_level_m, at.y)) * spacing.x);
 	vec4 xs = vec4(0.0); // one component per cascade
 	vec4 heights = vec4(0.0);
 	vec4 zs = vec4(0.0);
@@ -239,7 +240,7 @@ void vertex() {
 		}
 		rest = grid.xy + index * grid.z;
 	}
-	place = vec3(rest.x + moved.x, moved.y - viewer.y, rest.y + moved.z);
+	place = vec3(rest.x + moved.x, moved.y + (sea_level_m - viewer.y), rest.y + moved.z);
 	// The camera may have moved after the node set the uniforms.
 	VERTEX = mat3(INV_CAMERA_MATRIX) * (place + (viewer - CAMERA_MATRIX[3].xyz));
 	NORMAL = mat3(INV_CAMERA_MATRIX) * vec3(0.0, 1.0, 0.0);
@@ -305,7 +306,7 @@ void fragment() {
 	if (away < 0.02) normal = normalize(normal + (0.02 - away) * to_eye);
 	NORMAL = mat3(INV_CAMERA_MATRIX) * normal;
 	float alpha2 = variance + roughness_between_texels * roughness_between_texels;
-	float crest = clamp(0.15 + 0.25 * (place.y + viewer.y), 0.0, 1.0) * clamp(1.0 - to_eye.y, 0.0, 1.0);
+	float crest = clamp(0.15 + 0.25 * (place.y + viewer.y - sea_level_m), 0.0, 1.0) * clamp(1.0 - to_eye.y, 0.0, 1.0);
 	vec3 water = mix(water_colour.rgb, crest_colour.rgb, crest);
 	ALBEDO = mix(water, foam_colour.rgb, foam);
 	ROUGHNESS = mix(sqrt(sqrt(clamp(alpha2, 0.0001, 1.0))), 0.9, foam);

@@ -1,0 +1,21 @@
+#include "pelagic/sim/water_frame.hpp"
+
+#include <array>
+
+#include "pelagic/message/invalid_value_message.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr std::array fields = {
+    NumericField<WaterFrame>{"sea_level_m", &WaterFrame::sea_level_m, -1000, 1000, "[-1000, 1000]"},
+    NumericField<WaterFrame>{"current_x_mps", &WaterFrame::current_x_mps, -10, 10, "[-10, 10]"},
+    NumericField<WaterFrame>{"current_z_mps", &WaterFrame::current_z_mps, -10, 10, "[-10, 10]"},
+};
+
+}  // namespace
+
+std::span<const NumericField<WaterFrame>> water_frame_fields() { return fields; }
+std::string check(const WaterFrame& water) { return check_fields(water, fields); }
+
+}  // namespace pelagic
