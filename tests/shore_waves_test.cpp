@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -409,15 +410,16 @@ TEST(ShoreWaves, AreAttenuatedByDepthAsTheTmaSpectrum) {
     const SeaState sea = one_wave();
     const DepthAttenuation part(sea, plan_cascades(sea).front());
     const double omega = wave_of(sea).omega, variance = 0.5 * wave_of(sea).amplitude_m * wave_of(sea).amplitude_m;
-    for (const double d : {2000.0, 100.0, 30.0, 8.0, 2.0, 0.5, 0.05}) {
-        const double kd = wave_number_at(omega, d) * d, t = std::tanh(kd);
+    const std::vector<double> depths_m = {2000.0, 100.0, 30.0, 8.0, 2.0, 0.5, 0.05};
+    const std::vector<double> factors = part.at(depths_m);
+    for (std::size_t i = 0; i < depths_m.size(); ++i) {
+        const double d = depths_m[i], kd = wave_number_at(omega, d) * d, t = std::tanh(kd);
         const double left = std::sqrt(t * t * t / (t + kd * (1 - t * t)));
         const double highest = std::min(1.0, 0.6 * d / (4 * std::sqrt(variance) * left));
         // A shore's frequency is a whole number of the loop's, with an error of up to 1 %.
-        EXPECT_NEAR(part.at(d), left * highest, 6e-3) << d;
+        EXPECT_NEAR(factors[i], left * highest, 6e-3) << d;
     }
-    EXPECT_EQ(part.at(0), 0);
-    EXPECT_EQ(part.at(-3), 0);
+    EXPECT_EQ(part.at(std::array{0.0, -3.0}), (std::vector{0.0, 0.0}));
 }
 
 // The sea behind an island is calm compared with the sea in front of it: a root mean square over

@@ -58,12 +58,12 @@ Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_stra
         std::vector<double> depths_m;
         for (std::size_t texel = 0; texel < bed.texels(); ++texel)
             if (bed.is_water(texel)) water.push_back(texel), depths_m.push_back(bed.depth_m[texel]);
-        std::vector<double> wave_numbers_of_water(water.size());
-        wave_numbers(wave.omega, depths_m, wave_numbers_of_water);
+        std::vector<double> k(water.size()), speeds(water.size());
+        wave_numbers(wave.omega, depths_m, k);
+        group_velocities(k, depths_m, speeds);
         for (std::size_t i = 0; i < water.size(); ++i) {
-            const double k = wave_numbers_of_water[i];
-            k_[water[i]] = std::min(k, max_k);
-            shoaling_[water[i]] = std::sqrt(open_speed / group_velocity(k, depths_m[i]));
+            k_[water[i]] = std::min(k[i], max_k);
+            shoaling_[water[i]] = std::sqrt(open_speed / speeds[i]);
         }
     }
     come_in(wave, open_k);

@@ -134,14 +134,15 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->fade.resize(bed_.texels());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         bake_->fade[texel] = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
+    std::vector<double> depths_m;
+    for (int i = 0; i <= depths; ++i) {
+        const double root = static_cast<double>(i) / depths;
+        depths_m.push_back(bake_->deepest_m * root * root);
+    }
     for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
         const DepthAttenuation attenuation(sea, plans[cascade]);
         bake_->variances.push_back(attenuation.variance());
-        std::vector<double>& table = bake_->depth_attenuations.emplace_back();
-        for (int i = 0; i <= depths; ++i) {
-            const double root = static_cast<double>(i) / depths;
-            table.push_back(attenuation.at(bake_->deepest_m * root * root));
-        }
+        bake_->depth_attenuations.push_back(attenuation.at(depths_m));
     }
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
     for (Slot& slot : slots_) {
