@@ -128,9 +128,11 @@ void WorkerGroup::start_and_finish(Run& run) {
 }
 
 /// A worker that is woken does half of the work that remains when it begins. It must save a tenth
-/// of the time, because estimates vary. In a series of runs it stays awake.
+/// of the time, because estimates vary. In a series of runs it stays awake. The first run of a
+/// graph may be long and the only one, so it is shared.
 bool WorkerGroup::pays_to_share(const Run& run) const {
-    if (threads_ == 1 || run.alone == 0) return false;
+    if (threads_ == 1) return false;
+    if (run.alone == 0) return true;
     if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
     return run.alone - run.alone / 5 > wake_delay_ + 2 * wake_cost_;
 }
