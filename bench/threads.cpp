@@ -6,8 +6,9 @@
 // EVERY_MS 0 computes frames one after the other. Otherwise the process sleeps for EVERY_MS before
 // each frame. A time is that of frame_at(), or in a row "ahead" that of schedule() and complete()
 // without the 2 ms of sleep between them, which an application draws in. Executors take turns,
-// because other load on the machine varies; a speed-up is the median over the turns. Context switches and processor time are those of
-// the whole process per frame, so the row of one thread includes the sleep between frames.
+// because other load on the machine varies; a speed-up is the median over the turns. Context
+// switches and processor time are those of the whole process per frame, so the row of one thread
+// includes the sleep between frames.
 //
 // The row "apart" has two oceans on two threads that share no work, and its time is half of theirs.
 // Its speed-up is that of the machine: it is low if the two processors are hardware threads of one
