@@ -81,7 +81,7 @@ double tanh(double x) {
 // The steps of exp() and tanh() in the same order, without branches, so that the compiler uses
 // vectors. -2 x is at least -40, so that e^r 2^k is a normal number.
 void tanh(std::array<double, batch_size>& values) {
-    constexpr double to_integer = 0x1.8p52;           // the sum is rounded to an integer
+    constexpr double to_integer = 0x1.8p52;                 // the sum is rounded to an integer
     constexpr double to_exponent = 0x1p52 + exponent_bias;  // the sum ends in the exponent's bits
     std::array<double, batch_size> results, k, r, series;
     for (std::size_t i = 0; i < batch_size; ++i) {

@@ -323,8 +323,8 @@ TEST(Refraction, MatchesSnellsLawOnABeach) {
     ShoreOptions options = beach(1000, 600, 40, 150, 5);
     const SeaBed bed(options);
     const double omega = 2 * pi / 9, angle = 0.6, open_k = wave_number_at(omega, 4000);
-    const Refraction wave(bed,
-                          {.omega = omega, .along_x = std::cos(angle), .along_z = std::sin(angle), .depth_m = 4000});
+    Refraction wave(bed);
+    wave.propagate({.omega = omega, .along_x = std::cos(angle), .along_z = std::sin(angle), .depth_m = 4000});
     int looked = 0;
     for (int i = 60; i < bed.columns; i += 10) {
         const double d = bed.depth_m[bed.at(i, bed.rows / 2)];
@@ -350,7 +350,8 @@ TEST(Refraction, TakesTheShortestPathAroundAnIsland) {
     ShoreOptions options = island(side, radius, 60, 4);
     const SeaBed bed(options);
     const double omega = 2 * pi / 7, k = wave_number_at(omega, 60);
-    const Refraction wave(bed, {.omega = omega, .along_x = 1, .along_z = 0, .depth_m = 60});
+    Refraction wave(bed);
+    wave.propagate({.omega = omega, .along_x = 1, .along_z = 0, .depth_m = 60});
     for (const double behind : {250.0, 350.0, 450.0}) {
         const int i = static_cast<int>(std::lround((side / 2 + behind) / bed.texel_m)), j = bed.rows / 2;
         const double x = i * bed.texel_m - side / 2;
@@ -368,7 +369,8 @@ TEST(Refraction, TakesTheShortestPathAroundAnIsland) {
 TEST(Refraction, LosesEnergyOnlyOnLand) {
     const double side = 1000;
     const SeaBed bed(island(side, 150, 60, 4));
-    const Refraction wave(bed, {.omega = 2 * pi / 7, .along_x = 1, .along_z = 0, .depth_m = 60});
+    Refraction wave(bed);
+    wave.propagate({.omega = 2 * pi / 7, .along_x = 1, .along_z = 0, .depth_m = 60});
     double energy = 0;
     const int i = bed.columns - 30;
     for (int j = 0; j < bed.rows; ++j) energy += wave.height()[bed.at(i, j)] * wave.height()[bed.at(i, j)];
