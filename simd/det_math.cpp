@@ -63,7 +63,8 @@ double exp(double x) {
     return e_r * two_to_the(half) * two_to_the(static_cast<int>(k) - half);
 }
 
-double pow(double x, double y) { return exp(y * log(x)); }
+// e^0 is 1 exactly.
+double pow(double x, double y) { return y == 0 ? 1 : exp(y * log(x)); }
 
 // tanh x = (1 - e)/(1 + e), e = exp(-2x). The odd Taylor series replaces it for small x, where it
 // cancels.
