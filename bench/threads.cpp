@@ -4,9 +4,11 @@
 //   build/release/bin/pelagic_threads_bench [EVERY_MS [TURNS [ISA]]]
 //
 // EVERY_MS 0 computes frames one after the other. Otherwise the process sleeps for EVERY_MS before
-// each frame. A time is that of frame_at(). Executors take turns, because other load on the machine
-// varies; a speed-up is the median over the turns. Context switches and processor time are those of
-// the whole process per frame, so the row of one thread includes the sleep between frames.
+// each frame. A time is that of frame_at(), or in a row "ahead" that of schedule() and complete()
+// without the 2 ms of sleep between them, which an application draws in. Executors take turns,
+// because other load on the machine varies; a speed-up is the median over the turns. Context
+// switches and processor time are those of the whole process per frame, so the row of one thread
+// includes the sleep between frames.
 //
 // The row "apart" has two oceans on two threads that share no work, and its time is half of theirs.
 // Its speed-up is that of the machine: it is low if the two processors are hardware threads of one
@@ -33,8 +35,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
+enum class Start { in_frame_at, ahead };
+
 constexpr int threads = 2;
 constexpr double turn_ms = 4;                     // frame after frame
+constexpr double ahead_ms = 2;                    // from schedule() to complete()
 constexpr int warm_frames = 4, paced_frames = 8;  // each slot twice; at a display's rate
 
 double median(std::vector<double> values) {
@@ -62,8 +67,9 @@ Usage usage() {
 class Contestant {
    public:
     Contestant(const SeaState& sea, Isa isa, std::shared_ptr<Executor> executor, double every_ms,
-               std::string name = {})
+               std::string name = {}, Start frames_start = Start::in_frame_at)
         : name_(name.empty() ? std::string(executor->name()) : std::move(name)),
+          frames_start_(frames_start),
           threads_(executor->thread_limit()),
           every_ms_(every_ms),
           ocean_(sea, {.executor = std::move(executor), .isa = isa}) {
@@ -128,12 +134,22 @@ class Contestant {
 
     double time_frame() {
         if (every_ms_ > 0) std::this_thread::sleep_for(Milliseconds(every_ms_));
+        time_s_ += 1.0 / 72;
         const Clock::time_point start = Clock::now();
-        ocean_.frame_at(time_s_ += 1.0 / 72);
-        return Milliseconds(Clock::now() - start).count();
+        if (frames_start_ == Start::in_frame_at) {
+            ocean_.frame_at(time_s_);
+            return Milliseconds(Clock::now() - start).count();
+        }
+        ocean_.schedule(time_s_);
+        const Clock::time_point scheduled = Clock::now();
+        std::this_thread::sleep_for(Milliseconds(ahead_ms));
+        const Clock::time_point drawn = Clock::now();
+        ocean_.complete();
+        return Milliseconds(Clock::now() - drawn + (scheduled - start)).count();
     }
 
     std::string name_;
+    Start frames_start_;
     int threads_;
     double every_ms_;
     Ocean ocean_;
@@ -149,8 +165,11 @@ void compare(const std::string& name, const SeaState& sea, Isa isa, double every
 #if defined(PELAGIC_HAS_TBB)
     executors.push_back(make_tbb_executor(threads));
 #endif
-    for (auto& executor : executors)
-        contestants.push_back(std::make_unique<Contestant>(sea, isa, std::move(executor), every_ms));
+    for (const auto& executor : executors)
+        contestants.push_back(std::make_unique<Contestant>(sea, isa, executor, every_ms));
+    if (every_ms > 0)
+        contestants.push_back(
+            std::make_unique<Contestant>(sea, isa, make_default_executor(threads), every_ms, "ahead", Start::ahead));
     Contestant apart(sea, isa, make_serial_executor(), every_ms, "apart");
     Contestant beside(sea, isa, make_serial_executor(), every_ms);
     for (int turn = 0; turn < turns; ++turn) {

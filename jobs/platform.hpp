@@ -35,8 +35,8 @@ void keep_this_thread_on_cpus(std::uint64_t mask);
 /// it.
 int current_cpu();
 
-/// Moves the calling thread to another CPU that it may use, if there is one. It may use the same
-/// CPUs as before. Has no effect if the system has no such function.
+/// Moves the calling thread to another CPU that it may use, if there is one. It may not use `cpu`
+/// until it leaves a different one. Has no effect if the system has no such function.
 void leave_cpu(int cpu);
 
 /// Replacement of std::atomic's wait(): blocks until `word` differs from `value`. A thread that

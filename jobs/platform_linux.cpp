@@ -49,13 +49,14 @@ void keep_this_thread_on_cpus(std::uint64_t mask) {
 int current_cpu() { return sched_getcpu(); }
 
 void leave_cpu(int cpu) {
-    cpu_set_t all;
-    CPU_ZERO(&all);
-    if (sched_getaffinity(0, sizeof all, &all) != 0) return;
-    cpu_set_t others = all;
+    thread_local int left = -1;
+    cpu_set_t others;
+    CPU_ZERO(&others);
+    if (sched_getaffinity(0, sizeof others, &others) != 0) return;
+    if (left >= 0) CPU_SET(static_cast<unsigned>(left), &others);
     CPU_CLR(static_cast<unsigned>(cpu), &others);
-    // The first call moves the thread, and fails if there is no other CPU.
-    if (sched_setaffinity(0, sizeof others, &others) == 0) sched_setaffinity(0, sizeof all, &all);
+    // Fails if there is no other CPU.
+    if (sched_setaffinity(0, sizeof others, &others) == 0) left = cpu;
 }
 
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }

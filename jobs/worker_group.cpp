@@ -128,9 +128,11 @@ void WorkerGroup::start_and_finish(Run& run) {
 }
 
 /// A worker that is woken does half of the work that remains when it begins. It must save a tenth
-/// of the time, because estimates vary. In a series of runs it stays awake.
+/// of the time, because estimates vary. In a series of runs it stays awake. The first run of a
+/// graph may be long and the only one, so it is shared.
 bool WorkerGroup::pays_to_share(const Run& run) const {
-    if (threads_ == 1 || run.alone == 0) return false;
+    if (threads_ == 1) return false;
+    if (run.alone == 0) return true;
     if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
     return run.alone - run.alone / 5 > wake_delay_ + 2 * wake_cost_;
 }
@@ -158,7 +160,7 @@ double WorkerGroup::finish(Run& run) {
 void WorkerGroup::work(int thread) noexcept {
     if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
     // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
-    // each time if the two CPUs share no cache.
+    // each time if the two CPUs share no cache. The thread then waits for 2 ms, so it stays away.
     if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu);
     RunProgress::Place place{thread};
     std::shared_ptr<Run> last;

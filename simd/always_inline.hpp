@@ -15,3 +15,11 @@
 /// xsimd's functions, some of which are calls on NEON.
 #define PELAGIC_FLATTEN [[gnu::flatten]] inline
 #endif
+
+/// PELAGIC_INLINE for large functions with several callers. WebAssembly calls them: a module is a
+/// sixth smaller, and queries take no longer.
+#if defined(__wasm__)
+#define PELAGIC_INLINE_LARGE [[gnu::noinline]]
+#else
+#define PELAGIC_INLINE_LARGE PELAGIC_INLINE
+#endif

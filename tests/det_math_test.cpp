@@ -1,9 +1,13 @@
 // The library's elementary functions, compared with libm in long double.
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/det_math_batch.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -65,6 +69,22 @@ TEST(DetMath, TanhIsWithinFewUlpsFromShallowToDeep) {
     }
     EXPECT_EQ(det::tanh(0.0), 0.0);
     EXPECT_EQ(det::tanh(25.0), 1.0);
+}
+
+// Values of one batch on both sides of the bounds of the series, which are 0.05 and 20.
+TEST(DetMath, TanhOfABatchHasTheBitsOfSingleValues) {
+    std::mt19937_64 random(6);
+    std::uniform_real_distribution<double> exponent(-12, 4);
+    for (int i = 0; i < samples; ++i) {
+        std::array<double, det::batch_size> values;
+        for (double& x : values) x = std::exp(exponent(random));
+        values[static_cast<std::size_t>(i) % det::batch_size] = std::array{0.0, 0.05, 20.0, 25.0}[static_cast<std::size_t>(i) % 4];
+        std::array<double, det::batch_size> batch = values;
+        det::tanh(batch);
+        for (std::size_t lane = 0; lane < values.size(); ++lane)
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(batch[lane]), std::bit_cast<std::uint64_t>(det::tanh(values[lane])))
+                << values[lane];
+    }
 }
 
 TEST(DetMath, SineAndCosineOfTurnsAreWithinFewUlpsOfOne) {

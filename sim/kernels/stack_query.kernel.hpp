@@ -60,7 +60,7 @@ class StackSearch {
         x_ = V::load_aligned(job.offset_x + at);
         z_ = V::load_aligned(job.offset_z + at);
     }
-    PELAGIC_INLINE void evaluate(const InvertStackJob& job, std::size_t cascades, std::size_t at) {
+    PELAGIC_INLINE_LARGE void evaluate(const InvertStackJob& job, std::size_t cascades, std::size_t at) {
         V off_x = x_, off_z = z_;
         V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
         for (std::size_t t = 0; t < cascades; ++t) {

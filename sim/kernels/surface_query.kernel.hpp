@@ -129,7 +129,8 @@ class CellReader {
     }
 
     template <std::size_t Planes>
-    PELAGIC_INLINE void read(const float* const (&planes)[Planes], CellSurroundings<Arch> (&texels)[Planes]) const {
+    PELAGIC_INLINE_LARGE void read(const float* const (&planes)[Planes],
+                                   CellSurroundings<Arch> (&texels)[Planes]) const {
         read_row(0, planes, texels);
         read_row(1, planes, texels);
         read_row(2, planes, texels);
@@ -364,7 +365,7 @@ class Inversion {
         v_ = V::load_aligned(from.v + at);
     }
 
-    PELAGIC_INLINE void evaluate(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
+    PELAGIC_INLINE_LARGE void evaluate(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
         if (is_first)
             cells_.load(job.surface, places, x_, z_);
         else

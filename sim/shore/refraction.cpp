@@ -30,42 +30,53 @@ constexpr double straight_texels = 8;
 
 }  // namespace
 
-Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave) : Refraction(bed, wave, false) {}
-
-Refraction Refraction::straight(const SeaBed& bed, double along_x, double along_z) {
-    return Refraction(bed, {.omega = 0, .along_x = along_x, .along_z = along_z, .depth_m = 1}, true);
-}
-
-Refraction::Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_straight)
+Refraction::Refraction(const SeaBed& bed)
     : bed_(bed),
       k_(bed.texels()),
-      phase_(bed.texels(), nowhere),
+      phase_(bed.texels()),
       height_(bed.texels()),
-      shoaling_(bed.texels(), 1.0),
+      shoaling_(bed.texels()),
       flux_(bed.texels()),
       direction_x_(bed.texels()),
       direction_z_(bed.texels()),
-      comes_in_(bed.texels()) {
-    double open_k = two_pi / (straight_texels * bed.texel_m);
-    if (is_straight) {
-        std::fill(k_.begin(), k_.end(), open_k);
-    } else {
-        open_k = wave_number(wave.omega, wave.depth_m);
-        const double open_speed = group_velocity(open_k, wave.depth_m);
-        const double max_k = std::max(open_k, two_pi / (min_texels * bed.texel_m));
-        std::fill(k_.begin(), k_.end(), open_k);
-        std::vector<std::size_t> water;
-        std::vector<double> depths_m;
-        for (std::size_t texel = 0; texel < bed.texels(); ++texel)
-            if (bed.is_water(texel)) water.push_back(texel), depths_m.push_back(bed.depth_m[texel]);
-        std::vector<double> wave_numbers_of_water(water.size());
-        wave_numbers(wave.omega, depths_m, wave_numbers_of_water);
-        for (std::size_t i = 0; i < water.size(); ++i) {
-            const double k = wave_numbers_of_water[i];
-            k_[water[i]] = std::min(k, max_k);
-            shoaling_[water[i]] = std::sqrt(open_speed / group_velocity(k, depths_m[i]));
-        }
+      comes_in_(bed.texels()),
+      may_change_(bed.texels()) {
+    for (std::size_t texel = 0; texel < bed.texels(); ++texel)
+        if (bed.is_water(texel)) water_.push_back(texel), water_depth_m_.push_back(bed.depth_m[texel]);
+    water_k_.resize(water_.size());
+    water_speed_mps_.resize(water_.size());
+}
+
+void Refraction::propagate(const IncomingWave& wave) {
+    const double open_k = wave_number(wave.omega, wave.depth_m);
+    const double open_speed = group_velocity(open_k, wave.depth_m);
+    const double max_k = std::max(open_k, two_pi / (min_texels * bed_.texel_m));
+    std::fill(k_.begin(), k_.end(), open_k);
+    std::fill(shoaling_.begin(), shoaling_.end(), 1.0);
+    wave_numbers(wave.omega, water_depth_m_, water_k_);
+    group_velocities(water_k_, water_depth_m_, water_speed_mps_);
+    for (std::size_t i = 0; i < water_.size(); ++i) {
+        k_[water_[i]] = std::min(water_k_[i], max_k);
+        shoaling_[water_[i]] = std::sqrt(open_speed / water_speed_mps_[i]);
     }
+    propagate(wave, open_k);
+}
+
+void Refraction::propagate_straight(double along_x, double along_z) {
+    const double open_k = two_pi / (straight_texels * bed_.texel_m);
+    std::fill(k_.begin(), k_.end(), open_k);
+    std::fill(shoaling_.begin(), shoaling_.end(), 1.0);
+    propagate({.omega = 0, .along_x = along_x, .along_z = along_z, .depth_m = 1}, open_k);
+}
+
+/// \pre k_ and shoaling_ are those of the wave
+void Refraction::propagate(const IncomingWave& wave, double open_k) {
+    std::fill(phase_.begin(), phase_.end(), nowhere);
+    std::fill(height_.begin(), height_.end(), 0.0);
+    std::fill(flux_.begin(), flux_.end(), 0.0);
+    std::fill(direction_x_.begin(), direction_x_.end(), 0.0f);
+    std::fill(direction_z_.begin(), direction_z_.end(), 0.0f);
+    std::fill(comes_in_.begin(), comes_in_.end(), std::uint8_t{0});
     come_in(wave, open_k);
     sweep();
     carry_energy();
@@ -128,10 +139,10 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
 // skipped (locking: Bak, McLaughlin and Renzi 2010, SIAM J. Sci. Comput. 32, 2853-2874). The result
 // is that of plain sweeps.
 void Refraction::sweep() {
-    std::vector<std::uint8_t> may_change(bed_.texels());
+    std::fill(may_change_.begin(), may_change_.end(), std::uint8_t{0});
     for (int j = 0; j < bed_.rows; ++j)
         for (int i = 0; i < bed_.columns; ++i)
-            if (comes_in_[bed_.at(i, j)]) mark_later_neighbours(i, j, may_change);
+            if (comes_in_[bed_.at(i, j)]) mark_later_neighbours(i, j);
     for (int round = 0; round < max_rounds; ++round) {
         bool has_moved = false;
         for (const int order : {0, 1, 2, 3}) {
@@ -140,7 +151,7 @@ void Refraction::sweep() {
                 const int j = up ? bed_.rows - 1 - row : row;
                 for (int column = 0; column < bed_.columns; ++column) {
                     const int i = left ? bed_.columns - 1 - column : column;
-                    if (may_change[bed_.at(i, j)]) has_moved |= arrive(i, j, may_change);
+                    if (may_change_[bed_.at(i, j)]) has_moved |= arrive(i, j);
                 }
             }
         }
@@ -149,11 +160,11 @@ void Refraction::sweep() {
 }
 
 /// A neighbour that the wave reached earlier keeps its phase.
-void Refraction::mark_later_neighbours(int i, int j, std::vector<std::uint8_t>& may_change) const {
+void Refraction::mark_later_neighbours(int i, int j) {
     const std::size_t here = bed_.at(i, j), columns = static_cast<std::size_t>(bed_.columns);
     const double earliest = phase_[here] - still_rad;
     const auto mark = [&](std::size_t texel) {
-        if (phase_[texel] > earliest) may_change[texel] = 1;
+        if (phase_[texel] > earliest) may_change_[texel] = 1;
     };
     if (i > 0) mark(here - 1);
     if (i + 1 < bed_.columns) mark(here + 1);
@@ -161,9 +172,9 @@ void Refraction::mark_later_neighbours(int i, int j, std::vector<std::uint8_t>& 
     if (j + 1 < bed_.rows) mark(here + columns);
 }
 
-bool Refraction::arrive(int i, int j, std::vector<std::uint8_t>& may_change) {
+bool Refraction::arrive(int i, int j) {
     const std::size_t here = bed_.at(i, j);
-    may_change[here] = 0;
+    may_change_[here] = 0;
     if (comes_in_[here] || !bed_.is_water(here)) return false;
     const double left = i > 0 ? phase_[here - 1] : nowhere, right = i + 1 < bed_.columns ? phase_[here + 1] : nowhere;
     const double up = j > 0 ? phase_[bed_.at(i, j - 1)] : nowhere;
@@ -175,7 +186,7 @@ bool Refraction::arrive(int i, int j, std::vector<std::uint8_t>& may_change) {
     if (!(phase < phase_[here])) return false;
     const bool is_new = phase_[here] == nowhere || phase_[here] - phase > still_rad;
     phase_[here] = phase;
-    mark_later_neighbours(i, j, may_change);
+    mark_later_neighbours(i, j);
     return is_new;
 }
 
@@ -206,30 +217,26 @@ Refraction::Upstream Refraction::upstream(std::size_t texel) const {
 /// Sets order_: by phase, and by texel at equal phases. The bits of doubles that are not negative
 /// sort as the doubles do, so this is a radix sort, from the lowest digit up.
 void Refraction::sort_by_arrival() {
-    struct Arrival {
-        std::uint64_t phase_bits;
-        std::uint32_t texel;
-    };
     constexpr int digit_bits = 11, digits = 6;
     constexpr std::uint64_t last = (1u << digit_bits) - 1;
-    std::vector<Arrival> arrivals;
+    arrivals_.clear();
     for (std::size_t texel = 0; texel < phase_.size(); ++texel)
         if (phase_[texel] < nowhere)
             // A sum with 0 is never -0.
-            arrivals.push_back(
+            arrivals_.push_back(
                 {std::bit_cast<std::uint64_t>(phase_[texel] + 0.0), static_cast<std::uint32_t>(texel)});
-    std::vector<Arrival> sorted(arrivals.size());
+    sorted_.resize(arrivals_.size());
     std::vector<std::uint32_t> places(last + 1);
     for (int digit = 0; digit < digits; ++digit) {
         const auto digit_of = [&](const Arrival& arrival) { return arrival.phase_bits >> digit * digit_bits & last; };
         std::fill(places.begin(), places.end(), 0u);
-        for (const Arrival& arrival : arrivals) ++places[digit_of(arrival)];
+        for (const Arrival& arrival : arrivals_) ++places[digit_of(arrival)];
         std::exclusive_scan(places.begin(), places.end(), places.begin(), 0u);
-        for (const Arrival& arrival : arrivals) sorted[places[digit_of(arrival)]++] = arrival;
-        arrivals.swap(sorted);
+        for (const Arrival& arrival : arrivals_) sorted_[places[digit_of(arrival)]++] = arrival;
+        arrivals_.swap(sorted_);
     }
-    order_.reserve(arrivals.size());
-    for (const Arrival& arrival : arrivals) order_.push_back(arrival.texel);
+    order_.clear();
+    for (const Arrival& arrival : arrivals_) order_.push_back(arrival.texel);
 }
 
 // An upwind, conservative scheme: the energy that leaves a texel through a side is its flux times

@@ -34,9 +34,14 @@ class Refraction {
     /// waves.
     static constexpr double min_texels = 4;
 
-    Refraction(const SeaBed& bed, const IncomingWave& wave);
+    /// Allocates the memory of any number of waves, one at a time.
+    /// \param bed  must outlive the object
+    explicit Refraction(const SeaBed& bed);
+
+    /// Propagates a wave, which replaces the wave before.
+    void propagate(const IncomingWave& wave);
     /// Propagates a wave without refraction: the depth has no effect, and land blocks the wave.
-    static Refraction straight(const SeaBed& bed, double along_x, double along_z);
+    void propagate_straight(double along_x, double along_z);
 
     static constexpr double nowhere = std::numeric_limits<double>::infinity();
     /// Returns the phase lag by texel, in radians, from the corner of the rectangle where the wave
@@ -64,12 +69,12 @@ class Refraction {
     double corner_phase() const { return corner_phase_; }
 
    private:
-    Refraction(const SeaBed& bed, const IncomingWave& wave, bool is_straight);
+    void propagate(const IncomingWave& wave, double open_k);
     void come_in(const IncomingWave& wave, double open_k);
     void come_in_along(const IncomingWave& wave, double open_k, bool along_columns);
     void sweep();
-    bool arrive(int i, int j, std::vector<std::uint8_t>& may_change);
-    void mark_later_neighbours(int i, int j, std::vector<std::uint8_t>& may_change) const;
+    bool arrive(int i, int j);
+    void mark_later_neighbours(int i, int j);
     void sort_by_arrival();
     void carry_energy();
 
@@ -80,6 +85,18 @@ class Refraction {
     std::vector<std::uint8_t> comes_in_;
     std::vector<std::uint32_t> order_;
     double corner_phase_ = 0;
+
+    // Memory of one call. Pages that the system provides again for each wave would take a third of
+    // the time.
+    struct Arrival {
+        std::uint64_t phase_bits;
+        std::uint32_t texel;
+    };
+    std::vector<std::size_t> water_;                 ///< texels, the same for each wave
+    std::vector<double> water_depth_m_;              ///< of them
+    std::vector<double> water_k_, water_speed_mps_;  ///< of them
+    std::vector<std::uint8_t> may_change_;           ///< see sweep()
+    std::vector<Arrival> arrivals_, sorted_;
 };
 
 }  // namespace pelagic

@@ -134,14 +134,15 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->fade.resize(bed_.texels());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         bake_->fade[texel] = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
+    std::vector<double> depths_m;
+    for (int i = 0; i <= depths; ++i) {
+        const double root = static_cast<double>(i) / depths;
+        depths_m.push_back(bake_->deepest_m * root * root);
+    }
     for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
         const DepthAttenuation attenuation(sea, plans[cascade]);
         bake_->variances.push_back(attenuation.variance());
-        std::vector<double>& table = bake_->depth_attenuations.emplace_back();
-        for (int i = 0; i <= depths; ++i) {
-            const double root = static_cast<double>(i) / depths;
-            table.push_back(attenuation.at(bake_->deepest_m * root * root));
-        }
+        bake_->depth_attenuations.push_back(attenuation.at(depths_m));
     }
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
     for (Slot& slot : slots_) {
@@ -188,10 +189,13 @@ void ShoreSource::add_bake_stages(JobGraph& graph) {
 
 void ShoreSource::bake_wave(std::size_t number) {
     const ShoreWave& wave = waves_[number];
-    auto refraction = std::make_unique<Refraction>(
-        bed_,
-        IncomingWave{.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
-    std::vector<double> phase = refraction->phase(), height = refraction->height();
+    std::unique_ptr<Workspace> workspace = take_workspace();
+    Refraction& refraction = workspace->refraction;
+    refraction.propagate(
+        {.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
+    std::vector<double>&phase = workspace->phase, &height = workspace->height;
+    phase = refraction.phase();
+    height = refraction.height();
     const double k =
         std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
     run_up(bed_, phase, height, k, swash_m_);
@@ -199,15 +203,27 @@ void ShoreSource::bake_wave(std::size_t number) {
         const double amplitude_m = wave.amplitude_m * height[texel] * bake_->fade[texel];
         if (!(amplitude_m > min_amplitude_m)) continue;
         const auto [sine, cosine] =
-            det::sine_cosine_of_turns((phase[texel] + refraction->corner_phase()) / two_pi + wave.phase_turns);
+            det::sine_cosine_of_turns((phase[texel] + refraction.corner_phase()) / two_pi + wave.phase_turns);
         float* const at = amplitudes_.data() + place_of(texel, number);
         at[0] = static_cast<float>(amplitude_m * cosine);
         at[group_texels] = static_cast<float>(amplitude_m * sine);
     }
-    if (number == waves_.size() / 2) {
-        bake_limits(*refraction, wave.omega);
-        bake_->main_refraction = std::move(refraction);
-    }
+    if (number != waves_.size() / 2) return return_workspace(std::move(workspace));
+    bake_limits(refraction, wave.omega);
+    bake_->main_wave = std::move(workspace);
+}
+
+std::unique_ptr<ShoreSource::Workspace> ShoreSource::take_workspace() {
+    const std::lock_guard lock(bake_->mutex);
+    if (bake_->workspaces.empty()) return std::make_unique<Workspace>(bed_);
+    std::unique_ptr<Workspace> workspace = std::move(bake_->workspaces.back());
+    bake_->workspaces.pop_back();
+    return workspace;
+}
+
+void ShoreSource::return_workspace(std::unique_ptr<Workspace> workspace) {
+    const std::lock_guard lock(bake_->mutex);
+    bake_->workspaces.push_back(std::move(workspace));
 }
 
 /// Computes the limit of the envelope, 0.78 d / 2. Waves that broke on a bar do not grow again
@@ -241,11 +257,14 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
 
 void ShoreSource::bake_shelter(std::size_t number) {
     const ShoreWave& wave = bake_->shelter_waves[number];
-    const Refraction straight = Refraction::straight(bed_, wave.along_x, wave.along_z);
+    std::unique_ptr<Workspace> workspace = take_workspace();
+    workspace->refraction.propagate_straight(wave.along_x, wave.along_z);
+    const std::vector<double>& height = workspace->refraction.height();
     std::vector<float>& energy = bake_->shelters[number];
     energy.resize(bed_.texels());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
-        energy[texel] = static_cast<float>(straight.height()[texel] * straight.height()[texel]);
+        energy[texel] = static_cast<float>(height[texel] * height[texel]);
+    return_workspace(std::move(workspace));
 }
 
 std::size_t ShoreSource::place_of(std::size_t texel, std::size_t wave) const {
@@ -304,8 +323,8 @@ void ShoreSource::bake_breaking() {
     std::vector<double>& attenuation = bake_->attenuation;
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         attenuation[texel] = attenuation_to(deviation_over_depth * wave_depth_m(texel), bake_->deviation_m[texel]);
-    if (!bake_->main_refraction) return;
-    const Refraction& wave = *bake_->main_refraction;
+    if (!bake_->main_wave) return;
+    const Refraction& wave = bake_->main_wave->refraction;
     for (const std::uint32_t texel : wave.order()) {
         if (wave.comes_in_at(texel)) continue;
         const Refraction::Upstream from = wave.upstream(texel);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
@@ -96,7 +97,18 @@ class ShoreSource {
     float weights_change_per_m_ = 0;
 
     /// Data of the bake stages.
+    /// Memory of a job that computes waves, which continues to be used by later jobs.
+    struct Workspace {
+        explicit Workspace(const SeaBed& bed) : refraction(bed) {}
+        Refraction refraction;
+        std::vector<double> phase, height;  ///< with those of waves that run up on sand
+    };
+    std::unique_ptr<Workspace> take_workspace();
+    void return_workspace(std::unique_ptr<Workspace>);
+
     struct Bake {
+        std::mutex mutex;  ///< of workspaces
+        std::vector<std::unique_ptr<Workspace>> workspaces;
         /// Directions of short waves, for the shelter of land.
         std::vector<ShoreWave> shelter_waves;
         /// Fraction of the energy that arrives from each direction, by texel.
@@ -110,8 +122,8 @@ class ShoreSource {
         std::vector<double> variances;  ///< of each cascade, m^2
         /// Weight of each cascade by texel, before breaking.
         std::vector<std::vector<float>> weights;
-        /// Refraction of the wave at the median of the energy; null without waves.
-        std::unique_ptr<Refraction> main_refraction;
+        /// That of the wave at the median of the energy; null without waves.
+        std::unique_ptr<Workspace> main_wave;
         std::vector<double> deviation_m;  ///< of all waves by texel, before breaking
         std::vector<double> attenuation;  ///< of the long waves' amplitudes by breaking, by texel
     };

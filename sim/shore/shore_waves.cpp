@@ -8,6 +8,7 @@
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
+#include "pelagic/sim/spectrum/wave_numbers.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -153,14 +154,20 @@ DepthAttenuation::DepthAttenuation(const SeaState& sea, const CascadePlan& casca
     for (const Band& band : bands_) variance_ += band.variance;
 }
 
-double DepthAttenuation::at(double depth_m) const {
-    if (!(depth_m > 0) || bands_.empty()) return 0;
-    double remaining = 0;
-    for (const Band& band : bands_)
-        remaining +=
-            band.variance * std::min(1.0, depth_factor(wave_number(band.omega, depth_m), depth_m) / band.factor);
-    const double highest_m = highest_over_depth * depth_m, height_m = 4 * std::sqrt(remaining);
-    return std::sqrt(remaining / variance_) * std::min(1.0, highest_m / height_m);
+std::vector<double> DepthAttenuation::at(std::span<const double> depths_m) const {
+    std::vector<double> water_m, remaining(depths_m.size()), k(depths_m.size()), factors;
+    for (const double depth_m : depths_m) water_m.push_back(depth_m > 0 ? depth_m : 1);
+    for (const Band& band : bands_) {
+        wave_numbers(band.omega, water_m, k);
+        for (std::size_t i = 0; i < k.size(); ++i)
+            remaining[i] += band.variance * std::min(1.0, depth_factor(k[i], water_m[i]) / band.factor);
+    }
+    for (std::size_t i = 0; i < depths_m.size(); ++i) {
+        const double highest_m = highest_over_depth * depths_m[i], height_m = 4 * std::sqrt(remaining[i]);
+        const bool has_waves = depths_m[i] > 0 && !bands_.empty();
+        factors.push_back(has_waves ? std::sqrt(remaining[i] / variance_) * std::min(1.0, highest_m / height_m) : 0);
+    }
+    return factors;
 }
 
 }  // namespace pelagic

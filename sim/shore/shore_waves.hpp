@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pelagic/sim/cascade_plan.hpp"
@@ -38,8 +39,8 @@ class DepthAttenuation {
    public:
     /// \pre check(sea) is empty; the waves are a physical spectrum's or an analytic sea's
     DepthAttenuation(const SeaState& sea, const CascadePlan& cascade);
-    /// Returns the factor on the heights at a depth, in [0, 1]; 0 on land.
-    double at(double depth_m) const;
+    /// Returns the factor on the heights at each depth, in [0, 1]; 0 on land.
+    std::vector<double> at(std::span<const double> depths_m) const;
     double variance() const { return variance_; }  ///< of heights in the open sea, m^2
 
    private:

@@ -7,24 +7,53 @@
 #include "pelagic/sim/spectrum/wave_numbers.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/det_math_batch.hpp"
 
 namespace pelagic {
-namespace {}
+namespace {
+
+constexpr int newton_steps = 4;
+
+double newton_change(double kd, double tanh_kd, double deep_kd) {
+    return (kd * tanh_kd - deep_kd) / (tanh_kd + kd * (1 - tanh_kd * tanh_kd));
+}
+
+// d/dk of omega^2 = (g k + T k^3) tanh(k d): 2 omega omega' = g (t + k d (1 - t^2)) + T k^2 (3 t +
+// k d (1 - t^2)).
+double group_velocity_from(double tanh_kd, double k, const Water& water) {
+    const double ground = k * water.depth_m * (1 - tanh_kd * tanh_kd);
+    const double gravity = gravity_mps2 * (tanh_kd + ground);
+    const double tension = water.tension_m3ps2 * (k * k) * (3 * tanh_kd + ground);
+    const double omega = std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * tanh_kd);
+    return (gravity + tension) / (2 * omega);
+}
+
+/// Calls take(first, count) for consecutive batches of `size` values.
+template <class Take>
+void for_batches(std::size_t size, Take take) {
+    for (std::size_t first = 0; first < size; first += det::batch_size)
+        take(first, std::min(det::batch_size, size - first));
+}
+
+}  // namespace
 
 double angular_frequency(double k, const Water& water) {
     return std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * det::tanh(k * water.depth_m));
 }
 
-// d/dk of omega^2 = (g k + T k^3) tanh(k d): 2 omega omega' = g (t + k d (1 - t^2)) + T k^2 (3 t +
-// k d (1 - t^2)).
 double group_velocity(double k, const Water& water) {
-    const double kd = k * water.depth_m;
-    const double tanh_kd = det::tanh(kd);
-    const double ground = kd * (1 - tanh_kd * tanh_kd);
-    const double gravity = gravity_mps2 * (tanh_kd + ground);
-    const double tension = water.tension_m3ps2 * (k * k) * (3 * tanh_kd + ground);
-    const double omega = std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * tanh_kd);
-    return (gravity + tension) / (2 * omega);
+    return group_velocity_from(det::tanh(k * water.depth_m), k, water);
+}
+
+void group_velocities(std::span<const double> wave_numbers, std::span<const double> depths_m,
+                      std::span<double> velocities) {
+    for_batches(wave_numbers.size(), [&](std::size_t first, std::size_t count) {
+        std::array<double, det::batch_size> tanh_kd{};
+        for (std::size_t i = 0; i < count; ++i) tanh_kd[i] = wave_numbers[first + i] * depths_m[first + i];
+        det::tanh(tanh_kd);
+        for (std::size_t i = 0; i < count; ++i)
+            velocities[first + i] = group_velocity_from(tanh_kd[i], wave_numbers[first + i], depths_m[first + i]);
+    });
 }
 
 // cosh 2x / sinh^2 x = 1 + 1 / tanh^2 x.
@@ -48,28 +77,28 @@ double depth_factor(double k, double depth_m) {
 
 // Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %. Each Newton step
 // squares the error.
-void wave_numbers(double omega, std::span<const double> depths_m, std::span<double> wave_numbers) {
-    constexpr std::size_t together = 8;
-    for (std::size_t first = 0; first < depths_m.size(); first += together) {
-        const std::size_t count = std::min(together, depths_m.size() - first);
-        std::array<double, together> deep_kd, kd;
-        for (std::size_t i = 0; i < count; ++i) {
-            deep_kd[i] = omega * omega / gravity_mps2 * depths_m[first + i];
-            kd[i] = deep_kd[i] / std::sqrt(det::tanh(deep_kd[i]));
-        }
-        for (int step = 0; step < 4; ++step)
-            for (std::size_t i = 0; i < count; ++i) {
-                const double t = det::tanh(kd[i]);
-                kd[i] -= (kd[i] * t - deep_kd[i]) / (t + kd[i] * (1 - t * t));
-            }
-        for (std::size_t i = 0; i < count; ++i) wave_numbers[first + i] = kd[i] / depths_m[first + i];
-    }
+double wave_number(double omega, double depth_m) {
+    const double deep_kd = omega * omega / gravity_mps2 * depth_m;
+    double kd = deep_kd / std::sqrt(det::tanh(deep_kd));
+    for (int step = 0; step < newton_steps; ++step) kd -= newton_change(kd, det::tanh(kd), deep_kd);
+    return kd / depth_m;
 }
 
-double wave_number(double omega, double depth_m) {
-    double k = 0;
-    wave_numbers(omega, {&depth_m, 1}, {&k, 1});
-    return k;
+void wave_numbers(double omega, std::span<const double> depths_m, std::span<double> wave_numbers) {
+    for_batches(depths_m.size(), [&](std::size_t first, std::size_t count) {
+        // Values after the last are those of the last one.
+        std::array<double, det::batch_size> deep_kd, kd, tanh_kd;
+        for (std::size_t i = 0; i < det::batch_size; ++i)
+            tanh_kd[i] = deep_kd[i] = omega * omega / gravity_mps2 * depths_m[first + std::min(i, count - 1)];
+        det::tanh(tanh_kd);
+        for (std::size_t i = 0; i < det::batch_size; ++i) kd[i] = deep_kd[i] / std::sqrt(tanh_kd[i]);
+        for (int step = 0; step < newton_steps; ++step) {
+            tanh_kd = kd;
+            det::tanh(tanh_kd);
+            for (std::size_t i = 0; i < det::batch_size; ++i) kd[i] -= newton_change(kd[i], tanh_kd[i], deep_kd[i]);
+        }
+        for (std::size_t i = 0; i < count; ++i) wave_numbers[first + i] = kd[i] / depths_m[first + i];
+    });
 }
 
 std::uint32_t loop_harmonic(double omega, double loop_period_s) {
