@@ -1,5 +1,5 @@
 # Images of the sea in Godot: the water of each pixel is where `pelagic query` has it and has its
-# normal, also with dynamic waves and a shore, no pixel of the sea is missing, and a wall in the
+# normal, also with dynamic waves, a shore, a tide and a current, no pixel of the sea is missing, and a wall in the
 # water is hidden exactly where water is nearer.
 # usage: drawn_test.py PROJECT PELAGIC
 import json
@@ -43,6 +43,9 @@ floor_width_m = 1000
 cases.append({"values": {**swell, "cascades": 2, "resolution": 64, "time_s": 12.34,
                          **properties_of(floor, floor_width_m)},
               "heights": "heights", "flags": ["--shore", "--floor", "floor.png"], "from": [-300, 9, -60], "to": [-160, 0, 0]})
+# A tide of 3 m, and a current that has moved the waves by 25 m along x.
+cases.append({"values": {**cases[0]["values"], "sea_level_m": 3, "current_x_mps": 2, "current_z_mps": -1},
+              "water": ["--sea-level", "3", "--current", "2,-1"], "from": [10, 12, -4], "to": [120, 3, 60]})
 first_of_normals = len(cases)  # images with the components of the normal
 cases += [{**case, "normals": True} for case in cases if "flags" in case]
 
@@ -78,7 +81,7 @@ def normals(file):
 
 def query(case, places, flags, folder):
     """Returns height and normal of each place."""
-    flags = [*flags, *(word for name, value in case["values"].items() if name in as_flags
+    flags = [*flags, *case.get("water", []), *(word for name, value in case["values"].items() if name in as_flags
                        for word in (as_flags[name], repr(value)))]
     text = "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in places)
     out = subprocess.run([pelagic, "query", "--points", "-", "--interpolation", "linear", *flags], input=text,
