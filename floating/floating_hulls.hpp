@@ -33,8 +33,8 @@ class FloatingHulls {
 
     /// Advances the hulls by a step and returns when all are done. The calling thread takes part.
     /// Allocates nothing in Pelagic's code once each job has had as many vertices.
-    /// \throws std::invalid_argument  what Hull::step() throws, after the hull.s number: "hull 3: ...";
-    ///                                no hull is changed then
+    /// \throws std::invalid_argument  what Hull::step() throws, after the number of the hull, such
+    ///                                as "hull 3: "; no hull is changed then
     void step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s);
 
    private:

@@ -104,8 +104,8 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     waves_->set_footprint(source_, footprints_[0]);
 }
 
-/// Returns the depth that a frame's view of the grid shows: bilinear between its texels. The view is
-/// a tick late, and the current has carried it on for that tick.
+/// Returns the depth that a frame's view of the grid shows: bilinear between its texels. The view
+/// is a tick late, and the current has carried it on for that tick.
 double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double time_s, double x_m,
                           double z_m) const {
     const double texel = waves_->options().side_m / waves_->options().resolution;

@@ -35,9 +35,11 @@ void keep_this_thread_on_cpus(std::uint64_t mask);
 /// it.
 int current_cpu();
 
-/// Moves the calling thread to another CPU that it may use, if there is one. It may not use `cpu`
-/// until it leaves a different one. Has no effect if the system has no such function.
-void leave_cpu(int cpu);
+/// Moves the calling thread to another CPU that it may use, if there is one. Has no effect if the
+/// system has no such function.
+/// \param stay_away  for threads of Pelagic: the thread may not use `cpu` until it leaves another
+///                   one. False: it may use the same CPUs as before.
+void leave_cpu(int cpu, bool stay_away);
 
 /// Replacement of std::atomic's wait(): blocks until `word` differs from `value`. A thread that
 /// changes `word` must call wake_all() afterwards. Without a futex, as on Windows, the wait() of

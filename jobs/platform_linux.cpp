@@ -48,15 +48,20 @@ void keep_this_thread_on_cpus(std::uint64_t mask) {
 
 int current_cpu() { return sched_getcpu(); }
 
-void leave_cpu(int cpu) {
+void leave_cpu(int cpu, bool stay_away) {
     thread_local int left = -1;
-    cpu_set_t others;
-    CPU_ZERO(&others);
-    if (sched_getaffinity(0, sizeof others, &others) != 0) return;
-    if (left >= 0) CPU_SET(static_cast<unsigned>(left), &others);
+    cpu_set_t all;
+    CPU_ZERO(&all);
+    if (sched_getaffinity(0, sizeof all, &all) != 0) return;
+    if (left >= 0) CPU_SET(static_cast<unsigned>(left), &all);
+    cpu_set_t others = all;
     CPU_CLR(static_cast<unsigned>(cpu), &others);
     // Fails if there is no other CPU.
-    if (sched_setaffinity(0, sizeof others, &others) == 0) left = cpu;
+    if (sched_setaffinity(0, sizeof others, &others) != 0) return;
+    if (stay_away)
+        left = cpu;
+    else
+        sched_setaffinity(0, sizeof all, &all);
 }
 
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }

@@ -18,7 +18,7 @@ std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }
 void keep_this_thread_on_cpus(std::uint64_t) {}
 
 int current_cpu() { return -1; }
-void leave_cpu(int) {}
+void leave_cpu(int, bool) {}
 
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }
 void wake_all(std::atomic<std::uint32_t>& word) { word.notify_all(); }

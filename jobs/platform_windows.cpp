@@ -47,7 +47,7 @@ void keep_this_thread_on_cpus(std::uint64_t mask) {
 }
 
 int current_cpu() { return static_cast<int>(GetCurrentProcessorNumber()); }
-void leave_cpu(int) {}
+void leave_cpu(int, bool) {}
 
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) {
     WaitQueue& queue = queue_of(word);

@@ -37,6 +37,7 @@ class Pool final : public WorkerGroup {
     ~Pool() override { stop(); }
 
    private:
+    bool owns_threads() const noexcept override { return true; }
     int wake(int count) noexcept override {
         wakes_ += static_cast<std::uint32_t>(count);
         for (int i = 0; i < count; ++i) wake_one(wakes_);

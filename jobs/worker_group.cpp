@@ -161,7 +161,7 @@ void WorkerGroup::work(int thread) noexcept {
     if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
     // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
     // each time if the two CPUs share no cache. The thread then waits for 2 ms, so it stays away.
-    if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu);
+    if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu, owns_threads());
     RunProgress::Place place{thread};
     std::shared_ptr<Run> last;
     std::uint32_t seen;

@@ -56,6 +56,8 @@ class WorkerGroup {
     /// Wakes `count` threads that do not work, each of which calls work() once. Returns the number
     /// of threads, which is less if memory is exhausted; complete() then does the work.
     virtual int wake(int count) noexcept = 0;
+    /// Returns whether no one else uses the threads, so that their CPUs may be restricted.
+    virtual bool owns_threads() const noexcept { return false; }
 
     void start(Run&, std::size_t blocks_of_this_thread);
     double finish(Run&);

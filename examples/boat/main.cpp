@@ -21,8 +21,8 @@ using namespace pelagic;
 
 constexpr double tick_s = 1.0 / 60;
 
-/// Returns a hull with a keel, chines, gunwales and a deck, narrower towards the bow. An application
-/// reads its own mesh instead.
+/// Returns a hull with a keel, chines, gunwales and a deck, narrower towards the bow. An
+/// application reads its own mesh instead.
 HullMesh boat_mesh(double length_m, double beam_m, double height_m) {
     constexpr std::uint32_t sections = 10, ring = 6;
     constexpr double y[ring] = {0, 0.4, 1, 1.05, 1, 0.4}, z[ring] = {0, 0.75, 1, 0, -1, -0.75};
