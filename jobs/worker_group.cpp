@@ -42,12 +42,12 @@ void pause() {
 /// the thread was preempted.
 void adjust(std::atomic<Clock::rep>& estimate, Clock::rep sample) {
     const Clock::rep before = estimate;
-    if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 4 * before) - before) / 4;
+    if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 2 * before) - before) / 4;
 }
 
 /// Decreases the estimate of a choice that has not been made, so that it is measured again after
 /// some hundreds of runs.
-void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 1024; }
+void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 256; }
 
 }  // namespace
 
