@@ -1,6 +1,6 @@
 # Images of the sea in Godot: the water of each pixel is where `pelagic query` has it and has its
-# normal, also with dynamic waves, a shore, a tide and a current, no pixel of the sea is missing, and a wall in the
-# water is hidden exactly where water is nearer.
+# normal, also with dynamic waves, a shore, a tide and a current, no pixel of the sea is missing,
+# and a wall in the water is hidden exactly where water is nearer.
 # usage: drawn_test.py PROJECT PELAGIC
 import json
 import math
