@@ -23,6 +23,7 @@
 
 namespace pelagic {
 
+/// A copy keeps the state for a rollback: assign it after DynamicWaves::restore_state().
 class HullWake {
    public:
     /// Time constant with which the pressure returns to the hull. Wind waves carry the hull, but

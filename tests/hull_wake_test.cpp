@@ -248,6 +248,45 @@ TEST(HullWake, FootprintsAreSavedAndRestored) {
     EXPECT_EQ(hash_of(first.advance(1.1)), hash_of(second.advance(1.1)));
 }
 
+TEST(HullWake, ARollbackOf30TicksReplaysBitEqual) {
+    Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 12},
+                {.executor = make_thread_executor(2),
+                 .queries = true,
+                 .velocities = true,
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+    const Hull hull(boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
+    std::vector<FloatingHull> hulls(1, {.hull = &hull, .state = hull.at_rest(3, -2, 0.4)});
+    HullWake wake(ocean.dynamic_waves(), hull, hulls[0].state);
+    hulls[0].wake = &wake;
+    FloatingHulls jobs(make_serial_executor());
+    const auto advance = [&](int tick) {
+        ocean.schedule(tick / 60.0);
+        const Frame& frame = ocean.complete();
+        wake.press(frame, hulls[0].state, hulls[0].loads, 1.0 / 60);
+        jobs.step(SurfaceQuery(frame), hulls, 1.0 / 60);
+    };
+    for (int tick = 0; tick < 40; ++tick) advance(tick);
+    ocean.schedule(40 / 60.0);
+    ocean.complete();
+    const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
+    const std::vector<FloatingHull> saved_hulls = hulls;
+    const HullWake saved_wake = wake;
+    const auto replay = [&] {  // a frame of the saved tick again, and 30 more
+        for (int tick = 40; tick <= 70; ++tick) advance(tick);
+        return std::pair(hulls[0].state, hash_of(ocean.dynamic_waves().view()));
+    };
+    const auto once = replay();
+    ocean.dynamic_waves().restore_state(saved);
+    hulls = saved_hulls;
+    wake = saved_wake;
+    const auto again = replay();
+    EXPECT_EQ(once.second, again.second);
+    EXPECT_EQ(once.first.position_m, again.first.position_m);
+    EXPECT_EQ(once.first.orientation, again.first.orientation);
+    EXPECT_EQ(once.first.velocity_mps, again.first.velocity_mps);
+    EXPECT_EQ(once.first.angular_velocity_radps, again.first.angular_velocity_radps);
+}
+
 TEST(HullWake, AnUnusableFootprintIsRefused) {
     DynamicWaves waves({.resolution = 64, .side_m = 32, .border_m = 4});
     PressureFootprint footprint{.columns = 2, .rows = 2, .depth_m = {0, 0, 0, 0}};
