@@ -8,6 +8,7 @@
 
 #include "pelagic/bench/instructions/count_marks.hpp"
 #include "pelagic/bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/kiss_frame.hpp"
 #include "pelagic/bench/peers/paper_frame.hpp"
 #include "pelagic/sim/ocean.hpp"
 
@@ -23,11 +24,13 @@ void count_frame(const std::string& name, int resolution, Frames&& frames) {
 
 void count_frames(Isa isa, int resolution, const std::string& plans) {
     const SeaState sea{.resolution = resolution, .patch_size_m = 250, .roughness = 0.1};
-    count_frame("ours", resolution, Ocean(sea, {.executor = make_serial_executor(), .isa = isa}));
+    count_frame("ours", resolution, Ocean(sea, {.executor = make_serial_executor(), .isa = isa, .planes = false}));
     peers::read_fftw_plans(plans);
-    using peers::FftwArrangement, peers::FftwFrame, peers::FftwPlanning;
-    count_frame("packed", resolution, FftwFrame(sea, isa, FftwArrangement::packed, FftwPlanning::read));
-    count_frame("separate", resolution, FftwFrame(sea, isa, FftwArrangement::separate, FftwPlanning::read));
+    using peers::FftwFrame, peers::FftwPlanning, peers::FieldArrangement, peers::KissFrame;
+    count_frame("fftw_packed", resolution, FftwFrame(sea, isa, FieldArrangement::packed, FftwPlanning::read));
+    count_frame("fftw_separate", resolution, FftwFrame(sea, isa, FieldArrangement::separate, FftwPlanning::read));
+    count_frame("kiss_packed", resolution, KissFrame(sea, isa, FieldArrangement::packed));
+    count_frame("kiss_separate", resolution, KissFrame(sea, isa, FieldArrangement::separate));
     count_frame("paper", resolution, peers::PaperFrame(sea));
 }
 

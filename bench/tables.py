@@ -61,12 +61,20 @@ def frames():
 
     def row(name, isa, figure, digits=3):
         return [name, *(number(figure(rows[isa, n]), digits) for n in sizes)]
-    return f"{machine(compared)}; one cascade, one thread, ms:", table(["N", *sizes], [
+    def known(name, isa, figure):
+        """Returns the row in a list, or an empty list if the figure is not stored."""
+        return [row(name, isa, lambda row: row[figure], 2)] if all(figure in rows[isa, n] for n in sizes) else []
+
+    textures = ", textures only" if compared.get("textures_only") else ""
+    return f"{machine(compared)}; one cascade, one thread{textures}, ms:", table(["N", *sizes], [
         row("AVX2", "avx2", lambda row: row["ours_ms"]),
         row("AVX-512", "avx512", lambda row: row["ours_ms"]),
         row("FFTW frame, beside AVX2", "avx2", lambda row: row["fftw_ms"]),
         row("AVX2 / FFTW frame", "avx2", lambda row: row["ours_over_fftw"], 2),
         row("AVX-512 / FFTW frame", "avx512", lambda row: row["ours_over_fftw"], 2),
+        *known("AVX2 / FFTW frame, cold", "avx2", "ours_over_fftw_cold"),
+        *known("AVX-512 / FFTW frame, cold", "avx512", "ours_over_fftw_cold"),
+        *known("AVX2 / KISS FFT frame", "avx2", "ours_over_kiss"),
         row("paper's loop / AVX2", "avx2", lambda row: row["paper_ms"] / row["ours_ms"], 2)])
 
 

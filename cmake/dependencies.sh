@@ -23,6 +23,7 @@ pelagic_packages=(
   libopenexr-dev           # OpenEXR: EXR files
   libpng-dev               # tests read PNG files with another reader than Pelagic's writer
   libfftw3-dev             # FFTW: comparison in benchmarks
+  libkissfft-dev           # KISS FFT: comparison in benchmarks
 )
 
 # Packages for tests only: an X server with a mouse, for the window; pkg-config, as applications use

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 #include <random>
 #include <span>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "pelagic/bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/kiss_frame.hpp"
 #include "pelagic/bench/peers/paper_frame.hpp"
 #include "pelagic/bench/peers/scalar_half.hpp"
 #include "pelagic/bench/peers/scalar_query.hpp"
@@ -71,7 +73,12 @@ std::vector<Case> cases() {
     };
 }
 
-enum class Peer { paper, fftw_packed, fftw_separate };
+template <class LibraryFrameType>
+std::unique_ptr<LibraryFrame> frame_with(const SeaState& sea, FieldArrangement arrangement) {
+    return std::make_unique<LibraryFrameType>(sea, choose_isa(), arrangement);
+}
+
+enum class Peer { paper, fftw_packed, fftw_separate, kiss_packed, kiss_separate };
 
 class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
    protected:
@@ -80,12 +87,14 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
         sea.roughness = ours_.statistics.roughness;  // peers use only a given roughness
         switch (std::get<Peer>(GetParam())) {
             case Peer::paper: paper_.emplace(sea); break;
-            case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;
-            case Peer::fftw_separate: fftw_.emplace(sea, choose_isa(), FftwArrangement::separate); break;
+            case Peer::fftw_packed: library_ = frame_with<FftwFrame>(sea, FieldArrangement::packed); break;
+            case Peer::fftw_separate: library_ = frame_with<FftwFrame>(sea, FieldArrangement::separate); break;
+            case Peer::kiss_packed: library_ = frame_with<KissFrame>(sea, FieldArrangement::packed); break;
+            case Peer::kiss_separate: library_ = frame_with<KissFrame>(sea, FieldArrangement::separate); break;
         }
         const FoamSource foam = foam_source(ours_.cascades[0]);  // peers use no thresholds
-        paper_ ? paper_->set_foam(foam) : fftw_->set_foam(foam);
-        theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
+        paper_ ? paper_->set_foam(foam) : library_->set_foam(foam);
+        theirs_ = paper_ ? paper_->frame_at(one().time_s) : library_->frame_at(one().time_s);
     }
 
     const Case& one() const { return std::get<Case>(GetParam()); }
@@ -102,7 +111,7 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
 
     Ocean ocean_;
     std::optional<PaperFrame> paper_;
-    std::optional<FftwFrame> fftw_;
+    std::unique_ptr<LibraryFrame> library_;
     const Frame& ours_;
     PeerFrame theirs_;
 };
@@ -112,12 +121,15 @@ std::string name_of_peer(Peer peer) {
         case Peer::paper: return "paper";
         case Peer::fftw_packed: return "fftw_packed";
         case Peer::fftw_separate: return "fftw_separate";
+        case Peer::kiss_packed: return "kiss_packed";
+        case Peer::kiss_separate: return "kiss_separate";
     }
     return {};
 }
 
 INSTANTIATE_TEST_SUITE_P(Seas, PeerOf,
-                         testing::Combine(testing::Values(Peer::paper, Peer::fftw_packed, Peer::fftw_separate),
+                         testing::Combine(testing::Values(Peer::paper, Peer::fftw_packed, Peer::fftw_separate,
+                                                          Peer::kiss_packed, Peer::kiss_separate),
                                           testing::ValuesIn(cases())),
                          [](const auto& test) {
                              return name_of_peer(std::get<Peer>(test.param)) + "_" + std::get<Case>(test.param).name;
