@@ -1,6 +1,6 @@
 // Comparison of Pelagic with its peers in one process: equal sea and outputs, which are textures
-// only (OceanOptions::planes = false). The contestants take turns, so that other load on the machine
-// affects them equally.
+// only (OceanOptions::planes = false). The contestants take turns, so that other load on the
+// machine affects them equally.
 //
 //   pelagic-compare [--quick] [--json FILE] [--sizes 64,256] [--isa avx2]
 //
@@ -157,7 +157,7 @@ struct Row {
     std::map<std::string, double> instructions;  ///< per texel, by contestant; empty if not counted
 };
 
-/// Returns the instructions of a contestant ("ours", "fftw_packed" and so on), if they were counted.
+/// Returns the instructions of a contestant ("ours", "fftw_packed" ...), if they were counted.
 std::optional<double> instructions_of(const Row& row, const std::string& contestant) {
     const auto found = row.instructions.find(contestant);
     return found == row.instructions.end() ? std::nullopt : std::optional(found->second);
