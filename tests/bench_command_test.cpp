@@ -157,7 +157,7 @@ TEST(BenchCommand, JobsOfSeveralCascadesAreSummed) {
     EXPECT_LE(done.back(), 1);
 }
 
-// From N = 256 on, one job computes columns and maps of frames without planes.
+// For N = 256, one job computes columns and maps of frames without planes.
 TEST(BenchCommand, TimesFramesOfTexturesOnly) {
     const auto row_of = [](std::vector<std::string> more) {
         more.insert(more.end(), {"--sizes", "256", "--threads", "1", "--isa",

@@ -48,7 +48,7 @@ inline StageWork work_of(std::string_view job, const FrameShape& shape) {
     // the mip levels.
     const StageWork slopes{46 + 48 / 3.0, 12 + 8 + 2 * 16 / 3.0};
     if (job == "slopes+mipmaps") return slopes;
-    // Without planes. A band has 128 columns, 256 from N = 512 on. Four blocks of them are edges.
+    // Without planes. A band has 128 columns, 256 for N = 512. Four blocks of them are edges.
     const double edges = 4.0 * shape.lanes / (shape.resolution < 512 ? 128 : 256);
     if (job == "edge columns") return {edges * columns.flops, edges * columns.bytes};
     if (job == "columns+textures") {
