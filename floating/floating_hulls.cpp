@@ -27,14 +27,10 @@ struct FloatingHulls::State {
         workspace.sample(*water);
         std::size_t point = 0;
         for (FloatingHull& floating : ours) {
-            const std::size_t vertices = floating.hull->mesh().vertices().size();
-            const auto its = [&](auto& values) { return std::span(values).subspan(point, vertices); };
-            if (floating.wake)
-                floating.wake->leave_out(water->frame(), its(workspace.x), its(workspace.z), its(workspace.height_m),
-                                         its(workspace.velocity_y_mps));
-            floating.loads = floating.hull->loads_at(point, floating.state, step_s, floating.inputs, workspace);
+            floating.loads =
+                floating.hull->loads_at(*water, point, floating.state, step_s, floating.inputs, workspace);
             floating.hull->complete_step(floating.state, floating.loads, step_s, floating.inputs);
-            point += vertices;
+            point += floating.hull->mesh().vertices().size();
         }
     }
 

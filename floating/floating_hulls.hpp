@@ -5,7 +5,6 @@
 #include <span>
 
 #include "pelagic/floating/hull.hpp"
-#include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
@@ -16,8 +15,6 @@ struct FloatingHull {
     const Hull* hull = nullptr;
     HullState state;
     HullInputs inputs = {};
-    /// If not null, the hollow of the hull's own pressure is left out. Must outlive the step.
-    const HullWake* wake = nullptr;
     HullLoads loads = {};  ///< of the last step
 };
 

@@ -44,6 +44,8 @@
 
 namespace pelagic {
 
+class HullWake;
+
 /// Rows and columns: surge, heave, sway (translation along x, y, z of the hull), roll, yaw, pitch
 /// (rotation about x, y, z through the centre of mass); kg, kg m and kg m^2.
 using HullMatrix = std::array<std::array<double, 6>, 6>;
@@ -124,6 +126,8 @@ struct HullLoads {
 struct HullInputs {
     HullForce force;  ///< of engines, tow lines and contacts
     glm::dvec3 wind_mps{};
+    /// If not null, the hollow of the hull's own pressure is left out.
+    const HullWake* wake = nullptr;
 };
 
 /// The hull at rest in still water, upright: the mesh's y axis is vertical.
@@ -199,8 +203,8 @@ class Hull {
    private:
     friend class FloatingHulls;
     void append_points(const HullState& state, HullWorkspace& workspace) const;
-    HullLoads loads_at(std::size_t first_point, HullState& state, double step_s, const HullInputs& inputs,
-                       HullWorkspace& workspace) const;
+    HullLoads loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
+                       const HullInputs& inputs, HullWorkspace& workspace) const;
     struct Speeds;
     static void drift(HullState& state, double seconds);
     Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,

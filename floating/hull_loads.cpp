@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <span>
 
 #include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/floating/matrix6.hpp"
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/require.hpp"
@@ -123,9 +125,14 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
     }
 }
 
-HullLoads Hull::loads_at(std::size_t first_point, HullState& state, double step_s, const HullInputs& inputs,
-                         HullWorkspace& workspace) const {
+HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
+                         const HullInputs& inputs, HullWorkspace& workspace) const {
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    if (inputs.wake) {
+        const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
+        inputs.wake->leave_out(water.frame(), ours(workspace.x), ours(workspace.z), ours(workspace.height_m),
+                               ours(workspace.velocity_y_mps));
+    }
     std::vector<HullVertex>& vertices = workspace.vertices;
     vertices.resize(arms_m_.size());
     for (std::size_t i = 0; i < arms_m_.size(); ++i) {
@@ -205,8 +212,8 @@ HullLoads Hull::loads_at(std::size_t first_point, HullState& state, double step_
     glm::dvec3 water_spin_change{};
     if (state.has_previous_step)
         water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
-    const Vector6 water = joined(to_hull * loads.water_acceleration_mps2, to_hull * water_spin_change);
-    Vector6 inertial = product(added_mass_, water);
+    const Vector6 acceleration = joined(to_hull * loads.water_acceleration_mps2, to_hull * water_spin_change);
+    Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);
     if (state.has_previous_step && loads.submersion > state.submersion) {
@@ -237,7 +244,7 @@ HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s
     workspace.z.clear();
     append_points(state, workspace);
     workspace.sample(water);
-    return loads_at(0, state, step_s, inputs, workspace);
+    return loads_at(water, 0, state, step_s, inputs, workspace);
 }
 
 void HullWorkspace::sample(const SurfaceQuery& water) {

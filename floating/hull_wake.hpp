@@ -5,7 +5,7 @@
 //   const Frame& frame = ocean.complete();
 //   wake.press(frame, state, loads, tick_s);
 //   ocean.schedule(next_s);                                  // a tick later
-//   hulls.step(SurfaceQuery(frame), ..., tick_s);            // with FloatingHull::wake = &wake
+//   hulls.step(SurfaceQuery(frame), ..., tick_s);            // with HullInputs::wake = &wake
 //
 // The loads of a hull leave out the hollow that its own pressure makes at rest, because that
 // pressure is its buoyancy. Waves that it radiated earlier stay, for itself and for others.

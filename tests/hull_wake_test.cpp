@@ -50,7 +50,7 @@ struct Towed {
           jobs(make_serial_executor()),
           hulls(1, {.hull = &hull, .state = hull.at_rest(0, 0)}),
           wake(ocean.dynamic_waves(), hull, hulls[0].state) {
-        hulls[0].wake = &wake;
+        hulls[0].inputs.wake = &wake;
         hulls[0].state.position_m.y += water.sea_level_m;
         ocean.set_water_frame(water);
         ocean.schedule(0);
@@ -109,7 +109,7 @@ TEST(HullWake, APassingHullMakesAnotherHeave) {
         std::vector<HullWake> wakes;
         wakes.reserve(2);
         for (FloatingHull& floating : hulls)
-            floating.wake = &wakes.emplace_back(ocean.dynamic_waves(), launch, floating.state);
+            floating.inputs.wake = &wakes.emplace_back(ocean.dynamic_waves(), launch, floating.state);
         FloatingHulls jobs(make_serial_executor());
         std::vector<double> heave;
         constexpr double tick_s = 1.0 / 60;
@@ -192,7 +192,7 @@ TEST(HullWake, HullsOfAnySizeStayInAStorm) {
         hulls.back().state.position_m.y += i < 4 ? 0 : 6;
         hulls.back().state.angular_velocity_radps = {0.5, -0.3, 0.2};
         wakes.emplace_back(ocean.dynamic_waves(), hull, hulls.back().state);
-        hulls.back().wake = &wakes.back();
+        hulls.back().inputs.wake = &wakes.back();
     }
     FloatingHulls jobs(make_thread_executor(2));
     constexpr double tick_s = 1.0 / 60;
@@ -257,7 +257,7 @@ TEST(HullWake, ARollbackOf30TicksReplaysBitEqual) {
     const Hull hull(boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
     std::vector<FloatingHull> hulls(1, {.hull = &hull, .state = hull.at_rest(3, -2, 0.4)});
     HullWake wake(ocean.dynamic_waves(), hull, hulls[0].state);
-    hulls[0].wake = &wake;
+    hulls[0].inputs.wake = &wake;
     FloatingHulls jobs(make_serial_executor());
     const auto advance = [&](int tick) {
         ocean.schedule(tick / 60.0);

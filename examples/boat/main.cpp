@@ -87,7 +87,7 @@ void sail(double seconds) {
     for (const Boat& boat : boats) {
         const HullState state = boat.hull.at_rest(0, 20.0 * static_cast<double>(hulls.size()));
         hulls.push_back({.hull = &boat.hull, .state = state});
-        hulls.back().wake = &wakes.emplace_back(ocean.dynamic_waves(), boat.hull, state);
+        hulls.back().inputs.wake = &wakes.emplace_back(ocean.dynamic_waves(), boat.hull, state);
     }
     FloatingHulls jobs(make_default_executor());
     const int ticks = static_cast<int>(std::lround(seconds / tick_s));
