@@ -27,7 +27,7 @@ gl::SceneBlock block_of(gl::Surface surface, double time_s = 3, glm::dvec2 viewe
     facts.surface = surface;
     facts.time_s = time_s;
     gl::SceneBlock block;
-    gl::place_small_water(block, facts, viewer);
+    gl::place_small_water(block, facts, viewer, viewer);
     return block;
 }
 
