@@ -142,7 +142,7 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     strip_damping_ =
         2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1])) / afloat_.waterplane_m2;
     roll_damping_ = 2 * options.roll_damping *
-                    std::sqrt(weight_n * std::max(afloat_.roll_gm_m, 0.0) * (inertia_kgm2_.x + added_mass_[3][3]));
+                    std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
 /// Finds the height at which the upright hull displaces its mass, by bisection.

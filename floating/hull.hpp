@@ -61,7 +61,7 @@ struct HullOptions {
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
     std::optional<HullMatrix> added_mass = {};
     double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 1)
-    double roll_damping = 0.05;         ///< fraction of critical damping; [0, 1)
+    double roll_damping = 0.05;         ///< fraction of critical damping of |GM|; [0, 1)
     double pressure_coefficient = 0.7;  ///< of advancing faces; [0, 10]
     /// Of retreating faces; with 0.7 the drag is that of a cube, 1.05 (Hoerner 1965); [0, 10].
     double suction_coefficient = 0.35;

@@ -104,16 +104,17 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     waves_->set_footprint(source_, footprints_[0]);
 }
 
-/// Returns the depth that a frame's view of the grid shows: bilinear between its texels. The view
-/// is a tick late, and the current has carried it on for that tick.
-double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double time_s, double x_m,
+/// Returns the depth that the grid shows: bilinear between its texels.
+/// \param place_s  time at which the footprint acted
+/// \param x_m, z_m  in the water's frame
+double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double place_s, double x_m,
                           double z_m) const {
     const double texel = waves_->options().side_m / waves_->options().resolution;
-    const WaterFrame::Origin origin = water.origin_at(time_s), before = water.origin_at(time_s - tick_s_);
-    const double x = (x_m - origin.x_m) / texel, z = (z_m - origin.z_m) / texel;
-    const double i = std::floor(x), j = std::floor(z), right = x - i, bottom = z - j;
+    const WaterFrame::Origin origin = water.origin_at(place_s);
+    const double i = std::floor(x_m / texel), j = std::floor(z_m / texel);
+    const double right = x_m / texel - i, bottom = z_m / texel - j;
     const auto at = [&](double column, double row) {
-        return depth_at(footprint, column * texel + before.x_m, row * texel + before.z_m);
+        return depth_at(footprint, column * texel + origin.x_m, row * texel + origin.z_m);
     };
     return (1 - bottom) * ((1 - right) * at(i, j) + right * at(i + 1, j)) +
            bottom * ((1 - right) * at(i, j + 1) + right * at(i + 1, j + 1));
@@ -121,11 +122,12 @@ double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& 
 
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                          std::span<float> height_m, std::span<float> velocity_y_mps) const {
-    const auto hollow = [&](const PressureFootprint& footprint, std::size_t point) {
-        return hollow_m(footprint, frame.water_frame, frame.time_s, x[point], z[point]);
-    };
+    const WaterFrame& water = frame.water_frame;
+    const WaterFrame::Origin origin = water.origin_at(frame.time_s);
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double before = hollow(footprints_[2], i), after = hollow(footprints_[1], i);
+        const double in_x = x[i] - origin.x_m, in_z = z[i] - origin.z_m;
+        const double before = hollow_m(footprints_[2], water, frame.time_s - tick_s_, in_x, in_z);
+        const double after = hollow_m(footprints_[1], water, frame.time_s, in_x, in_z);
         height_m[i] = static_cast<float>(height_m[i] + before);
         if (tick_s_ > 0) velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + (after - before) / tick_s_);
     }

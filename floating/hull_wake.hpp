@@ -57,7 +57,7 @@ class HullWake {
    private:
     double period_s() const;  // of waves of the hull's length
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const;
-    double hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double time_s, double x_m,
+    double hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double place_s, double x_m,
                     double z_m) const;
 
     DynamicWaves* waves_;
