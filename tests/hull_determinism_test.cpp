@@ -1,5 +1,5 @@
-// Trajectories of hulls are bit-identical on every instruction set, executor and compiler, and after
-// a rollback.
+// Trajectories of hulls are bit-identical on every instruction set, executor and compiler, and
+// after a rollback.
 #include <gtest/gtest.h>
 
 #include <bit>
