@@ -15,6 +15,6 @@ cd "$work/tree"
 PELAGIC_SKIP_SETUP=1 ./demo.sh
 "$cmake" --install build/release --prefix "$work/prefix" >/dev/null
 "$work/prefix/bin/pelagic" --version
-for file in libpelagic_c.so libpelagic.a libpelagic_quadtree.a; do
+for file in libpelagic_c.so libpelagic.a libpelagic_floating.a libpelagic_quadtree.a; do
   find "$work/prefix" -name "$file" | grep . || { echo "$file is missing"; exit 1; }
 done

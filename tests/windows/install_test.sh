@@ -14,7 +14,7 @@ export DESTDIR=  # the caller's DESTDIR would move the prefix
 
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/prefix"  # package files must not contain their install path
-[ "$(cd "$work/prefix" && ls bin/*.dll lib/*.a | tr '\n' ' ')" = "bin/pelagic.dll lib/libpelagic.a lib/libpelagic_c.dll.a lib/libpelagic_quadtree.a " ] ||
+[ "$(cd "$work/prefix" && ls bin/*.dll lib/*.a | tr '\n' ' ')" = "bin/pelagic.dll lib/libpelagic.a lib/libpelagic_c.dll.a lib/libpelagic_floating.a lib/libpelagic_quadtree.a " ] ||
   { ls "$work/prefix/bin" "$work/prefix/lib"; exit 1; }
 
 export PATH="$work/prefix/bin:$PATH"  # where Windows searches DLLs; wine has its own variable
