@@ -58,8 +58,8 @@ FloatingHulls::~FloatingHulls() = default;
 void FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
     Hull::check_step(water, step_s);
     for (std::size_t i = 0; i < hulls.size(); ++i)
-        if (const std::string reason = Hull::check(hulls[i].state); !reason.empty())
-            throw std::invalid_argument("hull " + std::to_string(i) + ": " + reason);
+        for (const std::string& reason : {Hull::check(hulls[i].state), Hull::check(hulls[i].inputs)})
+            if (!reason.empty()) throw std::invalid_argument("hull " + std::to_string(i) + ": " + reason);
     state_->water = &water;
     state_->hulls = hulls;
     state_->step_s = step_s;

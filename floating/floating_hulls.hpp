@@ -12,7 +12,7 @@ namespace pelagic {
 
 /// A hull of a batch. Hulls of one kind share a Hull.
 struct FloatingHull {
-    const Hull* hull = nullptr;
+    const Hull* hull = nullptr;  ///< outlives the step
     HullState state;
     HullInputs inputs = {};
     HullLoads loads = {};  ///< of the last step

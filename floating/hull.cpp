@@ -47,6 +47,11 @@ bool is_positive(HullMatrix matrix) {
     return true;
 }
 
+/// Returns whether no component is beyond +-max. False for NaN.
+bool is_small(const glm::dvec3& v, double max) {
+    return std::fabs(v.x) <= max && std::fabs(v.y) <= max && std::fabs(v.z) <= max;
+}
+
 std::string check_added_mass(const HullMatrix& matrix) {
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) {
@@ -90,15 +95,22 @@ std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
 }
 
 std::string Hull::check(const HullState& state) {
-    const auto is_small = [](const glm::dvec3& v, double max) {  // false for NaN
-        return std::fabs(v.x) <= max && std::fabs(v.y) <= max && std::fabs(v.z) <= max;
-    };
     if (!is_small(state.position_m, 1e8)) return "the hull's position_m is out of range [-1e8, 1e8]";
     if (!is_small(state.velocity_mps, 1e4)) return "the hull's velocity_mps is out of range [-1e4, 1e4]";
     if (!is_small(state.angular_velocity_radps, 1e4))
         return "the hull's angular_velocity_radps is out of range [-1e4, 1e4]";
     const double norm = glm::dot(state.orientation, state.orientation);
     if (!(std::fabs(norm - 1) < 1e-3)) return "the hull's orientation is not a unit quaternion";
+    if (!(std::fabs(state.water_velocity_y_mps) <= 1e4) || !is_small(state.water_rotation_radps, 1e4) ||
+        !(state.submersion >= 0 && state.submersion <= 1))
+        return "what the hull's state remembers of its previous step is out of range";
+    return {};
+}
+
+std::string Hull::check(const HullInputs& inputs) {
+    if (!is_small(inputs.force.force_n, 1e15)) return "the hull's input force_n is out of range [-1e15, 1e15]";
+    if (!is_small(inputs.force.torque_nm, 1e15)) return "the hull's input torque_nm is out of range [-1e15, 1e15]";
+    if (!is_small(inputs.wind_mps, 1e3)) return "the hull's input wind_mps is out of range [-1e3, 1e3]";
     return {};
 }
 

@@ -2,7 +2,8 @@
 //
 //   const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 900});
 //   HullState boat = hull.at_rest(0, 0);
-//   hull.step(SurfaceQuery(ocean.complete()), boat, 1.0 / 60);
+//   HullWorkspace workspace;
+//   hull.step(SurfaceQuery(ocean.complete()), boat, 1.0 / 60, {}, workspace);
 //
 // An application with a physics engine sets the pose and the velocity of the state, calls loads()
 // and applies the result. Forces, with w the velocity of the hull relative to the water at a
@@ -60,8 +61,8 @@ struct HullOptions {
     /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
     std::optional<HullMatrix> added_mass = {};
-    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 1)
-    double roll_damping = 0.05;         ///< fraction of critical damping of |GM|; [0, 1)
+    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 0.999]
+    double roll_damping = 0.05;         ///< fraction of critical damping at |GM|; [0, 0.999]
     double pressure_coefficient = 0.7;  ///< of advancing faces; [0, 10]
     /// Of retreating faces; with 0.7 the drag is that of a cube, 1.05 (Hoerner 1965); [0, 10].
     double suction_coefficient = 0.35;
@@ -163,8 +164,12 @@ class Hull {
     /// Returns an empty string for usable options, else what is wrong: "mass_kg 0 is out of range
     /// [1e-6, 1e10]".
     static std::string check(const HullMesh& mesh, const HullOptions& options);
-    /// Returns an empty string for a usable state, else what is wrong: "position_m is not finite".
+    /// Returns an empty string for a usable state, else what is wrong: "the hull's velocity_mps is
+    /// out of range [-1e4, 1e4]".
     static std::string check(const HullState& state);
+    /// Returns an empty string for usable inputs, else what is wrong: forces and torques in
+    /// [-1e15, 1e15], wind in [-1e3, 1e3] m/s.
+    static std::string check(const HullInputs& inputs);
     /// \throws std::invalid_argument  if the frame has no velocities, or step_s is out of range
     static void check_step(const SurfaceQuery& water, double step_s);
 
@@ -185,8 +190,8 @@ class Hull {
     /// \param state   successive calls are step_s apart
     /// \param step_s  (0, 0.1]: drag is that of an implicit step of this length, so that an
     ///                explicit integrator remains stable
-    /// \throws std::invalid_argument  check(state) if it is not empty, or what check_step() throws;
-    ///                                the state is unchanged then
+    /// \throws std::invalid_argument  check(state) or check(inputs) if it is not empty, or what
+    ///                                check_step() throws; the state is unchanged then
     HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;
 

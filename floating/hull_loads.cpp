@@ -240,6 +240,7 @@ HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s
                       HullWorkspace& workspace) const {
     check_step(water, step_s);
     require(check(state));
+    require(check(inputs));
     workspace.x.clear();
     workspace.z.clear();
     append_points(state, workspace);

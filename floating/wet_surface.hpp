@@ -54,7 +54,7 @@ struct Hydrostatics {
     double depth_moment_m4 = 0;  ///< displaced volume times the mean depth in it
 
     void add(const HullTriangle& triangle) {
-        const auto& [a, b, c] = triangle;
+        const HullVertex &a = triangle.a, &b = triangle.b, &c = triangle.c;
         const glm::dvec3 area = triangle.area_m2();
         const double depths = a.depth_m + b.depth_m + c.depth_m;
         const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;

@@ -168,12 +168,13 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
         const double sinkage = boat.hull.afloat().height_m - boat.hulls[0].state.position_m.y;
         RecordProperty("sinkage_m" + std::to_string(froude), std::to_string(sinkage));
         EXPECT_GT(sinkage, 0) << "a hull sinks into the trough that it makes";
-        EXPECT_LT(sinkage, 0.2 * boat.hull.afloat().draught_m);
+        EXPECT_LT(sinkage, speed * speed / (2 * 9.80665)) << "and by less than the head of its speed";
     }
 }
 
 // From a buoy of 2 kg to a ship of 5,000 t, dropped into a storm with dynamic waves: none leaves
-// the water for long, and none is faster than a fall from the crests and the water are together.
+// the water for long, and none is faster than a fall from the crests and the water are together:
+// crests of 10 m above troughs give 17 m/s, orbital motion 8 m/s.
 TEST(HullWake, HullsOfAnySizeStayInAStorm) {
     Ocean ocean({.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19, .fetch_m = 400e3, .choppiness = 1},
                 {.executor = make_thread_executor(2),

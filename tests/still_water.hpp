@@ -12,8 +12,6 @@
 
 namespace pelagic {
 
-/// A regular wave of small amplitude along x, h = a cos(k x - omega t), in deep water; flat and
-/// without motion at first.
 class StillWater {
    public:
     explicit StillWater(int n = 16, double side_m = 64)
@@ -36,6 +34,23 @@ class StillWater {
         folds_.update(cascade, kernels_for(choose_isa()));
     }
 
+    SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
+
+   protected:
+    std::size_t cells() const { return static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_); }
+
+    int n_;
+    double side_m_;
+    std::vector<float> height_, velocity_x_, velocity_y_, zero_;
+    FoldMap folds_;
+    OneCascadeFrame water_;
+};
+
+/// A regular wave of small amplitude along x, h = a cos(k x - omega t), in deep water.
+class RegularWave : public StillWater {
+   public:
+    using StillWater::StillWater;
+
     /// \param waves  whole number of wavelengths in the side
     void set_wave(double amplitude_m, int waves, double time_s) {
         const double k = two_pi * waves / side_m_, omega = std::sqrt(gravity_mps2 * k);
@@ -49,17 +64,6 @@ class StillWater {
             }
         }
     }
-
-    SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
-
-   private:
-    std::size_t cells() const { return static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_); }
-
-    int n_;
-    double side_m_;
-    std::vector<float> height_, velocity_x_, velocity_y_, zero_;
-    FoldMap folds_;
-    OneCascadeFrame water_;
 };
 
 }  // namespace pelagic
