@@ -37,8 +37,7 @@
  * from that of this header's struct to 4096 bytes are accepted; any other size gives
  * PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with a newer header, the
  * library does not define the last fields. They must be 0 in structs that the library reads, and it
- * sets them to 0 in structs that it writes. Until version 1.0, applications are built with the
- * header of the library that they load.
+ * sets them to 0 in structs that it writes.
  * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
  * Threads. Each function's comment names one of two rules:
@@ -76,6 +75,10 @@
 #else
 #define PELAGIC_API
 #endif
+
+/* Marks functions that may change in any version. Versions 1.x keep all others: an application runs
+ * with the library of its header's version and with every later 1.x. */
+#define PELAGIC_EXPERIMENTAL PELAGIC_API
 
 #ifdef __cplusplus
 extern "C" {
