@@ -30,8 +30,8 @@ static void set_triangle(uint32_t** to, uint32_t a, uint32_t b, uint32_t c) {
     *(*to)++ = c;
 }
 
-/* A boat with a keel, chines, gunwales and a cambered deck, narrower towards the bow; the keel is at
- * y = 0. An application reads its own mesh instead. */
+/* A boat with a keel at y = 0, chines, gunwales and a cambered deck, narrower towards the bow. An
+ * application reads its own mesh instead. */
 static pelagic_status make_hull(const boat* of, pelagic_hull** hull) {
     static const double y[RING] = {0, 0.4, 1, 1.05, 1, 0.4}, z[RING] = {0, 0.75, 1, 0, -1, -0.75};
     double vertices[3 * VERTICES], *at = vertices;

@@ -560,8 +560,8 @@ class Hull:
     def digest(self) -> int:
         """A 64-bit hash of mesh, mass and coefficients: equal hulls move bit-identically."""
     def at_rest(self, x_m: float, z_m: float, heading_rad: float = 0.0) -> HullState:
-        """Returns the state of the hull upright at rest in still water, with its x axis rotated from
-        +x towards +z by the heading."""
+        """Returns the state of the hull upright at rest in still water, with its x axis rotated
+        from +x towards +z by the heading."""
 
 class HullState:
     """A rigid body in world axes, and what the water's forces depend on of the step before. A copy:
@@ -609,8 +609,8 @@ class HullLoads(TypedDict):
     water_velocity_mps: Tuple[float, float, float]
 
 class Bodies:
-    """A set of hulls that float in an ocean's water. With wakes they press on its dynamic waves, and
-    float on the waves of others. A tick is frame = ocean.complete(), press(frame, tick_s),
+    """A set of hulls that float in an ocean's water. With wakes they press on its dynamic waves,
+    and float on the waves of others. A tick is frame = ocean.complete(), press(frame, tick_s),
     ocean.schedule(next_s), step(frame, tick_s)."""
 
     def __init__(self, ocean: Ocean, wakes: bool = False, threads: int = 0) -> None:
@@ -631,8 +631,8 @@ class Bodies:
         torque_nm: ArrayLike = (0.0, 0.0, 0.0),
         wind_mps: ArrayLike = (0.0, 0.0, 0.0),
     ) -> None:
-        """Sets what else acts on a body from now on: engines, tow lines and contacts, about the centre
-        of mass in world axes, and the wind."""
+        """Sets what else acts on a body from now on: engines, tow lines and contacts, about the
+        centre of mass in world axes, and the wind."""
     def state(self, number: int) -> HullState:
         """Returns a copy of a body's state."""
     def set_state(self, number: int, state: HullState) -> None:
@@ -640,14 +640,14 @@ class Bodies:
     def loads(self, number: int) -> HullLoads:
         """Returns the loads of a body in the last step."""
     def press(self, frame: Frame, tick_s: float) -> None:
-        """Moves the pressures of wakes to the bodies; tick_s in (0, 0.1]. Call it between complete()
-        and schedule(). Does nothing without wakes."""
+        """Moves the pressures of wakes to the bodies; tick_s in (0, 0.1]. Call it between
+        complete() and schedule(). Does nothing without wakes."""
     def step(self, frame: Frame, step_s: float) -> None:
-        """Advances all bodies by a step, (0, 0.1] s, in the water of the frame completed last. Other
-        threads run meanwhile. Results do not depend on the number of threads."""
+        """Advances all bodies by a step, (0, 0.1] s, in the water of the frame completed last.
+        Other threads run meanwhile. Results do not depend on the number of threads."""
     def save_state(self) -> bytes:
-        """Returns everything that later steps depend on. Call it like DynamicWaves.save_state(), before
-        the first command of a tick."""
+        """Returns everything that later steps depend on. Call it like DynamicWaves.save_state(),
+        before the first command of a tick."""
     def restore_state(self, saved: bytes) -> None:
         """Continues from a saved state, whose hulls were added to this set. With wakes, restore the
         dynamic waves first. A frame of the saved time shows its water again."""
