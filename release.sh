@@ -11,13 +11,31 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
-packages=(lintian debootstrap unzip git "${pelagic_gate_packages[@]}" "${pelagic_hosts_packages[@]}")
-pelagic_install_dependencies "${packages[@]}"
 
 twice=
 [ "${1:-}" != --twice ] || { twice=1 && shift; }
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot unity)
+
+packages=(git python3)
+for part in "${parts[@]}"; do
+  case $part in
+    debian) packages+=(lintian debootstrap) ;;
+    linux) packages+=(debootstrap) ;;
+    arm64) packages+=("${pelagic_gate_packages[@]}") ;;
+    windows) packages+=(g++-mingw-w64-x86-64-posix wine64 unzip) ;;
+    python) packages+=(pybind11-dev python3-dev python3-venv python3-numpy) ;;
+    blender) packages+=(pybind11-dev python3-dev blender) ;;
+    npm)
+      packages+=("${pelagic_web_packages[@]}")
+      command -v npm >/dev/null || packages+=(npm)
+      ;;
+    godot) packages+=(godot3-server unzip) ;;
+    unity) packages+=(mono-mcs mono-runtime unzip) ;;
+    *) echo "release.sh: what is $part? Accepted: debian linux arm64 windows python blender npm godot unity" && exit 2 ;;
+  esac
+done
+pelagic_install_dependencies "${packages[@]}"
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "Changes that are not committed are left out."
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH

@@ -67,10 +67,12 @@ test_debian() {
 # usage: test_archive FOLDER C_COMPILER [EMULATOR...]
 test_archive() {
   local folder=$1 cc=$2 run=("${@:3}")
-  "$cc" "$source/examples/c_application/main.c" -o "$work/application.exe" -I"$folder/include" -L"$folder/lib" -lpelagic_c -Wl,-rpath,"$folder/lib"
+  "$cc" "$source/examples/c_application/main.c" -o "$work/application.exe" -I"$folder/include" -L"$folder/lib" -lpelagic_c
   [ ! -e "$folder/bin/pelagic.dll" ] || cp "$folder/bin/pelagic.dll" "$work"
+  export LD_LIBRARY_PATH=$folder/lib
   ${run[@]+"${run[@]}"} "$work/application.exe" | tr -d '\r' | diff "$work/application_lines" -
   "$source/tests/golden_rows_test.sh" "$source/tests/golden" "$work/rows" ${run[@]+"${run[@]}"} "$(find "$folder/bin" -name pelagic -o -name pelagic.exe)"
+  unset LD_LIBRARY_PATH
 }
 
 test_linux() {
