@@ -3,7 +3,7 @@
 set(PELAGIC_MAINTAINER "The Pelagic authors <pelagic@packages.invalid>" CACHE STRING "Maintainer of Debian's packages")
 
 set(CPACK_PACKAGE_CONTACT ${PELAGIC_MAINTAINER})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "FFT ocean waves on the CPU")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -20,18 +20,21 @@ endif()
 if(PELAGIC_DEBIAN)
   set(library_package libpelagic${PELAGIC_SOVERSION})
   set(version ${PROJECT_VERSION}-1)
+  set(debian_folder ${PROJECT_BINARY_DIR}/debian)
   set(CPACK_GENERATOR DEB)
   set(CPACK_DEB_COMPONENT_INSTALL ON)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
   set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${library_package})
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-  set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "FFT ocean waves, shared library
-Pelagic simulates FFT ocean waves on the CPU, multithreaded and vectorised,
-with bit-identical results on every machine. This is its C interface.")
+  set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "Pelagic simulates FFT ocean waves on the CPU, multithreaded and vectorised,
+with bit-identical results on every machine. This is its C interface, a shared
+library.")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${debian_folder}/shlibs ${debian_folder}/triggers)
+  file(WRITE ${debian_folder}/shlibs "libpelagic_c ${PELAGIC_SOVERSION} ${library_package} (>= ${PROJECT_VERSION})\n")
+  file(WRITE ${debian_folder}/triggers "activate-noawait ldconfig\n")
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpelagic-dev)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} (= ${version})")
@@ -40,14 +43,12 @@ with bit-identical results on every machine. This is its C interface.")
   endif()
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libglm-dev)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libgles-dev, libegl-dev")
-  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "FFT ocean waves, development files
-Headers, static libraries, and files for CMake and pkg-config: simulation,
+  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, static libraries, and files for CMake and pkg-config: simulation,
 quadtree mesh, forces on hulls, and rendering with OpenGL ES.")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME pelagic)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libegl1, libgles2, libgl1-mesa-dri")
-  set(CPACK_DEBIAN_TOOLS_DESCRIPTION "FFT ocean waves, command
-The command pelagic exports looping maps and meshes of a sea, queries heights
+  set(CPACK_DEBIAN_TOOLS_DESCRIPTION "The command pelagic exports looping maps and meshes of a sea, queries heights
 at points, and renders images and films.")
 
   # The text of the Apache licence is on every Debian system.
@@ -56,7 +57,6 @@ at points, and renders images and films.")
   string(FIND "${notice}" "\n                                 Apache License\n" apache_text)
   string(SUBSTRING "${notice}" 0 ${apache_text} notice)
   string(APPEND copyright "\n${notice}\nOn Debian systems the text is in /usr/share/common-licenses/Apache-2.0.\n")
-  set(debian_folder ${PROJECT_BINARY_DIR}/debian)
   file(WRITE ${debian_folder}/copyright "${copyright}")
   string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
   foreach(component_and_package RUNTIME:${library_package} DEVELOPMENT:libpelagic-dev TOOLS:pelagic)
