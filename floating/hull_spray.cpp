@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "pelagic/floating/wet_surface.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
 

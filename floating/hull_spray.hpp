@@ -25,8 +25,8 @@
 // whose head u^2 / 2g is the draught, and takes all of a jet from twice that head on; by eye.
 //
 // Drops have the largest stable diameter in air, at a Weber number of 12 (M. Pilch and C. A.
-// Erdman, Int. J. Multiphase Flow 13, 1987). Foam is that of a bore whose thrust on a metre, rho g h^2 / 2,
-// is the force of the impact on the faces that throw water.
+// Erdman, Int. J. Multiphase Flow 13, 1987). Foam is that of a bore whose thrust on a metre,
+// rho g h^2 / 2, is the force of the impact on the faces that throw water.
 #pragma once
 
 #include <array>
