@@ -78,7 +78,7 @@ TEST(HullSpray, OfAWedgeThatFallsHasTheSpeedOfWagnersJets) {
         const double slope = std::tan(entry.deadrise_deg * degree), cosine = std::cos(entry.deadrise_deg * degree);
         Thrower wedge(Hull(wedge_mesh(6, 4, 2 * slope), {.mass_kg = 0.3 * density * 6 * 4 * slope}),
                       {.clump_kg = 1e-5});
-        const double keel_m = wedge.hull.afloat().draught_m - wedge.hull.afloat().height_m;
+        const double keel_m = wedge.hull.afloat().draught_m + wedge.hull.afloat().height_m;
         constexpr double fall_m = 0.25;
         wedge.state.position_m.y = keel_m + fall_m;
         for (int i = 0; i < 1000 && wedge.thrown.emitters().empty(); ++i) wedge.step(1.0 / 1200);
