@@ -228,11 +228,12 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     };
     const Vector6 relative = joined(to_hull * (state.velocity_mps - loads.water_velocity_mps),
                                     to_hull * (state.angular_velocity_radps - loads.water_rotation_radps));
-    Vector6 slamming{};
+    Vector6 slamming{}, slammed{};
     if (state.has_previous_step && loads.submersion > state.submersion) {
         slamming = product(added_mass_, relative);
         for (double& value : slamming) value *= (state.submersion - loads.submersion) / step_s;
         loads.slamming = to_world(slamming);
+        slammed = solve(loads.mass, slamming);
     }
     // A long step would reverse the motion that drag opposes: the part that stops it is enough.
     const Vector6 dragged = in_axes(drag.force), stopped = solve(loads.mass, dragged);
@@ -241,7 +242,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.drag = {kept * drag.force.force_n, kept * drag.force.torque_nm};
     // Power at the speeds after the losses: the energy of hull and added mass then falls by half of
     // that of slamming, and by no less than that of the drag.
-    const Vector6 advanced = in_axes(advancing.force), slammed = solve(loads.mass, slamming);
+    const Vector6 advanced = in_axes(advancing.force);
     double impact_w = 0;
     for (std::size_t i = 0; i < 6; ++i)
         impact_w -= (slamming[i] + kept * advanced[i]) * (relative[i] + step_s * (slammed[i] + kept * stopped[i]));
