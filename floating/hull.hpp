@@ -45,6 +45,7 @@
 
 namespace pelagic {
 
+class HullSpray;
 class HullWake;
 
 /// Rows and columns: surge, heave, sway (translation along x, y, z of the hull), roll, yaw, pitch
@@ -106,6 +107,9 @@ struct HullLoads {
     HullForce added_mass;  ///< A a_w
     HullForce drag;        ///< drag, radiation damping and air
     HullForce slamming;
+    /// Impact on the water, of slamming and of the pressure on advancing faces: the magnitudes of
+    /// both forces, and the power that they take from the motion relative to the water.
+    double impact_n = 0, impact_w = 0;
     double displaced_m3 = 0;
     double submersion = 0;  ///< displaced over floating volume, at most 1: scales added mass
     /// The plane through the water's surface at the hull: height at the centre of mass, and slopes.
@@ -210,7 +214,11 @@ class Hull {
 
    private:
     friend class FloatingHulls;
+    friend class HullSpray;
     void append_points(const HullState& state, HullWorkspace& workspace) const;
+    /// Fills workspace.vertices from its samples.
+    void place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
+                        const HullWake* wake, HullWorkspace& workspace) const;
     HullLoads loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
                        const HullInputs& inputs, HullWorkspace& workspace) const;
     struct Speeds;

@@ -1,5 +1,5 @@
-"""The binary interface that all versions 1.x keep: stable functions, and the structs and enumerators
-that they use."""
+"""The binary interface that all versions 1.x keep: stable functions, and the structs and
+enumerators that they use."""
 import c_header
 
 
