@@ -1332,7 +1332,8 @@ PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, c
 
 /* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the
  * model. Oceans need pelagic_ocean_options.queries and velocities. In a library that was built
- * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT. */
+ * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT. Structs of
+ * experimental functions may change, too. */
 
 /* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside.
  * An open boat is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to
@@ -1372,7 +1373,7 @@ typedef struct pelagic_hull_options {
 /* Sets every field but struct_size. mass_kg becomes 0, which the caller replaces.
  *
  * Threads: any. */
-PELAGIC_API pelagic_status pelagic_hull_defaults(pelagic_hull_options* options);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_defaults(pelagic_hull_options* options);
 
 /* The mesh, mass and coefficients of hulls of one kind. */
 typedef struct pelagic_hull pelagic_hull;
@@ -1382,15 +1383,15 @@ typedef struct pelagic_hull pelagic_hull;
  * Errors: PELAGIC_INVALID_ARGUMENT for a mesh that is open, wound inwards, without volume or too
  *   large, and for a value out of range.
  * Threads: any. */
-PELAGIC_API pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh, const pelagic_hull_options* options,
-                                               pelagic_hull** hull);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh,
+                                                        const pelagic_hull_options* options, pelagic_hull** hull);
 
 /* Releases the handle. Bodies that use the hull keep what they need.
  *
  * hull: may be NULL.
  *
  * Threads: one thread per object. */
-PELAGIC_API void pelagic_hull_destroy(pelagic_hull* hull);
+PELAGIC_EXPERIMENTAL void pelagic_hull_destroy(pelagic_hull* hull);
 
 /* Properties of a hull, in the axes of its mesh. Those from draught_m on are of the hull upright at
  * rest in still water, and 0 if it is heavier than its volume of water. */
@@ -1411,7 +1412,7 @@ typedef struct pelagic_hull_info {
 } pelagic_hull_info;
 
 /* Writes the properties of a hull. Threads: any. */
-PELAGIC_API pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info);
 
 /* A rigid body in the world's axes, and what the water's forces depend on of the preceding step. */
 typedef struct pelagic_hull_state {
@@ -1435,8 +1436,8 @@ typedef struct pelagic_hull_state {
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value that is not finite or a position out of range.
  * Threads: any. */
-PELAGIC_API pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m, double heading_rad,
-                                                pelagic_hull_state* state);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m,
+                                                         double heading_rad, pelagic_hull_state* state);
 
 /* A force and its torque about the centre of mass, in the world's axes. */
 typedef struct pelagic_hull_force {
@@ -1481,9 +1482,10 @@ typedef struct pelagic_hull_loads {
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for an ocean without queries or
  *   velocities; PELAGIC_WRONG_ORDER before the first frame.
  * Threads: one thread per hull; also while another thread calls functions of the ocean. */
-PELAGIC_API pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const pelagic_ocean* ocean,
-                                                      pelagic_hull_state* state, double step_s,
-                                                      const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const pelagic_ocean* ocean,
+                                                               pelagic_hull_state* state, double step_s,
+                                                               const pelagic_hull_inputs* inputs,
+                                                               pelagic_hull_loads* loads);
 
 /* Computes the loads as pelagic_hull_compute_loads(), and the velocities of the state after a step
  * under them, the weight and the inputs, with mass and added mass. For a physics engine without
@@ -1494,9 +1496,10 @@ PELAGIC_API pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const 
  *
  * Errors: as pelagic_hull_compute_loads().
  * Threads: one thread per hull; also while another thread calls functions of the ocean. */
-PELAGIC_API pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, const pelagic_ocean* ocean,
-                                                   pelagic_hull_state* state, double step_s,
-                                                   const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, const pelagic_ocean* ocean,
+                                                            pelagic_hull_state* state, double step_s,
+                                                            const pelagic_hull_inputs* inputs,
+                                                            pelagic_hull_loads* loads);
 
 /* ---- Floating bodies ------------------------------------------------------------------------- */
 
@@ -1527,15 +1530,15 @@ typedef struct pelagic_bodies_options {
  * Errors: PELAGIC_INVALID_ARGUMENT for an ocean without queries or velocities, and for wakes
  *   without dynamic waves; PELAGIC_SYSTEM_ERROR if the system cannot create the threads.
  * Threads: one thread per ocean. */
-PELAGIC_API pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_options* options,
-                                                 pelagic_bodies** bodies);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_options* options,
+                                                          pelagic_bodies** bodies);
 
 /* Destroys a set, and removes its pressures from the dynamic waves.
  *
  * bodies: may be NULL.
  *
  * Threads: one thread per object. */
-PELAGIC_API void pelagic_bodies_destroy(pelagic_bodies* bodies);
+PELAGIC_EXPERIMENTAL void pelagic_bodies_destroy(pelagic_bodies* bodies);
 
 /* Adds a body without inputs. The set keeps the hull, also for pelagic_bodies_restore_state() after
  * the body is removed.
@@ -1545,39 +1548,39 @@ PELAGIC_API void pelagic_bodies_destroy(pelagic_bodies* bodies);
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; with wakes also if the hull is longer
  *   than 1000 m or the waves have too many sources.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull,
-                                              const pelagic_hull_state* state, uint32_t* number);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull,
+                                                       const pelagic_hull_state* state, uint32_t* number);
 
 /* Removes a body. Does nothing if no body has that number. Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_remove(pelagic_bodies* bodies, uint32_t number);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_remove(pelagic_bodies* bodies, uint32_t number);
 
 /* Sets force and wind of the steps from now on.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number,
-                                                     const pelagic_hull_inputs* inputs);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number,
+                                                              const pelagic_hull_inputs* inputs);
 
 /* Replaces the state of a body.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number,
-                                                    const pelagic_hull_state* state);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number,
+                                                             const pelagic_hull_state* state);
 
 /* Writes the state of a body.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number,
-                                                    pelagic_hull_state* state);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number,
+                                                             pelagic_hull_state* state);
 
 /* Writes the loads of a body in the last step, all 0 before the first.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
-                                                    pelagic_hull_loads* loads);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
+                                                             pelagic_hull_loads* loads);
 
 /* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it between
  * pelagic_ocean_complete() and pelagic_ocean_schedule(), whose frames are a tick apart.
@@ -1587,7 +1590,7 @@ PELAGIC_API pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; PELAGIC_WRONG_ORDER before the first
  *   frame and if a frame is in flight.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s);
 
 /* Advances all bodies by a step in the water of the frame completed last, on the executor's
  * threads. Results do not depend on the number of threads. Allocates nothing once the set has
@@ -1600,7 +1603,7 @@ PELAGIC_API pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double t
  *   PELAGIC_APPLICATION_ERROR if a callback of the executor fails, after which the bodies have
  *   advanced.
  * Threads: one thread per object; also while another thread calls functions of the ocean. */
-PELAGIC_API pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s);
 
 /* Saves all that later steps depend on, inputs and wakes included. Call it when
  * pelagic_dynamic_waves_save_state() is called, before the first command after a frame.
@@ -1611,8 +1614,8 @@ PELAGIC_API pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double st
  *
  * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodies, uint8_t* bytes, size_t room,
-                                                     size_t* count);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodies, uint8_t* bytes,
+                                                              size_t room, size_t* count);
 
 /* Restores a saved state, on any machine of equal byte order. With wakes, restore the dynamic waves
  * first. A frame of the saved time, scheduled without commands, shows the water of that time again.
@@ -1620,7 +1623,8 @@ PELAGIC_API pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodie
  * Errors: PELAGIC_INVALID_ARGUMENT if the set never had a body of a saved hull, the dynamic waves
  *   have other options, or the bytes are damaged.
  * Threads: one thread per object. */
-PELAGIC_API pelagic_status pelagic_bodies_restore_state(pelagic_bodies* bodies, const uint8_t* bytes, size_t count);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_restore_state(pelagic_bodies* bodies, const uint8_t* bytes,
+                                                                 size_t count);
 
 #ifdef __cplusplus
 }
