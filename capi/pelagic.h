@@ -1332,8 +1332,8 @@ PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, c
 
 /* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the
  * model. Oceans need pelagic_ocean_options.queries and velocities. In a library that was built
- * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT. Structs of
- * experimental functions may change, too. */
+ * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT.
+ * Hulls and floating bodies are experimental. */
 
 /* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside.
  * An open boat is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to
