@@ -8,7 +8,7 @@ pelagic_packages=(
   libtbb-dev               # oneTBB: jobs
   libxsimd-dev             # xsimd: kernels
   libxxhash-dev            # XXH3: the hash of a frame
-  libglm-dev               # GLM: cameras, in the quadtree
+  libglm-dev               # GLM: cameras of the quadtree, hulls
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that renders without a GPU: pelagic render
   libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: text in previews
