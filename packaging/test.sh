@@ -35,8 +35,9 @@ in_root() {
     chroot "$1" sh -c "mount -t proc proc /proc && cd /root && $2"
 }
 
-# usage: make_root NAME   a fresh Debian 12 with nothing but its base, in $work/NAME. PELAGIC_DEBIAN_BASE
-# names a folder with such a base, if there is one already.
+# usage: make_root NAME   a fresh Debian 12 with nothing but its base, in $work/NAME
+#
+# PELAGIC_DEBIAN_BASE names a folder with such a base, if there is one already.
 make_root() {
   local base=${PELAGIC_DEBIAN_BASE:-$work/base}
   [ -d "$base" ] || quietly debootstrap --variant=minbase bookworm "$base" "${PELAGIC_MIRROR:-http://deb.debian.org/debian}"

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # An application that adds Pelagic's sources, with add_subdirectory or by the lines of
-# docs/packages.md with FetchContent: its target `all` has nothing of Pelagic unless it links it, and
-# its installation has nothing of Pelagic at all. `build` also builds and runs the application.
+# docs/packages.md with FetchContent: its target `all` has nothing of Pelagic unless it links it,
+# and its installation has nothing of Pelagic at all. `build` also builds and runs the application.
 #
-# usage: embedded_test.sh SOURCE_FOLDER CMAKE C_COMPILER CXX_COMPILER {add_subdirectory|FetchContent} [build]
+# usage: embedded_test.sh SOURCE_FOLDER CMAKE C_COMPILER CXX_COMPILER WAY [build]
+#
+# WAY is add_subdirectory or FetchContent.
 set -euo pipefail
 source=$1 cmake=$2 cc=$3 cxx=$4 way=$5
 work=$(mktemp -d)
@@ -33,8 +35,8 @@ configure() {
   "$cmake" -G 'Unix Makefiles' -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" \
     -DFETCHCONTENT_SOURCE_DIR_PELAGIC="$source" -DLINKED="$1" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 }
-# The sources of Pelagic that the target `all` compiles. A dry run omits targets that need objects of
-# others, because there are none.
+# The sources of Pelagic that the target `all` compiles. A dry run omits targets that need objects
+# of others, because there are none.
 compiled() {
   { make -C "$work/build" --dry-run --keep-going all 2>/dev/null || true; } | sed -n 's|.* -c \(.*/\)*\([^/ ]*[.]cpp\)$|\2|p' | sort -u
 }
