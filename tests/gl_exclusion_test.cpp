@@ -1,5 +1,5 @@
-// Water inside the interiors of hulls is not drawn. The truth is a ray cast against the mesh, at the
-// position of the water that a draw without exclusions leaves in the depth buffer.
+// Water inside the interiors of hulls is not drawn. The truth is a ray cast against the mesh, at
+// the position of the water that a draw without exclusions leaves in the depth buffer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Truth {
     bool contains(const glm::dvec3& from) const {
         if (glm::any(glm::lessThan(from, mesh_.lower_m())) || glm::any(glm::greaterThan(from, mesh_.upper_m())))
             return false;
-        const glm::dvec3 ray = glm::normalize(glm::dvec3(0.37, 0.81, -0.46));  // along no edge of the mesh
+        const glm::dvec3 ray = glm::normalize(glm::dvec3(0.37, 0.81, -0.46));  // along no edge
         bool is_inside = false;
         for (const auto& [a, b, c] : mesh_.triangles()) {
             const glm::dvec3 p = mesh_.vertices()[a], q = mesh_.vertices()[b] - p, r = mesh_.vertices()[c] - p;
@@ -97,8 +97,8 @@ const gl::ExclusionMap& map_of_interior() {
     return map;
 }
 
-// The map is the mesh but for a cell: linear filtering of a cell's mean heights moves the boundary by
-// at most the width of a cell.
+// The map is the mesh but for a cell: linear filtering of the cells' mean heights moves the
+// boundary by at most the width of a cell.
 TEST(ExclusionMap, IsTheMeshToWithinACell) {
     const Truth truth(interior());
     const gl::ExclusionMap& map = map_of_interior();
@@ -316,8 +316,8 @@ Pose random_pose(int number, const SurfaceQuery& water, Random& random) {
 }
 
 // A pixel is expected to keep its water unless that lies inside a mesh; water that then shows from
-// further away has to lie outside, too. A wrong pixel is at a boundary of the interior if its water
-// or that of one of its eight neighbours is within a cell of the mesh: to within a cell and a pixel.
+// further away has to lie outside, too. A wrong pixel is within a cell and a pixel of the boundary
+// if its water, or that of one of its eight neighbours, is within a cell of the mesh.
 TEST_F(GlExclusion, LeavesOutTheWaterInAnOpenBoatInAStorm) {
     constexpr int side = 44, across = 10, up = 5, width = across * side, height = up * side;
     constexpr int frames = is_sanitized ? 1 : 10;

@@ -3,7 +3,8 @@
 //   const HullMesh interior(vertices, triangles);        // closed by a lid at the gunwale
 //   const ExclusionMap map(plan_of(interior, 128, 48));  // cells of 5 cm for 6.4 m x 2.4 m
 //   renderer.set_exclusion_maps({&map, 1});
-//   each frame:  const Exclusion dry{.position_m = hull.mesh_origin_m(state), .orientation = state.orientation};
+//   each frame:  const Exclusion dry{.position_m = hull.mesh_origin_m(state),
+//                                    .orientation = state.orientation};
 //                renderer.draw({.eyes = eyes, ..., .exclusions = {&dry, 1}});
 //
 // Link pelagic::floating for HullMesh and plan_of(). The front end itself needs no other symbol of
@@ -35,9 +36,9 @@ class ExclusionMap {
     /// \throws std::invalid_argument  check(plan), unless it is empty
     explicit ExclusionMap(const HullPlan& plan);
 
-    /// Returns an empty string for a usable plan, else what is wrong: "HullPlan::columns 0 is out of
-    /// range [1, 1024]". Its arrays have columns x rows finite elements, and the heights of covered
-    /// cells a range.
+    /// Returns an empty string for a usable plan, else what is wrong: "HullPlan::columns 0 is out
+    /// of range [1, 1024]". Its arrays have columns x rows finite elements, and the heights of
+    /// covered cells a range.
     static std::string check(const HullPlan& plan);
 
     /// Returns whether a point in the axes of the hull, metres, is in the interior.

@@ -19,7 +19,7 @@ class PatchSplit {
     void assign(const DrawList& list, std::span<const Exclusion> exclusions, std::span<const ExclusionMap> maps,
                 const FrameBounds& bounds);
 
-    std::span<const PatchInstance> instances() const { return instances_; }  ///< those of all batches
+    std::span<const PatchInstance> instances() const { return instances_; }  ///< of all batches
     std::span<const DrawBatch> apart() const { return apart_; }              ///< reach no exclusion
     std::span<const DrawBatch> touching() const { return touching_; }
 

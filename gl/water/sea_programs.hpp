@@ -30,8 +30,8 @@ enum Unit : GLint {
     dynamic_waves_unit,
     unit_count
 };
-/// Returns the unit of the exclusion maps. OpenGL ES 3.0 guarantees 16 units to a fragment shader, so
-/// the maps share that of a texture that the surface's programs do not sample.
+/// Returns the unit of the exclusion maps. OpenGL ES 3.0 guarantees 16 units to a fragment shader,
+/// so the maps share that of a texture that the surface's programs do not sample.
 constexpr Unit exclusions_unit(Surface surface) { return surface == Surface::open ? flow_unit : shore_weights_unit; }
 
 struct ProgramFiles {

@@ -219,8 +219,8 @@ struct SeaRenderer::State {
         });
     }
 
-    /// Returns the lens of each eye: {0} in place of `lens` for an eye inside an excluded interior. In
-    /// a multiview pass both eyes share one, which is {0} only if both are inside.
+    /// Returns the lens of each eye: {0} in place of `lens` for an eye inside an excluded interior.
+    /// In a multiview pass both eyes share one, which is {0} only if both are inside.
     std::array<glm::vec4, 2> lenses_of(const DrawInput& input, const glm::vec4& lens) const {
         if (lens.w <= 0) return {};
         std::array<glm::vec4, 2> lenses{};
