@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -223,6 +224,20 @@ class DepthTarget {
 
 class GlExclusion : public testing::Test {
    protected:
+    // All tests share a scene, because compiling its shaders takes longer than a test.
+    static void SetUpTestSuite() {
+        shared_ = std::make_unique<GlScene>(GlScene::Options{.preset = "storm",
+                                                             .quality = "low",
+                                                             .resolution = 64,
+                                                             .cascades = 2,
+                                                             .width = 8,
+                                                             .height = 8,
+                                                             .samples = 0,
+                                                             .size_m = 512,
+                                                             .shading = gl::Shading::headset,
+                                                             .lens_may_dip = true});
+    }
+    static void TearDownTestSuite() { shared_.reset(); }
     GlExclusion() { scene_.renderer->set_exclusion_maps({&map_of_interior(), 1}); }
 
     const Frame& upload(double time_s) {
@@ -247,16 +262,8 @@ class GlExclusion : public testing::Test {
     }
 
     const Truth truth_{interior()};
-    GlScene scene_{{.preset = "storm",
-                    .quality = "low",
-                    .resolution = 64,
-                    .cascades = 2,
-                    .width = 8,
-                    .height = 8,
-                    .samples = 0,
-                    .size_m = 512,
-                    .shading = gl::Shading::headset,
-                    .lens_may_dip = true}};
+    static inline std::unique_ptr<GlScene> shared_;
+    GlScene& scene_ = *shared_;
 };
 
 /// A camera and one or two boats at random in the waves.
@@ -423,7 +430,8 @@ TEST_F(GlExclusion, KeepsEachEyeInACockpitDry) {
 TEST_F(GlExclusion, RejectsAnInvalidListAndDrawsOn) {
     const Frame& frame = upload(1);
     scene_.target->bind();
-    const Camera camera{.position_m = {0, 30, 0}, .target_m = {10, 0, 0}};
+    const double eye_m = height_at(SurfaceQuery(frame), 0, 0) + 0.5;
+    const Camera camera{.position_m = {0, eye_m, 0}, .target_m = {10, eye_m - 3, 0}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 8, 8});
     gl::DrawInput input = input_for(frame, {&eye, 1}, camera.position_m);
     const auto message_for = [&](const std::vector<gl::Exclusion>& exclusions) -> std::string {
@@ -452,7 +460,9 @@ TEST_F(GlExclusion, RejectsAnInvalidListAndDrawsOn) {
 TEST_F(GlExclusion, CostsNoDrawWhereNoBoatIs) {
     const Frame& frame = upload(1);
     scene_.target->bind();
-    const Camera camera{.position_m = {0, 3, 0}, .target_m = {100, 0, 0}};
+    // Near the water, so that the other tests' programs are used.
+    const double eye_m = height_at(SurfaceQuery(frame), 0, 0) + 0.5;
+    const Camera camera{.position_m = {0, eye_m, 0}, .target_m = {100, eye_m - 3, 0}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 8, 8});
     gl::DrawInput input = input_for(frame, {&eye, 1}, camera.position_m);
     const int calls = scene_.renderer->draw(input).sea_calls;

@@ -273,7 +273,7 @@ struct SeaRenderer::State {
     FrameBounds bounds;           ///< of the uploaded frame
     FloorFacts floor_facts;
     CausticFacts caustic_facts;
-    bool lens_is_wet = false;
+    bool lens_is_wet = false;  ///< of the current pass
     FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
@@ -449,13 +449,13 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     place_exclusions(block, input, s.exclusion_maps);
     const std::array<glm::vec4, 2> lenses = s.lenses_of(input, block.lens);
     block.lens = lenses[0];
-    s.lens_is_wet = lenses[0].w > 0 || lenses[1].w > 0;
     const bool mirrors_scene = input.application_scene && input.eyes.size() == 1 && !s.options.multiview &&
                                s.options.shading != Shading::headset;
-    s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
-                       .mirrors_scene = mirrors_scene,
-                       .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
-                       .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
+    s.choose_programs(
+        {.below = lenses[0].w > 0 || lenses[1].w > 0 || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
+         .mirrors_scene = mirrors_scene,
+         .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
+         .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
     s.upload(block);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     s.split_patches(input);
@@ -480,6 +480,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
             block.lens = lenses[eye];
             s.upload(block);
         }
+        s.lens_is_wet = block.lens.w > 0;
         if (input.mode == DrawMode::wireframe)
             s.draw_wireframe(input, static_cast<int>(eye));
         else
