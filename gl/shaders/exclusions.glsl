@@ -24,11 +24,9 @@ bool is_excluded(vec3 at) {
     int first = -1, second = -1;
     for (int hull = 0; hull < 8; ++hull) {
         vec3 from_middle = abs(place_in_box(hull, at) - 0.5);
-        if (max(from_middle.x, max(from_middle.y, from_middle.z)) > 0.5) continue;
-        if (first < 0)
-            first = hull;
-        else if (second < 0)
-            second = hull;
+        bool is_near = max(from_middle.x, max(from_middle.y, from_middle.z)) <= 0.5;
+        if (is_near && first >= 0 && second < 0) second = hull;
+        if (is_near && first < 0) first = hull;
     }
     return is_in_interior(first, at) || is_in_interior(second, at);
 }
