@@ -27,7 +27,7 @@ public static class BehaviourTests
             var side = cascade.Resolution >> level;
             if (!MemoryMarshal.AsBytes(chain.Slice(cascade.LevelOffset(level), side * side)).SequenceEqual(texture.Levels[(level, slice)])) return false;
         }
-        return texture.Levels.Count(entry => entry.Key.slice == slice) == cascade.Levels;
+        return texture.Levels.Count(entry => entry.Key.Item2 == slice) == cascade.Levels;
     }
 
     [Test]

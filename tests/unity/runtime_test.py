@@ -54,6 +54,23 @@ class CInterface:
                 yield f"query {interpolation} {i} {bits}{converged[i]}"
         self.library.pelagic_ocean_destroy(ocean)
 
+    def job_query_lines(self):
+        """Samples at the points of OceanQueriesTests.cs, as bits."""
+        sea, options, ocean = sized(pelagic.pelagic_sea), sized(pelagic.pelagic_ocean_options, queries=1, velocities=1), ctypes.c_void_p()
+        self.call("pelagic_sea_preset", b"storm", sea)
+        self.call("pelagic_ocean_create", sea, options, ctypes.byref(ocean))
+        self.call("pelagic_ocean_schedule", ocean, 12.34)
+        self.call("pelagic_ocean_complete", ocean, sized(pelagic.pelagic_frame))
+        count = 500
+        x = (ctypes.c_double * count)(*(i * 37.75 % 1200 - 600 for i in range(count)))
+        z = (ctypes.c_double * count)(*(i * 12.25 % 1000 - 500 for i in range(count)))
+        names = ("height_m", "normal_x", "normal_y", "normal_z", "velocity_x_mps", "velocity_y_mps", "velocity_z_mps")
+        results = {name: (ctypes.c_float * count)() for name in names}
+        self.call("pelagic_ocean_query", ocean, sized(pelagic.pelagic_points, count=count, x=x, z=z), sized(pelagic.pelagic_samples, **results))
+        for i in range(count):
+            yield f"job query {i} " + "".join(struct.pack(">f", values[i]).hex() for values in results.values())
+        self.library.pelagic_ocean_destroy(ocean)
+
     def frame_loop_lines(self):
         """The frames of the sample FrameLoop."""
         sea, ocean, found = sized(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_uint64()
@@ -98,6 +115,7 @@ def expected_lines(compiler, library):
         yield from (f"input {name} {i} {value}" for i, value in enumerate(hashes))
     c_interface = CInterface(library)
     yield from c_interface.query_lines()
+    yield from c_interface.job_query_lines()
     yield from c_interface.frame_loop_lines()
     yield c_interface.dynamic_waves_line()
 
@@ -106,11 +124,20 @@ def main():
     compiler, library, folder, *tests = sys.argv[1:]
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize"]
-    runtime, here, core = SOURCE / "unity/Runtime", pathlib.Path(__file__).parent, folder / "Pelagic.dll"
-    subprocess.run([*flags, "-target:library", f"-out:{core}", *sorted(runtime.glob("*.cs"))], check=True)
-    others = [*(runtime / "Unity").glob("*.cs"), *(SOURCE / "unity/Samples~").rglob("*.cs"), *here.glob("*.cs")]
-    subprocess.run([*flags, "-d:ENABLE_UNITY_COLLECTIONS_CHECKS", f"-r:{core}", f"-out:{folder / 'Tests.exe'}", *sorted(others)], check=True)
+    flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize", "-d:ENABLE_UNITY_COLLECTIONS_CHECKS"]
+    runtime, here = SOURCE / "unity/Runtime", pathlib.Path(__file__).parent
+    core, engine, component = (folder / f"{name}.dll" for name in ("Pelagic", "Stubs", "Pelagic.Unity"))
+
+    def build(target, sources, *references):
+        kind = "-target:library" if target.suffix == ".dll" else "-target:exe"
+        others = [f"-r:{reference}" for reference in references]
+        subprocess.run([*flags, kind, f"-out:{target}", *others, *sorted(sources)], check=True)
+
+    stubs = here / "Stubs.cs"
+    build(core, runtime.glob("*.cs"))
+    build(engine, [stubs])
+    build(component, (runtime / "Unity").glob("*.cs"), core, engine)
+    build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), *(set(here.glob("*.cs")) - {stubs})], core, engine, component)
     (folder / "expected.txt").write_text("\n".join(expected_lines(compiler, library)) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]
