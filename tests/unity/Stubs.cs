@@ -15,8 +15,55 @@ namespace UnityEngine
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MonoBehaviour.html</summary>
-    public class MonoBehaviour : Object
+    public class MonoBehaviour : Behaviour
     {
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Component.html</summary>
+    public class Component : Object
+    {
+        public readonly Transform Placed = new Transform();
+        public readonly GameObject Owner = new GameObject();
+        public Transform transform => Placed;
+        public GameObject gameObject => Owner;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Behaviour.html</summary>
+    public class Behaviour : Component
+    {
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/GameObject.html</summary>
+    public sealed class GameObject : Object
+    {
+        public int layer { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Transform.html</summary>
+    public class Transform : Object
+    {
+        public Vector3 position { get; set; }
+        public Vector3 forward { get; set; }
+        public Vector3 up { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Camera.html</summary>
+    public sealed class Camera : Behaviour
+    {
+        public Matrix4x4 cullingMatrix { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Light.html</summary>
+    public sealed class Light : Behaviour
+    {
+        public Color color { get; set; }
+        public float intensity { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/RenderSettings.html</summary>
+    public sealed class RenderSettings : Object
+    {
+        public static Rendering.SphericalHarmonicsL2 ambientProbe { get; set; }
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Time-timeAsDouble.html</summary>
@@ -35,6 +82,71 @@ namespace UnityEngine
             this.x = x;
             this.y = y;
             this.z = z;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Color.html</summary>
+    public struct Color
+    {
+        public float r, g, b, a;
+
+        public Color(float r, float g, float b, float a)
+        {
+            this.r = r;
+            this.g = g;
+            this.b = b;
+            this.a = a;
+        }
+
+        /// <summary>The stub's colours are linear.</summary>
+        public Color linear => this;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Plane.html</summary>
+    public struct Plane
+    {
+        public Vector3 normal { get; set; }
+        public float distance { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Matrix4x4.html</summary>
+    public struct Matrix4x4
+    {
+        public Vector4 Row0, Row1, Row2, Row3;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Bounds.html</summary>
+    public struct Bounds
+    {
+        public Vector3 center { get; set; }
+        public Vector3 size { get; set; }
+
+        public Bounds(Vector3 center, Vector3 size)
+        {
+            this.center = center;
+            this.size = size;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/GeometryUtility.html</summary>
+    public sealed class GeometryUtility
+    {
+        public static void CalculateFrustumPlanes(Matrix4x4 worldToProjectionMatrix, Plane[] planes)
+        {
+            var m = worldToProjectionMatrix;
+            planes[0] = PlaneOf(m.Row3, m.Row0, 1);
+            planes[1] = PlaneOf(m.Row3, m.Row0, -1);
+            planes[2] = PlaneOf(m.Row3, m.Row1, 1);
+            planes[3] = PlaneOf(m.Row3, m.Row1, -1);
+            planes[4] = PlaneOf(m.Row3, m.Row2, 1);
+            planes[5] = PlaneOf(m.Row3, m.Row2, -1);
+        }
+
+        private static Plane PlaneOf(Vector4 w, Vector4 row, float sign)
+        {
+            float x = w.x + sign * row.x, y = w.y + sign * row.y, z = w.z + sign * row.z, d = w.w + sign * row.w;
+            var length = (float)Math.Sqrt(x * x + y * y + z * z);
+            return new Plane { normal = new Vector3(x / length, y / length, z / length), distance = d / length };
         }
     }
 
@@ -111,6 +223,96 @@ namespace UnityEngine
         }
     }
 
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Texture2D.html</summary>
+    public sealed class Texture2D : Texture
+    {
+        public readonly int Side;
+        public readonly bool HasMipmaps, IsLinear;
+        public readonly Dictionary<int, Array> Levels = new Dictionary<int, Array>();
+        public int Applied;
+
+        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear)
+        {
+            Side = width;
+            HasMipmaps = mipChain;
+            IsLinear = linear;
+        }
+
+        public void SetPixelData<T>(T[] data, int mipLevel, int sourceDataStartIndex = 0) => Levels[mipLevel] = data;
+
+        public void Apply(bool updateMipmaps = true, bool makeNoLongerReadable = false)
+        {
+            if (!updateMipmaps && !makeNoLongerReadable) ++Applied;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MeshTopology.html</summary>
+    public enum MeshTopology
+    {
+        Triangles,
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Mesh.html</summary>
+    public sealed class Mesh : Object
+    {
+        public readonly Dictionary<int, ushort[]> Submeshes = new Dictionary<int, ushort[]>();
+        public Vector3[] vertices { get; set; }
+        public int subMeshCount { get; set; }
+
+        public void SetIndices(ushort[] indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) => Submeshes[submesh] = indices;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Material.html</summary>
+    public class Material : Object
+    {
+        public readonly Dictionary<string, object> Values = new Dictionary<string, object>();
+        public void SetVector(int nameID, Vector4 value) => Values[Shader.NameOf(nameID)] = value;
+        public void SetVectorArray(int nameID, Vector4[] values) => Values[Shader.NameOf(nameID)] = values;
+        public void SetTexture(int nameID, Texture value) => Values[Shader.NameOf(nameID)] = value;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MaterialPropertyBlock.html</summary>
+    public sealed class MaterialPropertyBlock
+    {
+        public readonly Dictionary<string, Vector4[]> Values = new Dictionary<string, Vector4[]>();
+
+        public void SetVectorArray(int nameID, Vector4[] values)
+        {
+            Vector4[] copy;
+            if (!Values.TryGetValue(Shader.NameOf(nameID), out copy)) Values[Shader.NameOf(nameID)] = copy = new Vector4[values.Length];
+            values.CopyTo(copy, 0);
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/RenderParams.html</summary>
+    public struct RenderParams
+    {
+        public readonly Material Drawn;
+        public Camera camera { get; set; }
+        public int layer { get; set; }
+        public MaterialPropertyBlock matProps { get; set; }
+        public Rendering.ShadowCastingMode shadowCastingMode { get; set; }
+        public Bounds worldBounds { get; set; }
+
+        public RenderParams(Material mat)
+        {
+            this = default(RenderParams);
+            Drawn = mat;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Graphics.html</summary>
+    public class Graphics
+    {
+        public static readonly List<(RenderParams parameters, Mesh mesh, int submesh, int count)> Draws =
+            new List<(RenderParams, Mesh, int, int)>();
+
+        public static void RenderMeshPrimitives(in RenderParams rparams, Mesh mesh, int submeshIndex, int instanceCount = 1)
+        {
+            Draws.Add((rparams, mesh, submeshIndex, instanceCount));
+        }
+    }
+
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Shader.html</summary>
     public sealed class Shader : Object
     {
@@ -123,8 +325,31 @@ namespace UnityEngine
             return names.Count - 1;
         }
 
+        public static string NameOf(int nameID) => names[nameID];
         public static void SetGlobalTexture(int nameID, Texture value) => Globals[names[nameID]] = value;
         public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals[names[nameID]] = values;
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Rendering.ShadowCastingMode.html</summary>
+    public enum ShadowCastingMode
+    {
+        Off,
+        On,
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Rendering.SphericalHarmonicsL2.html</summary>
+    public struct SphericalHarmonicsL2
+    {
+        /// <summary>The stub's light is equal from all directions.</summary>
+        public Color Uniform;
+
+        public void Evaluate(Vector3[] directions, Color[] results)
+        {
+            for (var i = 0; i < results.Length; ++i) results[i] = Uniform;
+        }
     }
 }
 

@@ -2,9 +2,10 @@
 """Compiles the C# package and its tests with mcs, and runs them under mono. Expected values are the
 golden hashes, and results that ctypes obtains from the C interface.
 
-usage: runtime_test.py C_COMPILER LIBRARY OUTPUT_FOLDER [TEST...]
+usage: runtime_test.py C_COMPILER LIBRARY PELAGIC OUTPUT_FOLDER [TEST...]
 """
 import ctypes
+import json
 import os
 import pathlib
 import struct
@@ -105,6 +106,20 @@ class CInterface:
         return f"dynamic waves {found.value:x}"
 
 
+def quadtree_lines(program, folder):
+    """Patches of the viewers of QuadtreeTests.cs: triangles, by level, by stitching."""
+    file = folder / "quadtree.json"
+    for quality in ("low", "high"):
+        for number, viewer in enumerate(("0,2,0", "313.7,1.7,-271.3", "-9000.25,180,4500.5")):
+            x, y, z = viewer.split(",")
+            subprocess.run([program, "quadtree", "--all", "--quality", quality, "--camera", viewer, "--target", f"{float(x) + 9},{y},{z}",
+                            "--resolution", "16", "--json", file], check=True, stdout=subprocess.DEVNULL)
+            found = json.loads(file.read_text())
+            batches = {batch["stitches"]: batch["instances"] for batch in found["batches"]}
+            levels, stitches = (level["patches"] for level in found["patches_by_level"]), (batches.get(i, 0) for i in range(16))
+            yield f"quadtree {quality} {number} {found['triangles']}:{','.join(map(str, levels))}:{','.join(map(str, stitches))}"
+
+
 def expected_lines(compiler, library):
     header = generator.read_pelagic_header()
     yield from (f"layout {name} {number}" for name, number in c_layout.compiled_layout(header, SOURCE / "capi", compiler).items())
@@ -121,7 +136,7 @@ def expected_lines(compiler, library):
 
 
 def main():
-    compiler, library, folder, *tests = sys.argv[1:]
+    compiler, library, program, folder, *tests = sys.argv[1:]
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize", "-d:ENABLE_UNITY_COLLECTIONS_CHECKS"]
@@ -138,7 +153,7 @@ def main():
     build(engine, [stubs])
     build(component, (runtime / "Unity").glob("*.cs"), core, engine)
     build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), *(set(here.glob("*.cs")) - {stubs})], core, engine, component)
-    (folder / "expected.txt").write_text("\n".join(expected_lines(compiler, library)) + "\n")
+    (folder / "expected.txt").write_text("\n".join([*expected_lines(compiler, library), *quadtree_lines(program, folder)]) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]
     # Its end takes 2 s; 44 s without the guard, when mono gives up the threads of the frame.
