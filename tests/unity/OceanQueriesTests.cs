@@ -109,4 +109,22 @@ public static unsafe class OceanQueriesTests
             Check.Throws<ObjectDisposedException>(() => queries.Schedule(positions, heights), "disposed queries");
         }
     }
+
+    [Test]
+    public static void TheSamplePlacesObjectsOnTheWater()
+    {
+        var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32 };
+        var buoys = new Buoys { Ocean = behaviour, Objects = new[] { new Transform(), new Transform { position = new Vector3(20, 9, -30) } } };
+        BehaviourTests.Send(behaviour, "OnEnable");
+        BehaviourTests.Send(buoys, "OnEnable");
+        BehaviourTests.Send(behaviour, "Update");
+        BehaviourTests.Send(buoys, "LateUpdate");
+        foreach (var buoy in buoys.Objects)
+        {
+            Check.Equal(buoy.position.y, behaviour.HeightAt(buoy.position), "height of a buoy");
+            Check.True(buoy.up.y > 0.5f && buoy.up.y < 1, "it is inclined");
+        }
+        BehaviourTests.Send(buoys, "OnDisable");
+        BehaviourTests.Send(behaviour, "OnDisable");
+    }
 }
