@@ -55,8 +55,8 @@ struct HullOptions {
     double mass_kg = 0;  ///< [1e-6, 1e10]
     /// In the axes of the mesh; unset: the centre of the mesh's volume.
     std::optional<glm::dvec3> centre_of_mass_m = {};
-    /// Moments of inertia about the axes through the centre of mass, positive; unset: those of a
-    /// body that fills the mesh evenly.
+    /// Moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; unset: those of
+    /// a body that fills the mesh evenly.
     std::optional<glm::dvec3> inertia_kgm2 = {};
     /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
@@ -178,6 +178,9 @@ class Hull {
     double mass_kg() const { return mass_kg_; }
     const HullMatrix& added_mass() const { return added_mass_; }       ///< at rest
     glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh
+    /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
+    /// bit-identically.
+    std::uint64_t digest() const;
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
 

@@ -105,6 +105,46 @@ class CInterface:
         self.library.pelagic_dynamic_waves_destroy(waves)
         return f"dynamic waves {found.value:x}"
 
+    def bodies_lines(self):
+        """The bodies of BodiesTests.cs, as bits."""
+        sea, waves, ocean = sized(pelagic.pelagic_sea), sized(pelagic.pelagic_dynamic_waves_options), ctypes.c_void_p()
+        self.call("pelagic_sea_preset", b"rough", sea)
+        sea.resolution = 32
+        self.call("pelagic_dynamic_waves_defaults", waves)
+        waves.resolution, waves.side_m, waves.border_m = 64, 32, 4
+        self.call("pelagic_ocean_create", sea, sized(pelagic.pelagic_ocean_options, queries=1, velocities=1, dynamic_waves=ctypes.addressof(waves)), ctypes.byref(ocean))
+        corners = (ctypes.c_double * 24)(*(number for x in (-2, 2) for y in (-0.5, 0.5) for z in (-1, 1) for number in (x, y, z)))
+        triangles = (ctypes.c_uint32 * 36)(0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3)
+        options, hull, bodies = sized(pelagic.pelagic_hull_options), ctypes.c_void_p(), ctypes.c_void_p()
+        self.call("pelagic_hull_defaults", options)
+        centre = (ctypes.c_double * 3)(0, -0.1, 0)
+        options.mass_kg, options.roll_damping, options.centre_of_mass_m = 2500, 0.1, centre
+        mesh = sized(pelagic.pelagic_hull_mesh, vertex_count=8, vertices_m=corners, triangle_count=12, triangles=triangles)
+        self.call("pelagic_hull_create", mesh, options, ctypes.byref(hull))
+        self.call("pelagic_bodies_create", ocean, sized(pelagic.pelagic_bodies_options, wakes=1), ctypes.byref(bodies))
+        state, number = sized(pelagic.pelagic_hull_state), ctypes.c_uint32()
+        for x, z, heading in ((1, -2, 0.3), (-5, 4, 0)):
+            self.call("pelagic_hull_at_rest", hull, x, z, heading, state)
+            self.call("pelagic_bodies_add", bodies, hull, state, number)
+        inputs = sized(pelagic.pelagic_hull_inputs)
+        inputs.force.force_n[0], inputs.wind_mps[2] = 900, 5
+        self.call("pelagic_bodies_set_inputs", bodies, number, inputs)
+        for tick in range(40):
+            self.call("pelagic_ocean_schedule", ocean, tick * (1 / 60))
+            self.call("pelagic_ocean_complete", ocean, sized(pelagic.pelagic_frame))
+            self.call("pelagic_bodies_press", bodies, 1 / 60)
+            self.call("pelagic_bodies_step", bodies, 1 / 60)
+        for number in (1, 2):
+            self.call("pelagic_bodies_get_state", bodies, number, state)
+            numbers = (*state.position_m, *state.orientation, *state.velocity_mps, *state.angular_velocity_radps)
+            yield f"body {number} " + struct.pack(">13d", *numbers).hex()
+        loads = sized(pelagic.pelagic_hull_loads)
+        self.call("pelagic_bodies_get_loads", bodies, 2, loads)
+        yield "body 2 force " + struct.pack(">d", loads.total.force_n[1]).hex()
+        self.library.pelagic_bodies_destroy(bodies)
+        self.library.pelagic_hull_destroy(hull)
+        self.library.pelagic_ocean_destroy(ocean)
+
 
 def quadtree_lines(program, folder):
     """Patches of the viewers of QuadtreeTests.cs: triangles, by level, by stitching."""
@@ -133,6 +173,7 @@ def expected_lines(compiler, library):
     yield from c_interface.job_query_lines()
     yield from c_interface.frame_loop_lines()
     yield c_interface.dynamic_waves_line()
+    yield from c_interface.bodies_lines()
 
 
 def main():
