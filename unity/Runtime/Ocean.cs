@@ -249,12 +249,6 @@ namespace Pelagic
             handle.Dispose();
         }
 
-        /// <summary>Keeps the native ocean, also after Dispose(), until the result is disposed.</summary>
-        internal Use Hold()
-        {
-            return new Use(handle);
-        }
-
         private static CallbackRoot[] RootsOf(Executor executor, WaveInput[] inputs)
         {
             var roots = new List<CallbackRoot>();

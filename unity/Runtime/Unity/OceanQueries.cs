@@ -26,7 +26,7 @@ namespace Pelagic.Unity
         public OceanQueries(Ocean ocean)
         {
             if (ocean == null) throw new ArgumentNullException(nameof(ocean));
-            this.ocean = ocean.Hold();
+            this.ocean = new Use(ocean.Handle);
         }
 
         /// <summary>
