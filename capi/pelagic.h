@@ -84,8 +84,8 @@
 extern "C" {
 #endif
 
-#define PELAGIC_VERSION_MAJOR 0
-#define PELAGIC_VERSION_MINOR 1
+#define PELAGIC_VERSION_MAJOR 1
+#define PELAGIC_VERSION_MINOR 0
 #define PELAGIC_VERSION_PATCH 0
 
 /* Returns the library's version, major * 10000 + minor * 100 + patch, which may be later than the

@@ -35,9 +35,9 @@ endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pelagicConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake INSTALL_DESTINATION ${package_folder})
-# A minor version may change the sea's reproducible values and, before 1.0, the interface.
+# A minor version may change a sea's reproducible values, but keeps the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake ${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
         DESTINATION ${package_folder})
 

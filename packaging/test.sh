@@ -8,7 +8,6 @@ source=$(realpath "$1") dist=$(realpath "$2")
 packaging=$source/packaging
 version=$("$packaging/version.sh")
 soversion=${version%%.*}
-[ "$soversion" != 0 ] || soversion=${version%.*}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export DESTDIR= PYTHONDONTWRITEBYTECODE=1

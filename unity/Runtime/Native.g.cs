@@ -723,7 +723,7 @@ namespace Pelagic
         private const string Library = "pelagic_c";
 #endif
 
-        internal const int VersionMajor = 0, VersionMinor = 1;
+        internal const int VersionMajor = 1, VersionMinor = 0;
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_executor_options
