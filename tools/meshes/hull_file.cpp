@@ -108,7 +108,13 @@ HullMesh read_hull(const std::string& option, const std::filesystem::path& file)
     const HullFile hull = is_gltf(bytes) ? parse_gltf_hull(file, bytes) : parse_obj_hull(input.name(), bytes);
     if (const std::string reason = HullMesh::check(hull.vertices, hull.triangles); !reason.empty())
         throw InputError(input.name() + ": " + reason);
-    return HullMesh(hull.vertices, hull.triangles);
+    HullMesh mesh(hull.vertices, hull.triangles);
+    const glm::dvec3 size = mesh.upper_m() - mesh.lower_m();
+    for (const double side : {size.x, size.z})  // the range of a PressureFootprint
+        if (!(side >= 0.001 && side <= 1000))
+            throw InputError(input.name() + ": " +
+                             invalid_value_message("the hull's length or beam", side, "[0.001, 1000] m"));
+    return mesh;
 }
 
 }  // namespace pelagic::tools
