@@ -45,7 +45,7 @@ struct EventFile {
 };
 
 /// Parses a file's text. Throws InputError with one line that names the file, the line, the column,
-/// its value and what is accepted. Reads files of hulls. \param name  path of the file, for messages
+/// its value and what is accepted. Reads files of hulls. \param name  path of the file
 EventFile parse_events(const std::string& name, std::string_view text);
 
 /// Reads and parses the file of --events. Throws InputError as parse_events() does.
