@@ -163,6 +163,40 @@ TEST(RenderCommand, ReadsTheSeaFloorFromAnImage) {
     EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
 }
 
+// A box of 4 x 1 x 2 m in the middle of the view changes the image, and its pose is the one that
+// `pelagic query` prints.
+TEST(RenderCommand, DrawsAHullWhereItFloats) {
+    const TemporaryFolder folder;
+    write_file(folder / "box.obj",
+               "v -2 0 -1\nv 2 0 -1\nv 2 1 -1\nv -2 1 -1\nv -2 0 1\nv 2 0 1\nv 2 1 1\nv -2 1 1\n"
+               "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n");
+    const std::vector<std::string> hull = {
+        "--hull", (folder / "box.obj").string(), "--mass", "2000",  "--resolution", "32", "--wind-speed",
+        "6",      "--events-resolution",         "128",    "--json"};
+    const auto render = [&](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "--size", "64x64", "--quality", "low", "--camera", "0,8,0.1", "--target",
+                                   "0,0,0", "--out", (folder / name).string()});
+        return run_pelagic(more);
+    };
+    const Outcome with_hull = render("hull.png", hull);
+    ASSERT_EQ(with_hull.exit_code, 0) << with_hull.err;
+    std::vector<std::string> query = hull;
+    query.insert(query.begin(), "query");
+    const Outcome queried = run_pelagic(query);
+    ASSERT_EQ(queried.exit_code, 0) << queried.err;
+    EXPECT_EQ(nlohmann::json::parse(with_hull.out)["statistics"]["hull"], nlohmann::json::parse(queried.out)[0]);
+    ASSERT_EQ(render("sea.png", {"--resolution", "32", "--wind-speed", "6"}).exit_code, 0);
+    // In 8-bit steps. A visible change gives more than 3 (ImagesMatchTheReferences).
+    EXPECT_GT(difference(read_pixels(folder / "hull.png"), read_pixels(folder / "sea.png")), 3);
+    for (const std::string more : {"--stereo", "--wireframe"}) {
+        std::vector<std::string> wrong = hull;
+        wrong.push_back(more);
+        const Outcome run = render("wrong.png", wrong);
+        EXPECT_EQ(run.exit_code, 2);
+        EXPECT_EQ(run.err, "pelagic: --hull cannot be combined with " + more + "\n");
+    }
+}
+
 TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",

@@ -1,4 +1,5 @@
-// `pelagic query`: height, normal, velocity and foam of the water at given points.
+// `pelagic query`: height, normal, velocity and foam of the water at given points, or the motion of
+// a hull.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -17,6 +18,9 @@
 #include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/hulls/hull_options.hpp"
+#include "pelagic/tools/hulls/hull_player.hpp"
+#include "pelagic/tools/hulls/hull_table.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
@@ -37,6 +41,8 @@ constexpr std::size_t max_times = 1'000'000;
 
 /// Points in memory at once: a few megabytes, and enough work for many threads.
 constexpr std::size_t block_points = std::size_t{1} << 15;
+/// Text of a hull's rows that is written at once.
+constexpr std::size_t output_bytes = std::size_t{1} << 16;
 
 constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [-1e9, 1e9], at most 1000000 times";
 
@@ -112,10 +118,13 @@ class QueryCommand final : public Command {
     void run() override;
 
    private:
+    /// Prints a row for each time.
+    void run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const;
     std::vector<double> times(const ResolvedSea& sea) const;
 
     std::optional<ShoreOptions> shore(const ResolvedSea& sea) const;
 
+    HullFlags hull_;
     EventFlags events_;
     SeaOptions sea_;
     ComputeFlags compute_;
@@ -130,7 +139,7 @@ void QueryCommand::add_options(CLI::App& app) {
     app.add_option("--points", points_, "lines x,z in metres, or a header with columns x and z; -: standard input")
         ->type_name("FILE.csv");
     app.add_option("--time", time_, "seconds; [-1e9, 1e9] (default: 0)")->type_name("SECONDS");
-    app.add_option("--times", times_, "sample each point at several times, and add a column with the time")
+    app.add_option("--times", times_, "sample at several times, and add a column with the time")
         ->type_name("FIRST:LAST:STEP");
     app.add_option("--interpolation", interpolation_,
                    "between texels; cubic keeps short waves, linear is the drawn surface (default: cubic)")
@@ -142,6 +151,7 @@ void QueryCommand::add_options(CLI::App& app) {
 #if defined(PELAGIC_HAS_IMAGES)
     floor_.add_to(app);
 #endif
+    hull_.add_to(app);
     events_.add_to(app);
     sea_.add_to(app, SeaOptions::PresetName::positional_too);
     sea_.add_weather_to(app);
@@ -156,7 +166,10 @@ void QueryCommand::add_options(CLI::App& app) {
         "vertical, so error_m and jacobian do not include them. The interpolation is printed on standard\n"
         "error, or with --json as interpolation in each object. Other columns of the file are copied in\n"
         "front of the results. A file may have any length. It is read in blocks of 32768 points: an\n"
-        "invalid line ends the command when its block is read, and --times applies to one block at a time.");
+        "invalid line ends the command when its block is read, and --times applies to one block at a time.\n"
+        "--hull prints time,x,y,z,heave,heading,pitch,roll,vx,vy,vz,draught,displaced instead: position and\n"
+        "velocity of the centre of mass, heave above its height in still water, degrees (pitch: bow up,\n"
+        "roll: starboard down), and m^3 of water.");
 }
 
 std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {
@@ -180,10 +193,43 @@ std::optional<ShoreOptions> QueryCommand::shore([[maybe_unused]] const ResolvedS
 #endif
 }
 
+void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const {
+    for (const auto& [flag, is_given] : {std::pair("--points", points_.has_value()),
+                                         {"--interpolation", interpolation_.has_value()},
+                                         {"--foam", foam_}})
+        if (is_given) throw InputError(std::string(flag) + " cannot be combined with --hull");
+    const ComputeOptions compute = compute_.resolve();
+    const WaterFrame water = water_frame_.resolve(floor_.has_shore());
+    const std::optional<ShoreOptions> shore = this->shore(sea);
+    const HullLaunch launch = *hull_.resolve();
+    const EventOptions events = *events_.resolve(sea.sea.depth_m, launch.place());
+    require_reachable(events, times_s.back());
+    require_reachable(times_s.front(), times_s.back());
+
+    const auto executor = make_default_executor(compute.threads);
+    Ocean ocean(forecast_of(sea),
+                {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true, .shore = shore});
+    ocean.set_water_frame(water);
+    const double first_s = times_s.front();
+    EventPlayer waves(events, executor, compute.isa, water, HullPlayer::begins_s(first_s));
+    HullPlayer hull(launch, ocean, waves, first_s, executor);
+    std::string rows = json_ ? "[\n" : hull_columns() + "\n";
+    for (const double time_s : times_s) {
+        rows += hull_row(time_s, hull.at(time_s), json_);
+        rows += json_ && time_s != times_s.back() ? ",\n" : "\n";
+        if (rows.size() < output_bytes && time_s != times_s.back()) continue;
+        write_output(rows);
+        rows.clear();
+    }
+    if (json_) write_output("]\n");
+}
+
 void QueryCommand::run() {
     const ResolvedSea sea = sea_.resolve();
-    const ComputeOptions compute = compute_.resolve();
     const std::vector<double> times_s = times(sea);
+    if (hull_.has_hull()) return run_hull(sea, times_s);
+    hull_.resolve();  // rejects its other options
+    const ComputeOptions compute = compute_.resolve();
     const Interpolation interpolation =
         interpolation_ ? one_of<Interpolation>("--interpolation", *interpolation_) : Interpolation::cubic;
     const WaterFrame water = water_frame_.resolve(floor_.has_shore());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +15,7 @@
 #include "pelagic/gl/display.hpp"
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/light_meter.hpp"
+#include "pelagic/gl/meshes/lit_mesh.hpp"
 #include "pelagic/gl/meshes/rock.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sky/sky_panorama.hpp"
@@ -27,6 +30,8 @@
 #include "pelagic/tools/encode/encode_image.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/hulls/hull_player.hpp"
+#include "pelagic/tools/hulls/hull_table.hpp"
 #include "pelagic/tools/options/render_options.hpp"
 #include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
@@ -67,6 +72,24 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
+/// Returns a mesh of flat faces, because files of hulls have sharp edges.
+gl::LitMesh drawn_hull(const gl::Functions& functions, const HullMesh& hull) {
+    constexpr glm::vec3 paint(0.55f, 0.54f, 0.5f);  // albedo
+    std::vector<gl::MeshVertex> vertices;
+    std::vector<std::uint16_t> indices;
+    for (const auto& triangle : hull.triangles()) {
+        const glm::vec3 a = hull.vertices()[triangle[0]], b = hull.vertices()[triangle[1]],
+                        c = hull.vertices()[triangle[2]], across = glm::cross(b - a, c - a);
+        const float area = glm::length(across);
+        for (const glm::vec3& corner : {a, b, c}) {
+            indices.push_back(static_cast<std::uint16_t>(vertices.size()));
+            vertices.push_back({corner, area > 0 ? across / area : glm::vec3(0, 1, 0), paint});
+        }
+    }
+    return {functions, vertices, indices, "boat.frag.glsl"};
+}
+static_assert(3 * HullMesh::max_triangles <= 0xffff, "indices of 16 bits");
+
 /// Renders frames offscreen. Ocean, renderer and targets are created once.
 class OfflineRenderer {
    public:
@@ -75,7 +98,7 @@ class OfflineRenderer {
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
-                                                  .velocities = has_spray(options),
+                                                  .velocities = has_spray(options) || options.hull,
                                                   .slopes = true,
                                                   .foam = true,
                                                   .shore = options.scene.shore}),
@@ -107,7 +130,14 @@ class OfflineRenderer {
         }
         if (options.events)
             player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
-                            options.scene.compute.isa, options.scene.water_frame);
+                            options.scene.compute.isa, options.scene.water_frame,
+                            options.hull ? std::optional(HullPlayer::begins_s(options.time_s)) : std::nullopt);
+        if (options.hull) {
+            hull_.emplace(*options.hull, ocean_, *player_, options.time_s,
+                          make_default_executor(options.scene.compute.threads));
+            hull_mesh_.emplace(drawn_hull(context_.functions(), options.hull->hull->mesh()));
+            hull_mesh_->set_light(sky);
+        }
         if (options.rock_m) {
             rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
             rock_->set_light(sky);
@@ -124,12 +154,14 @@ class OfflineRenderer {
     /// Renders a frame; pixels() and radiance() return the result.
     void draw(double time_s) {
         const gl::Stopwatch all;
+        time_s_ = time_s;
         if (spray_) {
             const glm::dvec3 viewer = options_.scene.camera.position_m;
             while (const std::optional<double> tick_s = spray_->missing_tick_s(time_s))
                 spray_->add_tick(ocean_.frame_at(*tick_s), viewer.x, viewer.z);
             droplets_ = spray_->droplets_at(time_s);
         }
+        if (hull_) moment_ = hull_->at(time_s);
         Frame frame = ocean_.frame_at(time_s);
         if (player_) frame = with_water(frame, player_->at(time_s));
         measured_.sea_ms.push_back(all.milliseconds());
@@ -162,26 +194,28 @@ class OfflineRenderer {
     Json statistics() const {
         const gl::DrawStatistics& last = measured_.last;
         const auto views = static_cast<int>(eyes_.size());
-        return {{"renderer", context_.renderer_name()},
-                {"frames", measured_.sea_ms.size()},
-                {"views", views},
-                {"sea_draw_calls", last.sea_calls},
-                {"sea_draw_calls_a_view", last.sea_calls / views},
-                {"sky_draw_calls", last.sky_calls},
-                {"triangles", last.triangles},
-                {"patches", selection_.list().instances.size()},
-                {"uploaded_bytes", last.upload_bytes},
-                {"instance_bytes", last.instance_bytes},
-                {"spray_droplets", droplets_.size()},
-                {"median_ms",
-                 {{"sea", median(measured_.sea_ms)},
-                  {"select", median(measured_.select_ms)},
-                  {"upload", median(measured_.upload_ms)},
-                  {"upload_in_driver", median(measured_.upload_driver_ms)},
-                  {"draw", median(measured_.draw_ms)},
-                  {"draw_in_driver", median(measured_.draw_driver_ms)},
-                  {"image", median(measured_.image_ms)}}},
-                {"exposure_ev", ev_}};
+        Json json = {{"renderer", context_.renderer_name()},
+                     {"frames", measured_.sea_ms.size()},
+                     {"views", views},
+                     {"sea_draw_calls", last.sea_calls},
+                     {"sea_draw_calls_a_view", last.sea_calls / views},
+                     {"sky_draw_calls", last.sky_calls},
+                     {"triangles", last.triangles},
+                     {"patches", selection_.list().instances.size()},
+                     {"uploaded_bytes", last.upload_bytes},
+                     {"instance_bytes", last.instance_bytes},
+                     {"spray_droplets", droplets_.size()},
+                     {"median_ms",
+                      {{"sea", median(measured_.sea_ms)},
+                       {"select", median(measured_.select_ms)},
+                       {"upload", median(measured_.upload_ms)},
+                       {"upload_in_driver", median(measured_.upload_driver_ms)},
+                       {"draw", median(measured_.draw_ms)},
+                       {"draw_in_driver", median(measured_.draw_driver_ms)},
+                       {"image", median(measured_.image_ms)}}},
+                     {"exposure_ev", ev_}};
+        if (moment_) json["hull"] = Json::parse(hull_row(time_s_, *moment_, true));
+        return json;
     }
 
    private:
@@ -229,6 +263,11 @@ class OfflineRenderer {
         if (rock_) {
             application_scene = rock_->image(eyes[0]);
             rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
+        }
+        if (moment_) {
+            const glm::dmat4 pose = hull_->world_from_mesh(*moment_);
+            application_scene = hull_mesh_->image(eyes[0], pose);
+            hull_mesh_->draw(eyes[0], pose, weighs_samples ? exposure() : 0);
         }
         const gl::DrawStatistics& drawn =
             renderer_.draw({.eyes = eyes,
@@ -289,6 +328,9 @@ class OfflineRenderer {
     std::optional<Spray> spray_;
     std::span<const SprayDroplet> droplets_;  ///< of the frame; none when the exposure is metered
     std::optional<gl::Rock> rock_;
+    std::optional<HullPlayer> hull_;
+    std::optional<gl::LitMesh> hull_mesh_;
+    std::optional<HullMoment> moment_;  ///< of the frame; none when the exposure is metered
     Selection selection_;
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;
@@ -298,6 +340,7 @@ class OfflineRenderer {
     std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
+    double time_s_ = 0;  ///< of the frame
     Measured measured_;
 };
 

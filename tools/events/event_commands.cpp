@@ -31,6 +31,7 @@ std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s)
         if (event.duration_s > 0)
             commands.push_back({std::max(begin + 1, tick_at(event.time_s + event.duration_s)), Kind::remove, i});
     }
+    if (commands.empty()) return commands;
     std::sort(commands.begin(), commands.end(), [](const EventCommand& one, const EventCommand& other) {
         return std::tuple(one.tick, one.kind, one.event) < std::tuple(other.tick, other.kind, other.event);
     });

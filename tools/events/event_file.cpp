@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <numbers>
 #include <optional>
 
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
@@ -19,7 +22,7 @@ namespace {
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,height";
 constexpr double radians_a_degree = std::numbers::pi / 180;
 
-enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode };
+enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode, hull };
 
 /// A column, the numbers that it may hold, and their description in errors.
 struct ColumnRule {
@@ -30,7 +33,7 @@ struct ColumnRule {
     const char* accepted;
 };
 
-constexpr std::array<ColumnRule, 10> rules = {{
+constexpr std::array<ColumnRule, 11> rules = {{
     {Column::time, "time", true, -1e9, 1e9, "seconds in [-1e9, 1e9]"},
     {Column::x, "x", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
     {Column::z, "z", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
@@ -41,6 +44,7 @@ constexpr std::array<ColumnRule, 10> rules = {{
     {Column::duration, "duration", false, 0, EventFile::longest_s, "seconds in [0, 86400]"},
     {Column::length, "length", false, 0.001, 1000, "metres in [0.001, 1000], or 0 for what is round"},
     {Column::mode, "mode", false, 0, 0, "impulse, pressure, relaxation or foam"},
+    {Column::hull, "hull", false, 0, 0, "an OBJ or glTF 2.0 file"},
 }};
 
 std::string names_of_columns() {
@@ -114,8 +118,21 @@ class EventReader {
         return *value;
     }
 
+    std::shared_ptr<const HullMesh> hull_of(const std::string& cell) {
+        std::shared_ptr<const HullMesh>& hull = hulls_[cell];
+        if (hull) return hull;
+        if (hulls_.size() > EventFile::max_hulls)
+            reject("the number of hulls", "more", "at most " + number_text(EventFile::max_hulls));
+        const std::string option = name_ + ":" + number_text(line_number_) + ": hull";
+        return hull = std::make_shared<const HullMesh>(
+                   read_hull(option, std::filesystem::path(name_).parent_path() / cell));
+    }
+
     void take_row(const std::vector<std::string>& cells) {
         WaterEvent event;
+        std::string hull;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (columns_[i]->column == Column::hull) hull = cells[i];
         Disturbance& push = event.push;
         double velocity_mps = 0, heading_deg = 0;
         std::optional<Disturbance::Mode> mode;
@@ -128,7 +145,9 @@ class EventReader {
                 if (!mode) reject(rule.name, cells[i], rule.accepted);
                 continue;
             }
-            if (!rule.is_needed && cells[i].empty()) continue;
+            if (rule.column == Column::hull) continue;
+            const bool may_be_empty = !rule.is_needed || (rule.column == Column::radius && !hull.empty());
+            if (may_be_empty && cells[i].empty()) continue;
             const double value = number(rule, cells[i]);
             switch (rule.column) {
                 case Column::time: event.time_s = value; break;
@@ -140,7 +159,8 @@ class EventReader {
                 case Column::heading: heading_deg = value; break;
                 case Column::duration: event.duration_s = value; break;
                 case Column::length: push.length_m = value; break;
-                case Column::mode: break;
+                case Column::mode:
+                case Column::hull: break;
             }
         }
         const bool lasts = event.duration_s > 0;
@@ -149,6 +169,14 @@ class EventReader {
         push.mode = mode.value_or(lasts ? Disturbance::Mode::pressure : Disturbance::Mode::impulse);
         if (lasts && push.mode == Disturbance::Mode::impulse)
             reject("mode", "impulse", "pressure or relaxation with a duration: an impulse acts at once");
+        if (!hull.empty()) {
+            if (!lasts) reject("duration", number_text(event.duration_s), "above 0 with a hull");
+            if (push.mode != Disturbance::Mode::pressure)
+                reject("mode", std::string(name_of(push.mode)), "pressure with a hull");
+            if (push.height_m >= 0)
+                reject("height", number_text(push.height_m), "below 0 with a hull: minus its draught");
+            event.hull = hull_of(hull);
+        }
         if (push.length_m > 0)
             push.shape = Disturbance::Shape::hull;
         else
@@ -163,6 +191,7 @@ class EventReader {
     const std::string& name_;
     EventFile& file_;
     std::vector<const ColumnRule*> columns_;
+    std::map<std::string, std::shared_ptr<const HullMesh>> hulls_;  ///< by cell
     std::size_t line_number_ = 0;
 };
 

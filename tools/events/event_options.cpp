@@ -15,6 +15,8 @@ namespace {
 constexpr double longest_replay_s = 86400;
 /// The default border of 12 m on 64 m.
 constexpr double border_part = 0.1875;
+/// Lengths of a hull along the grid's side. 256 texels are 25 along the hull, which needs 12.
+constexpr double hull_lengths = 10;
 
 std::array<double, 2> place_in(const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
@@ -74,6 +76,7 @@ std::vector<std::string> warnings_about(const EventOptions& options, bool is_loo
 }
 
 void require_reachable(const EventOptions& options, double last_frame_s) {
+    if (options.file->events.empty()) return;
     const double first_s = options.file->first_s();
     if (last_frame_s - first_s > longest_replay_s)
         throw InputError("--events has a first event at " + number_text(first_s) + " s and the last frame is at " +
@@ -87,16 +90,17 @@ void EventFlags::add_to(CLI::App& app) {
         app.add_option(name, typed, help)->type_name(type)->group(help_group::dynamic_waves);
     };
     add("--events", file_, "FILE.csv",
-        "add disturbances; columns time,x,z,radius,height, optionally velocity,heading,duration,length,mode");
-    add("--events-side", side_, "METRES", "side of the grid; [1, 10000] (default: 64)");
+        "add disturbances; columns time,x,z,radius,height, optionally "
+        "velocity,heading,duration,length,mode,hull");
+    add("--events-side", side_, "METRES", "side of the grid; [1, 10000] (default: 64, or 10 lengths of a hull)");
     add("--events-resolution", resolution_, "64|128|256|512|1024", "texels along the grid's side (default: 256)");
-    add("--events-at", at_, "X,Z", "centre of the grid in metres (default: the centre of the events)");
+    add("--events-at", at_, "X,Z", "centre of the grid in metres (default: the hull, or the centre of the events)");
     add("--events-step", step_, alternatives(names_of<DynamicWavesStep>()),
         "dispersive waves, or one speed for all waves, which is cheaper (default: spectral)");
 }
 
-std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
-    if (!file_) {
+std::optional<EventOptions> EventFlags::resolve(double depth_m, const std::optional<HullPlace>& hull) const {
+    if (!file_ && !hull) {
         for (const auto& [flag, typed] :
              {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
             if (*typed)
@@ -104,6 +108,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
         return {};
     }
     EventOptions options;
+    if (hull) options.water.side_m = std::clamp(hull_lengths * hull->length_m, 1.0, 10000.0);
     if (side_) options.water.side_m = number_in("--events-side", *side_, 1, 10000, "metres in [1, 10000]");
     if (resolution_) {
         constexpr const char* accepted = "64, 128, 256, 512 or 1024";
@@ -116,15 +121,16 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     options.water.border_m = options.water.side_m * border_part;
     options.water.depth_m = depth_m;
     if (const std::string reason = check(options.water); !reason.empty())
-        throw InputError("--events with --events-side " + number_text(options.water.side_m) +
+        throw InputError("dynamic waves with --events-side " + number_text(options.water.side_m) +
                          " and --events-resolution " + number_text(options.water.resolution) + ": " + reason);
     std::optional<std::array<double, 2>> at;
     if (at_) at = place_in(*at_);
-    if (file_->empty()) throw InputError("--events is empty, expected a CSV file");
-    options.file = read_events(*file_);
+    if (file_ && file_->empty()) throw InputError("--events is empty, expected a CSV file");
+    options.file = file_ ? read_events(*file_) : std::make_shared<const EventFile>();
     // Rejects too many events in one tick before anything is written.
     event_commands(*options.file, options.water.ticks_per_s);
-    if (!at) at = middle_of(*options.file);
+    options.follows_hull = hull && !at;
+    if (!at) at = hull ? std::array{hull->x_m, hull->z_m} : middle_of(*options.file);
     options.middle_x_m = (*at)[0];
     options.middle_z_m = (*at)[1];
     return options;

@@ -1,34 +1,87 @@
 #include "pelagic/tools/events/event_player.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
+#include "pelagic/simd/det_math.hpp"
+
 namespace pelagic::tools {
+namespace {
+
+/// Returns a plan whose cells are at least a texel, so that a pressure that moves over the texels
+/// keeps its volume.
+HullPlan plan_on(const HullMesh& hull, double texel_m) {
+    const auto cells = [&](double size_m) { return static_cast<int>(std::clamp(size_m / texel_m, 1.0, 64.0)); };
+    const glm::dvec3 size = hull.upper_m() - hull.lower_m();
+    return plan_of(hull, cells(size.x), cells(size.z));
+}
+
+/// Returns the pressure of an event's hull: in each cell the depth of its volume below the water.
+PressureFootprint footprint_of(const WaterEvent& event, const HullPlan& plan) {
+    const Disturbance& push = event.push;
+    PressureFootprint footprint;
+    footprint.velocity_x_mps = push.velocity_x_mps;
+    footprint.velocity_z_mps = push.velocity_z_mps;
+    footprint.length_m = plan.length_m;
+    footprint.beam_m = plan.beam_m;
+    footprint.columns = plan.columns;
+    footprint.rows = plan.rows;
+    const det::SineCosine heading = det::sine_cosine_of_turns(push.heading_rad / (2 * std::numbers::pi));
+    footprint.forward_x = heading.cosine;
+    footprint.forward_z = heading.sine;
+    footprint.x_m = push.x_m + plan.x_m * heading.cosine - plan.z_m * heading.sine;
+    footprint.z_m = push.z_m + plan.x_m * heading.sine + plan.z_m * heading.cosine;
+    const double water_m = event.hull->lower_m().y - push.height_m;  // in the axes of the mesh
+    for (std::size_t i = 0; i < plan.low_m.size(); ++i) {
+        const double low = plan.low_m[i], high = plan.high_m[i];
+        footprint.depth_m.push_back(static_cast<float>(
+            std::clamp(plan.coverage[i] * std::clamp(water_m - low, 0.0, high - low), 0.0, 100.0)));
+    }
+    return footprint;
+}
+
+}  // namespace
 
 EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa,
-                         const WaterFrame& water)
+                         const WaterFrame& water, std::optional<double> begins_s)
     : options_(options),
       commands_(event_commands(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
       waves_(options.water, DynamicWaves::Resources{.executor = std::move(executor), .isa = isa}),
       has_current_(water.current_x_mps != 0 || water.current_z_mps != 0) {
+    for (const WaterEvent& event : options.file->events)
+        if (event.hull && !plans_.contains(event.hull.get()))
+            plans_.emplace(event.hull.get(), plan_on(*event.hull, options.texel_m()));
     waves_.set_current(water.current_x_mps, water.current_z_mps);
-    first_tick_ = commands_.front().tick - 1;
+    first_tick_ = commands_.empty() ? waves_.tick_at(*begins_s) : commands_.front().tick - 1;
+    if (begins_s) first_tick_ = std::min(first_tick_, waves_.tick_at(*begins_s));
     center_grid();
     waves_.advance(time_of(first_tick_));
     tick_ = first_tick_;
     beginning_ = waves_.save_state();
 }
 
+void EventPlayer::follow_hull(double x_m, double z_m) {
+    if (!options_.follows_hull) return;
+    options_.middle_x_m = x_m;
+    options_.middle_z_m = z_m;
+    center_grid();
+}
+
 void EventPlayer::run_command(const EventCommand& command) {
     const WaterEvent& event = options_.file->events[command.event];
     if (command.kind == EventCommand::Kind::remove) return waves_.remove_source(numbers_[command.event]);
     if (event.duration_s == 0) return waves_.add_impulse(event.push);
-    Disturbance source = event.push;
     const double since_s = time_of(command.tick) - event.time_s;
-    source.x_m = std::clamp(source.x_m + since_s * source.velocity_x_mps, -1e8, 1e8);
-    source.z_m = std::clamp(source.z_m + since_s * source.velocity_z_mps, -1e8, 1e8);
-    numbers_[command.event] = waves_.add_source(source);
+    const auto move = [&](auto source) {
+        source.x_m = std::clamp(source.x_m + since_s * source.velocity_x_mps, -1e8, 1e8);
+        source.z_m = std::clamp(source.z_m + since_s * source.velocity_z_mps, -1e8, 1e8);
+        return source;
+    };
+    numbers_[command.event] = event.hull
+                                  ? waves_.add_footprint(move(footprint_of(event, plans_.at(event.hull.get()))))
+                                  : waves_.add_source(move(event.push));
 }
 
 void EventPlayer::go_to(std::int64_t tick) {

@@ -8,10 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "pelagic/floating/hull_plan.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/water_frame.hpp"
@@ -24,11 +26,18 @@ class EventPlayer {
    public:
     /// Throws what event_commands() throws.
     /// \param water  with the current. Events and the grid's centre have positions in the world.
+    /// \param begins_s  time from which ticks are computed, if that is before the first event;
+    ///                  needed without events
     EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa,
-                const WaterFrame& water = {});
+                const WaterFrame& water = {}, std::optional<double> begins_s = {});
 
     /// Returns the waves at a time, valid until the second call from now. \pre time_s is finite
     DynamicWavesView at(double time_s);
+
+    /// Returns the waves, for sources of a hull. They are lost when at() goes back in time.
+    DynamicWaves& waves() { return waves_; }
+    /// Moves the grid's centre to a hull, unless the options place it.
+    void follow_hull(double x_m, double z_m);
 
    private:
     void run_command(const EventCommand& command);
@@ -40,6 +49,7 @@ class EventPlayer {
     std::vector<EventCommand> commands_;
     std::size_t next_command_ = 0;
     std::vector<std::uint32_t> numbers_;  ///< of each event's source
+    std::map<const HullMesh*, HullPlan> plans_;
     std::int64_t first_tick_ = 0, tick_ = 0;
     DynamicWaves waves_;
     bool has_current_;

@@ -335,6 +335,10 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.maps = maps(place.names);
     options.meshes = meshes_.resolve(options.sea, options.times);
     options.events = events_.resolve(sea.sea.depth_m);
+    if (options.events)
+        for (const WaterEvent& event : options.events->file->events)
+            if (event.hull)
+                throw InputError("--events has a hull: export keeps a copy of the events, but not of other files");
     options.water_frame = water_frame_.resolve(false);
     if (options.events)
         require_reachable(*options.events, options.times.time_of(options.times.number(options.times.count() - 1)));

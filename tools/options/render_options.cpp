@@ -81,6 +81,7 @@ void RenderFlags::add_to(CLI::App& app) {
     app.add_flag("--wireframe", wireframe_, "draw the mesh, with one colour per level of detail");
     app.add_flag("--stereo", stereo_, "draw the images of both eyes side by side");
     add("rock", "X,Z", "place a rock of about 12 x 6 m; metres in [-10000, 10000]");
+    hull_.add_to(app);
     events_.add_to(app);
     scene_.add_to(app);
 }
@@ -126,8 +127,18 @@ RenderOptions RenderFlags::resolve() const {
     });
     if (options.is_film() && !typed_.at("frames"))
         options.frames = std::max(1, static_cast<int>(std::lround(default_film_s * options.fps)));
-    options.events = events_.resolve(options.scene.sea.sea.depth_m);
-    if (options.events) require_reachable(*options.events, options.time_s + (options.frames - 1) / options.fps);
+    options.hull = hull_.resolve();
+    if (options.hull) {
+        if (options.scene.surface != gl::Surface::open) throw InputError("--hull requires --surface open");
+        for (const auto& [flag, is_given] :
+             {std::pair("--stereo", stereo_), {"--wireframe", wireframe_}, {"--rock", options.rock_m.has_value()}})
+            if (is_given) throw InputError(std::string("--hull cannot be combined with ") + flag);
+    }
+    const double last_s = options.time_s + (options.frames - 1) / options.fps;
+    options.events = events_.resolve(options.scene.sea.sea.depth_m,
+                                     options.hull ? std::optional(options.hull->place()) : std::nullopt);
+    if (options.events) require_reachable(*options.events, last_s);
+    if (options.hull) require_reachable(options.time_s, last_s);
     return options;
 }
 

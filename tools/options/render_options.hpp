@@ -9,6 +9,7 @@
 #include <string>
 
 #include "pelagic/tools/events/event_options.hpp"
+#include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
 
 namespace pelagic::tools {
@@ -23,6 +24,7 @@ struct RenderOptions {
     double fps = 24;
     std::optional<EventOptions> events;  ///< unset: no dynamic waves
     std::optional<glm::dvec2> rock_m;    ///< x and z of a rock in the sea
+    std::optional<HullLaunch> hull;      ///< a floating hull; `events` has the grid of its wake
     bool wireframe = false, stereo = false, json = false;
     bool resume = false;  ///< keep images that exist
 
@@ -43,6 +45,7 @@ class RenderFlags {
 
    private:
     SceneFlags scene_;
+    HullFlags hull_;
     EventFlags events_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
     bool wireframe_ = false, stereo_ = false, json_ = false, resume_ = false;

@@ -22,11 +22,6 @@ constexpr std::size_t max_row_length = (SampleBuffers::max_values + 5) * (25 + 1
 /// Length of an escaped control character in JSON, \u001f.
 constexpr std::size_t max_escaped_length = 6;
 
-void put(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
-    throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
-}
-
 void append_json_escaped(std::string& out, std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";
     for (std::size_t at = 0; at < text.size();) {
@@ -66,6 +61,11 @@ void append_json_number(std::string& out, auto value) {
 }
 
 }  // namespace
+
+void write_output(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
+    throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
+}
 
 SampleBuffers::SampleBuffers(bool has_foam, bool has_depth) {
     for (std::size_t value = 0; value < max_values; ++value) {
@@ -126,7 +126,7 @@ void RowWriter::begin(const PointReader& reader) {
         append_json_cell(json_keys_.emplace_back(), column);
     }
     for (const char* name : samples_.names()) header.append(name).append(",");
-    put(as_json_ ? "[" : header + "converged\n");
+    write_output(as_json_ ? "[" : header + "converged\n");
 }
 
 void RowWriter::append_csv(std::string& text, std::size_t point) const {
@@ -193,12 +193,12 @@ void RowWriter::write(const PointBlock& block, double time_s) {
     }
     run_->schedule();
     run_->complete();
-    for (const Piece& piece : pieces_) put(piece.text);
+    for (const Piece& piece : pieces_) write_output(piece.text);
     has_rows_ = has_rows_ || block.size() > 0;
 }
 
 void RowWriter::end() {
-    if (as_json_) put("\n]\n");
+    if (as_json_) write_output("\n]\n");
 }
 
 }  // namespace pelagic::tools

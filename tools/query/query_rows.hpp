@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
@@ -13,6 +14,9 @@
 #include "pelagic/tools/query/points_file.hpp"
 
 namespace pelagic::tools {
+
+/// Writes to standard output. \throws FileError  if that fails
+void write_output(std::string_view text);
 
 /// Results of the queries of a block of points.
 class SampleBuffers {

@@ -13,7 +13,7 @@ namespace help_group {
 inline constexpr const char *output = "Output", *input = "Input", *frames = "Frames", *maps = "Maps",
                             *meshes = "Meshes", *view = "View", *light = "Light and camera", *water = "Water",
                             *floor = "Sea floor", *sea = "Sea", *swell = "Swell", *analytic = "Analytic waves",
-                            *dynamic_waves = "Dynamic waves",
+                            *dynamic_waves = "Dynamic waves", *hull = "Hull",
                             *performance = "Performance (results are bit-identical for all values)",
                             *other = "Other options";
 }  // namespace help_group

@@ -1,0 +1,96 @@
+#include "pelagic/tools/hulls/hull_player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double step_s = 1.0 / HullPlayer::steps_per_s;
+
+std::int64_t first_step(double first_s) {
+    return static_cast<std::int64_t>(std::floor((first_s - HullPlayer::launch_s) * HullPlayer::steps_per_s));
+}
+
+double time_of(std::int64_t step) { return static_cast<double>(step) / HullPlayer::steps_per_s; }
+
+/// Returns a hull at rest on the surface of a frame, with the velocity of the water.
+HullState launched(const HullLaunch& launch, const Frame& frame) {
+    HullState state = launch.hull->at_rest(launch.x_m, launch.z_m, launch.heading_rad);
+    float height = 0, vx = 0, vy = 0, vz = 0;
+    SurfaceQuery(frame).sample({{&launch.x_m, 1}, {&launch.z_m, 1}}, {.height_m = {&height, 1},
+                                                                      .velocity_x_mps = {&vx, 1},
+                                                                      .velocity_y_mps = {&vy, 1},
+                                                                      .velocity_z_mps = {&vz, 1}});
+    state.position_m.y += static_cast<double>(height);
+    state.velocity_mps = glm::dvec3(vx, vy, vz);
+    return state;
+}
+
+}  // namespace
+
+HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& waves, double first_s,
+                       std::shared_ptr<Executor> executor)
+    : launch_(launch), ocean_(ocean), waves_(waves), hulls_(std::move(executor)), step_(first_step(first_s)) {
+    waves_.follow_hull(launch_.x_m, launch_.z_m);
+    const HullState state = launched(launch_, frame_at(step_));
+    before_ = state;
+    wake_ = std::make_unique<HullWake>(waves_.waves(), *launch_.hull, state);
+    bodies_.push_back({.hull = launch_.hull.get(), .state = state});
+    bodies_[0].inputs.wake = wake_.get();
+}
+
+double HullPlayer::begins_s(double first_s) { return time_of(first_step(first_s)); }
+
+Frame HullPlayer::frame_at(std::int64_t step) {
+    return with_water(ocean_.frame_at(time_of(step)), waves_.at(time_of(step)));
+}
+
+void HullPlayer::step() {
+    FloatingHull& body = bodies_[0];
+    const Frame frame = frame_at(step_);
+    wake_->press(frame, body.state, body.loads, step_s);
+    waves_.follow_hull(body.state.position_m.x, body.state.position_m.z);
+    body.inputs.force.force_n = launch_.thrust_n * glm::mat3_cast(body.state.orientation)[0];
+    before_ = body.state;
+    hulls_.step(SurfaceQuery(frame), bodies_, step_s);
+    ++step_;
+}
+
+HullMoment HullPlayer::at(double time_s) {
+    while (time_of(step_) < time_s) step();
+    const FloatingHull& body = bodies_[0];
+    // of the last step; 1 at its end
+    const double along = std::clamp(1 - (time_of(step_) - time_s) / step_s, 0.0, 1.0);
+    HullMoment moment{.state = body.state};
+    HullState& state = moment.state;
+    state.position_m = glm::mix(before_.position_m, body.state.position_m, along);
+    state.velocity_mps = glm::mix(before_.velocity_mps, body.state.velocity_mps, along);
+    // a turn within a step is small, so the quaternions are near each other
+    state.orientation = glm::normalize(before_.orientation * (1 - along) + body.state.orientation * along);
+
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    moment.heave_m = state.position_m.y - launch_.hull->afloat().height_m - ocean_.water_frame().sea_level_m;
+    moment.heading_rad = std::atan2(axes[0].z, axes[0].x);
+    moment.pitch_rad = std::asin(std::clamp(axes[0].y, -1.0, 1.0));
+    moment.roll_rad = std::atan2(-axes[2].y, axes[1].y);
+    const HullLoads& loads = body.loads;
+    moment.draught_m = -1e9;
+    for (const glm::dvec3& vertex : launch_.hull->mesh().vertices()) {
+        const glm::dvec3 arm = axes * (vertex - launch_.hull->centre_of_mass_m());
+        const double surface_m = loads.water_height_m + loads.water_slope_x * arm.x + loads.water_slope_z * arm.z;
+        moment.draught_m = std::max(moment.draught_m, surface_m - state.position_m.y - arm.y);
+    }
+    moment.displaced_m3 = loads.displaced_m3;
+    return moment;
+}
+
+glm::dmat4 HullPlayer::world_from_mesh(const HullMoment& moment) const {
+    return glm::translate(glm::dmat4(1), launch_.hull->mesh_origin_m(moment.state)) *
+           glm::mat4_cast(moment.state.orientation);
+}
+
+}  // namespace pelagic::tools
