@@ -170,6 +170,13 @@ layout(std140) uniform Scene {
     // the viewer's position in the grid of glints; xy: metres within a square of 64 m; zw: index of
     // the square
     highp vec4 glint_place;
+#ifdef EXCLUSIONS
+    // axes of the boxes around the interiors of hulls: a position (x, y, z, 1) times the three of a
+    // hull is in [0, 1] inside
+    highp vec4 exclusion_box[24];
+    // xy: cells along x and z of the hull; z: layer of exclusion_maps
+    highp vec4 exclusion_map[8];
+#endif
 };
 
 const float ripple_noise_tiles = 13.0;

@@ -63,6 +63,9 @@ const float pi = 3.14159265;
 #include "under_water.glsl"
 #include "surface_from_below.glsl"
 #endif
+#ifdef EXCLUSIONS
+#include "exclusions.glsl"
+#endif
 
 #ifdef SKIRT
 // Returns the position of a pixel on the skirt, relative to the viewer.
@@ -82,6 +85,9 @@ vec3 place_on_skirt() {
 #endif
 
 void main() {
+#ifdef EXCLUSIONS
+    if (is_excluded(place.xyz)) discard;
+#endif
 #ifdef SKIRT
     vec3 at = place_on_skirt();
     vec2 resting = at.xz;

@@ -86,30 +86,29 @@ void PatchBuffers::describe_patches(const Buffer& indices) {
     }
 }
 
-std::size_t PatchBuffers::upload(const DrawList& list) {
+std::size_t PatchBuffers::upload(std::span<const PatchInstance> patches, std::span<const SkirtInstance> skirt) {
     current_ = (current_ + 1) % ring_.size();
     Lists& lists = ring_[current_];
-    const std::size_t patch_bytes = list.instances.size() * sizeof(PatchInstance);
-    const std::size_t skirt_bytes = list.skirt.size() * sizeof(SkirtInstance);
+    const std::size_t patch_bytes = patches.size_bytes(), skirt_bytes = skirt.size_bytes();
     gl_.BindBuffer(GL_ARRAY_BUFFER, lists.instances.name());
     lists.capacity = std::max(lists.capacity, 2 * (patch_bytes + skirt_bytes));
     // The buffer gets new storage on each upload. The driver keeps the old storage until its draws
     // are complete.
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lists.capacity), nullptr, GL_STREAM_DRAW);
-    gl_.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(patch_bytes), list.instances.data());
+    gl_.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(patch_bytes), patches.data());
     lists.skirt_offset = patch_bytes;
     gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(patch_bytes), static_cast<GLsizeiptr>(skirt_bytes),
-                      list.skirt.data());
+                      skirt.data());
     return patch_bytes + skirt_bytes;
 }
 
-PatchBuffers::Counts PatchBuffers::draw_patches(const DrawList& list, bool as_lines) {
+PatchBuffers::Counts PatchBuffers::draw_patches(std::span<const DrawBatch> batches, bool as_lines) {
     const Lists& lists = ring_[current_];
     gl_.BindVertexArray(as_lines ? lists.lines.name() : lists.patches.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, lists.instances.name());
     constexpr GLsizei stride = sizeof(PatchInstance);
     Counts counts;
-    for (const DrawBatch& batch : list.batches) {
+    for (const DrawBatch& batch : batches) {
         const std::size_t first = batch.first * sizeof(PatchInstance);
         gl_.VertexAttribIPointer(1, 2, GL_UNSIGNED_SHORT, stride,
                                  offset_of(first + offsetof(PatchInstance, corner_x)));
@@ -130,8 +129,8 @@ PatchBuffers::Counts PatchBuffers::draw_patches(const DrawList& list, bool as_li
     return counts;
 }
 
-PatchBuffers::Counts PatchBuffers::draw_skirt(const DrawList& list) {
-    if (list.skirt.empty()) return {};
+PatchBuffers::Counts PatchBuffers::draw_skirt(std::span<const SkirtInstance> skirt) {
+    if (skirt.empty()) return {};
     const Lists& lists = ring_[current_];
     gl_.BindVertexArray(lists.skirt.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, lists.instances.name());
@@ -141,8 +140,8 @@ PatchBuffers::Counts PatchBuffers::draw_skirt(const DrawList& list) {
                              offset_of(lists.skirt_offset + offsetof(SkirtInstance, level)));
     const Stopwatch driver;
     gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(skirt_indices_), GL_UNSIGNED_SHORT, nullptr,
-                              static_cast<GLsizei>(list.skirt.size()));
-    return {1, std::uint64_t{skirt_indices_ / 3} * list.skirt.size(), driver.milliseconds()};
+                              static_cast<GLsizei>(skirt.size()));
+    return {1, std::uint64_t{skirt_indices_ / 3} * skirt.size(), driver.milliseconds()};
 }
 
 }  // namespace pelagic::gl

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "pelagic/gl/objects.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
@@ -14,21 +15,21 @@ class PatchBuffers {
    public:
     PatchBuffers(const Functions& gl, int vertices);
 
-    /// Uploads the instances of a list and returns their size in bytes. Buffers rotate, so the call
-    /// does not wait for the GPU.
-    std::size_t upload(const DrawList& list);
+    /// Uploads the instances of a draw list and returns their size in bytes. Buffers rotate, so the
+    /// call does not wait for the GPU.
+    std::size_t upload(std::span<const PatchInstance> patches, std::span<const SkirtInstance> skirt);
 
     struct Counts {
         int calls = 0;
         std::uint64_t triangles = 0;
         double driver_ms = 0;  ///< time spent in GL draw calls
     };
-    /// Draws the patches as triangles or, for the wireframe, as lines.
-    /// \pre upload(list) has been called and the patch program is in use
-    Counts draw_patches(const DrawList& list, bool as_lines);
+    /// Draws patches as triangles or, for the wireframe, as lines.
+    /// \pre their instances have been uploaded and the patch program is in use
+    Counts draw_patches(std::span<const DrawBatch> batches, bool as_lines);
     /// Draws the skirt.
-    /// \pre upload(list) has been called and the skirt program is in use
-    Counts draw_skirt(const DrawList& list);
+    /// \pre its instances have been uploaded and the skirt program is in use
+    Counts draw_skirt(std::span<const SkirtInstance> skirt);
 
    private:
     struct Lists {

@@ -9,9 +9,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/water/exclusions.hpp"
 #include "pelagic/gl/water/small_water.hpp"
 #include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
@@ -49,6 +51,9 @@ struct SceneBlock {
     glm::vec4 shore_place{}, shore_size{};
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
     glm::vec4 glint_place{};
+    // Only programs with EXCLUSIONS have these members.
+    std::array<glm::vec4, 3 * max_exclusions> exclusion_box{};
+    std::array<glm::vec4, max_exclusions> exclusion_map{};
 };
 
 /// Parameters of a cascade that the renderer keeps after the upload.
@@ -147,5 +152,8 @@ void place_crest_light(SceneBlock& block, float gain);
 /// Sets the members for rendering below the surface: lens, floor and caustics.
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics);
+/// Sets the members for the interiors of hulls, from the exclusions of the input.
+/// \pre check(input.exclusions, maps.size()) is empty
+void place_exclusions(SceneBlock& block, const DrawInput& input, std::span<const ExclusionMap> maps);
 
 }  // namespace pelagic::gl

@@ -23,6 +23,12 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
              {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
 }
 
+ProgramFiles exclusion_program_files(const SeaVariant& variant) {
+    ProgramFiles files = sea_program_files(variant)[0];
+    files.defines += "#define EXCLUSIONS\n";
+    return files;
+}
+
 SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     : program(gl, files.vertex, files.fragment, files.defines) {
     gl.UseProgram(program.name());
@@ -52,11 +58,17 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) {
+SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) : variant_(variant) {
     const std::array<ProgramFiles, 5> files = sea_program_files(variant);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
     for (std::size_t i = 0; i < files.size(); ++i)
         if (programs[i] != &floor || variant.below) *programs[i] = SeaProgram(gl, files[i]);
+}
+
+void SeaPrograms::compile_exclusions(const Functions& gl) {
+    if (patches_with_exclusions.program.name() != 0) return;
+    patches_with_exclusions = SeaProgram(gl, exclusion_program_files(variant_));
+    gl.Uniform1i(patches_with_exclusions.program.uniform("exclusion_maps"), exclusions_unit(variant_.surface));
 }
 
 }  // namespace pelagic::gl

@@ -30,6 +30,9 @@ enum Unit : GLint {
     dynamic_waves_unit,
     unit_count
 };
+/// Returns the unit of the exclusion maps. OpenGL ES 3.0 guarantees 16 units to a fragment shader,
+/// so the maps share that of a texture that the surface's programs do not sample.
+constexpr Unit exclusions_unit(Surface surface) { return surface == Surface::open ? flow_unit : shore_weights_unit; }
 
 struct ProgramFiles {
     const char* vertex;
@@ -53,6 +56,8 @@ struct SeaVariant {
 
 /// Returns the files of the patch, skirt, background, wireframe and floor programs, in this order.
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant);
+/// Returns the files of the program for patches that reach the interior of a hull.
+ProgramFiles exclusion_program_files(const SeaVariant& variant);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -69,9 +74,17 @@ struct SeaPrograms {
     /// Compiles the programs and leaves one of them current.
     /// \throws GlError  if the driver rejects a shader
     SeaPrograms(const Functions& gl, const SeaVariant& variant);
+    /// Compiles patches_with_exclusions, unless it exists, and leaves a program current.
+    /// \throws GlError  if the driver rejects a shader
+    void compile_exclusions(const Functions& gl);
 
     SeaProgram patches, skirt, background, wireframe;
     SeaProgram floor;  ///< compiled only with SeaVariant::below
+    /// For patches that reach the interior of a hull; compiled by compile_exclusions().
+    SeaProgram patches_with_exclusions;
+
+   private:
+    SeaVariant variant_;
 };
 
 }  // namespace pelagic::gl

@@ -12,11 +12,13 @@
 #include "pelagic/gl/water/dynamic_wave_textures.hpp"
 #include "pelagic/gl/water/foam_image.hpp"
 #include "pelagic/gl/water/patch_buffers.hpp"
+#include "pelagic/gl/water/patch_split.hpp"
 #include "pelagic/gl/water/scene_block.hpp"
 #include "pelagic/gl/water/sea_programs.hpp"
 #include "pelagic/gl/water/shore_textures.hpp"
 #include "pelagic/gl/water/spray_renderer.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/simd/half_float.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -54,6 +56,29 @@ Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
+/// Makes a layer of each map. Maps smaller than the largest leave the rest of their layer unused.
+Texture make_exclusion_texture(const Functions& gl, std::span<const ExclusionMap> maps) {
+    int columns = 1, rows = 1;
+    for (const ExclusionMap& map : maps) {
+        columns = std::max(columns, map.columns() + 2);
+        rows = std::max(rows, map.rows() + 2);
+    }
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, 1, GL_RGBA16F, columns, rows, static_cast<GLsizei>(maps.size()));
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    std::vector<std::uint16_t> halves;
+    for (std::size_t layer = 0; layer < maps.size(); ++layer) {
+        halves.clear();
+        for (const ExclusionMap::Texel& texel : maps[layer].texels())
+            for (const float value : {texel.low, texel.high, texel.coverage, 0.f})
+                halves.push_back(static_cast<std::uint16_t>(half_of(value)));
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), maps[layer].columns() + 2,
+                         maps[layer].rows() + 2, 1, GL_RGBA, GL_HALF_FLOAT, halves.data());
+    }
     return texture;
 }
 
@@ -119,6 +144,7 @@ struct SeaRenderer::State {
         bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
         bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
         bind(dynamic_waves_unit, GL_TEXTURE_2D, dynamic_waves.texels());
+        bind(exclusions_unit(options.surface), GL_TEXTURE_2D_ARRAY, exclusions.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -167,9 +193,13 @@ struct SeaRenderer::State {
     void draw_shaded(const DrawInput& input, int eye) {
         if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
         programs->patches.use(gl, eye);
-        add(buffers->draw_patches(*input.list, false));
+        add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
+        if (has_exclusions && !split.touching().empty()) {
+            programs->patches_with_exclusions.use(gl, eye);
+            add(buffers->draw_patches(split.touching(), false));
+        }
         programs->skirt.use(gl, eye);
-        add(buffers->draw_skirt(*input.list));
+        add(buffers->draw_skirt(input.list->skirt));
         if (!input.draws_sky && !lens_is_wet) return;
         // The triangle lies on the far plane, so only pixels without sea or floor are drawn.
         programs->background.use(gl, eye);
@@ -182,6 +212,37 @@ struct SeaRenderer::State {
         ++statistics.sky_calls;
     }
 
+    /// Returns whether an eye is inside an excluded interior.
+    bool is_inside(const DrawInput& input, const Eye& eye) const {
+        return std::any_of(input.exclusions.begin(), input.exclusions.end(), [&](const Exclusion& exclusion) {
+            return exclusion_maps[exclusion.map].contains(exclusion.in_hull(eye.position_m));
+        });
+    }
+
+    /// Returns the lens of each eye: {0} in place of `lens` for an eye inside an excluded interior.
+    /// In a multiview pass both eyes share one, which is {0} only if both are inside.
+    std::array<glm::vec4, 2> lenses_of(const DrawInput& input, const glm::vec4& lens) const {
+        if (lens.w <= 0) return {};
+        std::array<glm::vec4, 2> lenses{};
+        for (std::size_t eye = 0; eye < input.eyes.size(); ++eye)
+            if (!is_inside(input, input.eyes[eye])) lenses[eye] = lens;
+        if (options.multiview && lenses[1].w > 0) lenses[0] = lens;
+        return lenses;
+    }
+
+    /// Splits the draw list if exclusions are drawn, and compiles their program at the first use.
+    void split_patches(const DrawInput& input) {
+        has_exclusions = !input.exclusions.empty() && input.mode == DrawMode::shaded;
+        if (!has_exclusions) return;
+        split.assign(*input.list, input.exclusions, exclusion_maps, bounds);
+        if (!split.touching().empty()) programs->compile_exclusions(gl);
+    }
+
+    void upload(const SceneBlock& block) {
+        gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
+        gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+    }
+
     /// Draws nearly black faces with a depth offset, so that they hide the lines behind them, then
     /// the lines.
     void draw_wireframe(const DrawInput& input, int eye) {
@@ -189,10 +250,10 @@ struct SeaRenderer::State {
         gl.Enable(GL_POLYGON_OFFSET_FILL);
         gl.PolygonOffset(1, 1);
         gl.Uniform1f(programs->wireframe.brightness, 0.06f);
-        add(buffers->draw_patches(*input.list, false));
+        add(buffers->draw_patches(input.list->batches, false));
         gl.Disable(GL_POLYGON_OFFSET_FILL);
         gl.Uniform1f(programs->wireframe.brightness, 0.9f);
-        add(buffers->draw_patches(*input.list, true));
+        add(buffers->draw_patches(input.list->batches, true));
     }
 
     const Functions& gl;
@@ -205,10 +266,14 @@ struct SeaRenderer::State {
     std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
     SeaPrograms* programs = nullptr;  ///< programs of the current draw()
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, foam, sky, floor, caustics, flow;
+    Texture detail, foam, sky, floor, caustics, flow, exclusions;
+    std::vector<ExclusionMap> exclusion_maps;
+    bool has_exclusions = false;  ///< the current draw() leaves out the interiors of hulls
+    PatchSplit split;             ///< of that draw()
+    FrameBounds bounds;           ///< of the uploaded frame
     FloorFacts floor_facts;
     CausticFacts caustic_facts;
-    bool lens_is_wet = false;
+    bool lens_is_wet = false;  ///< of the current pass
     FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
@@ -306,6 +371,16 @@ void SeaRenderer::set_floor(const SeaFloor& floor) {
     }
 }
 
+void SeaRenderer::set_exclusion_maps(std::span<const ExclusionMap> maps) {
+    if (maps.size() > max_exclusion_maps)
+        throw std::invalid_argument("set_exclusion_maps() got " + std::to_string(maps.size()) +
+                                    " maps, expected at most " + std::to_string(max_exclusion_maps));
+    State& s = *state_;
+    const GlStateGuard keep(s.gl);
+    s.exclusions = maps.empty() ? Texture() : make_exclusion_texture(s.gl, maps);
+    s.exclusion_maps.assign(maps.begin(), maps.end());
+}
+
 void SeaRenderer::set_caustics(const Caustics& caustics) {
     State& s = *state_;
     const Functions& gl = s.gl;
@@ -340,6 +415,7 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->shore.upload(frame.shore);
     state_->dynamic_waves.upload(frame.dynamic_waves);
     state_->facts = facts_of(frame);
+    state_->bounds = frame.bounds;
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.has_foam = state_->textures.has_foam();
     state_->facts.shore_has_mips = state_->shore.has_mips();
@@ -360,6 +436,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
     assert(s.sky_face_size > 0 && "set_sky() first");
     assert(!s.facts.cascades.empty() && "upload() a frame first");
+    require(check(input.exclusions, s.exclusion_maps.size()));
     const GlStateGuard keep(gl);
     DrawStatistics& statistics = s.statistics;
     statistics.sea_calls = statistics.sky_calls = statistics.floor_calls = 0;
@@ -369,17 +446,21 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     s.facts.flow = s.flow_extent;
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
-    s.lens_is_wet = block.lens.w > 0;
+    place_exclusions(block, input, s.exclusion_maps);
+    const std::array<glm::vec4, 2> lenses = s.lenses_of(input, block.lens);
+    block.lens = lenses[0];
     const bool mirrors_scene = input.application_scene && input.eyes.size() == 1 && !s.options.multiview &&
                                s.options.shading != Shading::headset;
-    s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
-                       .mirrors_scene = mirrors_scene,
-                       .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
-                       .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
-    gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
-    gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+    s.choose_programs(
+        {.below = lenses[0].w > 0 || lenses[1].w > 0 || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
+         .mirrors_scene = mirrors_scene,
+         .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
+         .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
+    s.upload(block);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
-    statistics.instance_bytes = s.buffers->upload(*input.list);
+    s.split_patches(input);
+    statistics.instance_bytes =
+        s.buffers->upload(s.has_exclusions ? s.split.instances() : input.list->instances, input.list->skirt);
     s.bind_textures(mirrors_scene ? *input.application_scene : ApplicationScene{});
     // GlStateGuard has set all other state. Faces are not culled, because folded crests show their
     // undersides.
@@ -388,12 +469,18 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
 
     s.view.eyes = input.eyes.size();
     s.view.viewer_m = input.viewer_m;
-    s.view.is_under_water = input.camera_water_plane && input.viewer_m.y < input.camera_water_plane->height_m;
+    s.view.is_under_water = input.camera_water_plane && input.viewer_m.y < input.camera_water_plane->height_m &&
+                            !s.is_inside(input, input.eyes[0]);
     s.view.sample_weight = sample_weight_of_spray(block);
     const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();
     for (std::size_t eye = 0; eye < passes; ++eye) {
         const Viewport& view = s.view.viewports[eye] = input.eyes[eye].viewport;
         gl.Viewport(view.x, view.y, view.width, view.height);
+        if (lenses[eye] != block.lens) {
+            block.lens = lenses[eye];
+            s.upload(block);
+        }
+        s.lens_is_wet = block.lens.w > 0;
         if (input.mode == DrawMode::wireframe)
             s.draw_wireframe(input, static_cast<int>(eye));
         else

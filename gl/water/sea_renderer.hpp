@@ -34,6 +34,7 @@
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water/camera_water_plane.hpp"
 #include "pelagic/gl/water/caustics.hpp"
+#include "pelagic/gl/water/exclusions.hpp"
 #include "pelagic/gl/water/frame_textures.hpp"
 #include "pelagic/gl/water/sea_floor.hpp"
 #include "pelagic/gl/water/shading.hpp"
@@ -90,6 +91,10 @@ struct DrawInput {
     /// Scene that waves reflect besides the sky, where reflected rays hit it within the image. It
     /// needs one eye. With two eyes, multiview or Shading::headset only the sky is reflected.
     std::optional<ApplicationScene> application_scene = {};
+    /// Hulls whose interiors hold no water, at most max_exclusions. Water inside is not drawn, and
+    /// an eye inside sees no underwater view. Where the boxes around three interiors overlap, the
+    /// first two count. Ignored beyond the selection's square and in DrawMode::wireframe.
+    std::span<const Exclusion> exclusions = {};
 };
 
 struct SprayInput {
@@ -134,6 +139,10 @@ class SeaRenderer {
     /// Sets the caustics for floors and shafts of light. Without them a procedural pattern of
     /// crests, which does not follow the waves, is used.
     void set_caustics(const Caustics& caustics);
+    /// Sets the interiors of hulls that DrawInput::exclusions refers to. The maps are copied.
+    /// Programs for exclusions are compiled when the first is drawn.
+    /// \throws std::invalid_argument  if there are more than max_exclusion_maps
+    void set_exclusion_maps(std::span<const ExclusionMap> maps);
     /// Sets V of the draw lists and rebuilds the meshes. Shaders and textures are kept.
     void set_patch_vertices(int patch_vertices);
     /// Sets the flow of a river. The default is winding_channel().
@@ -150,6 +159,8 @@ class SeaRenderer {
     /// frame, which saves a copy (FrameTextures::map()). Call it before Ocean::schedule().
     std::span<const TextureTargets> map_textures();
     /// Draws the uploaded frame and returns the statistics of this call.
+    /// \throws std::invalid_argument  with the text of check(input.exclusions, number of maps);
+    ///     nothing is drawn
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have
     ///     options.patch_vertices
     const DrawStatistics& draw(const DrawInput& input);
