@@ -192,12 +192,13 @@ struct SeaRenderer::State {
 
     void draw_shaded(const DrawInput& input, int eye) {
         if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
-        programs->patches.use(gl, eye);
-        add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
+        // Boats are near, and water that they leave hides the water behind it.
         if (has_exclusions && !split.touching().empty()) {
             programs->patches_with_exclusions.use(gl, eye);
             add(buffers->draw_patches(split.touching(), false));
         }
+        programs->patches.use(gl, eye);
+        add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(input.list->skirt));
         if (!input.draws_sky && !lens_is_wet) return;
