@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -72,6 +73,8 @@ struct pelagic_ocean {
 
     pelagic::Ocean ocean;
     pelagic_dynamic_waves dynamic_waves;
+    /// Objects that use the ocean hold it weakly, and so detect that it is destroyed.
+    std::shared_ptr<pelagic_ocean> alive{this, [](pelagic_ocean*) {}};
     bool has_queries;
     pelagic::FrameContents contents;  ///< of all frames
     double query_tolerance_m;
@@ -89,6 +92,9 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options);
 /// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);
 void need_frame(const pelagic_ocean& ocean);
+/// Returns the reader's query. Throws std::invalid_argument without queries, and WrongOrder before
+/// the first frame.
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader);
 /// Convert options; null gives no instruction set and operator new. Throw std::invalid_argument for
 /// an unknown name, and if only one function is set.
 std::optional<Isa> isa_of(const char* name);

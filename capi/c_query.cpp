@@ -7,7 +7,6 @@
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::capi {
-namespace {
 
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
     if (!ocean.has_queries)
@@ -15,6 +14,8 @@ const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::
     if (!reader.query()) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
     return *reader.query();
 }
+
+namespace {
 
 Interpolation interpolation_of(const pelagic_points& points) {
     switch (points.interpolation) {

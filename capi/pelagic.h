@@ -37,8 +37,7 @@
  * from that of this header's struct to 4096 bytes are accepted; any other size gives
  * PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with a newer header, the
  * library does not define the last fields. They must be 0 in structs that the library reads, and it
- * sets them to 0 in structs that it writes. Until version 1.0, applications are built with the
- * header of the library that they load.
+ * sets them to 0 in structs that it writes.
  * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
  *
  * Threads. Each function's comment names one of two rules:
@@ -77,12 +76,16 @@
 #define PELAGIC_API
 #endif
 
+/* Marks functions that may change in any version. Versions 1.x keep all others: an application runs
+ * with the library of its header's version and with every later 1.x. */
+#define PELAGIC_EXPERIMENTAL PELAGIC_API
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define PELAGIC_VERSION_MAJOR 0
-#define PELAGIC_VERSION_MINOR 1
+#define PELAGIC_VERSION_MAJOR 1
+#define PELAGIC_VERSION_MINOR 0
 #define PELAGIC_VERSION_PATCH 0
 
 /* Returns the library's version, major * 10000 + minor * 100 + patch, which may be later than the
@@ -1324,6 +1327,304 @@ typedef struct pelagic_hit {
  * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);
+
+/* ---- Hulls ----------------------------------------------------------------------------------- */
+
+/* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the
+ * model. Oceans need pelagic_ocean_options.queries and velocities. In a library that was built
+ * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT.
+ * Hulls and floating bodies are experimental. */
+
+/* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside.
+ * An open boat is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to
+ * starboard. Vertices at equal positions are merged, and triangles without an area are left out. */
+typedef struct pelagic_hull_mesh {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    size_t vertex_count;
+    const double* vertices_m;  /* x, y and z of each vertex; [-1000, 1000] */
+    size_t triangle_count;     /* [4, 4096] */
+    const uint32_t* triangles; /* numbers of the three vertices of each triangle */
+} pelagic_hull_mesh;
+
+typedef struct pelagic_hull_options {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    double mass_kg;    /* [1e-6, 1e10] */
+    /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
+    const double* centre_of_mass_m;
+    /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL:
+     * those of a body that fills the mesh evenly. */
+    const double* inertia_kgm2;
+    /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows:
+     * surge, heave, sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL:
+     * derived from the sizes of waterline and draught. */
+    const double* added_mass;
+    double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
+    double roll_damping;         /* fraction of critical damping; [0, 0.999] */
+    double pressure_coefficient; /* drag of advancing faces; [0, 10] */
+    double suction_coefficient;  /* drag of retreating faces; [0, 10] */
+    double friction_coefficient; /* [0, 1] */
+    double air_coefficient;      /* drag of faces above the water; [0, 10] */
+    double water_density_kgpm3;  /* [500, 2000] */
+    double air_density_kgpm3;    /* [0, 10] */
+} pelagic_hull_options;
+
+/* Sets every field but struct_size. mass_kg becomes 0, which the caller replaces.
+ *
+ * Threads: any. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_defaults(pelagic_hull_options* options);
+
+/* The mesh, mass and coefficients of hulls of one kind. */
+typedef struct pelagic_hull pelagic_hull;
+
+/* Creates a hull. Mesh and options are read before the call returns.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a mesh that is open, wound inwards, without volume or too
+ *   large, and for a value out of range.
+ * Threads: any. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh,
+                                                        const pelagic_hull_options* options, pelagic_hull** hull);
+
+/* Releases the handle. Bodies that use the hull keep what they need.
+ *
+ * hull: may be NULL.
+ *
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL void pelagic_hull_destroy(pelagic_hull* hull);
+
+/* Properties of a hull, in the axes of its mesh. Those from draught_m on are of the hull upright at
+ * rest in still water, and 0 if it is heavier than its volume of water. */
+typedef struct pelagic_hull_info {
+    uint32_t struct_size;
+    int32_t floats; /* 1: it floats, 0: it sinks */
+    double volume_m3;
+    double centre_m[3];                /* of the volume */
+    double minimum_m[3], maximum_m[3]; /* bounds of the mesh */
+    double mass_kg, centre_of_mass_m[3];
+    double draught_m;             /* of the lowest vertex */
+    double height_m;              /* of the centre of mass above the water */
+    double waterplane_m2;         /* area of the section at the water's surface */
+    double roll_gm_m, pitch_gm_m; /* metacentric heights */
+    /* Of mesh, mass and coefficients: hulls of equal digests move bit-identically. */
+    uint64_t digest;
+    int32_t vertex_count, triangle_count; /* of the merged mesh */
+} pelagic_hull_info;
+
+/* Writes the properties of a hull. Threads: any. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info);
+
+/* A rigid body in the world's axes, and what the water's forces depend on of the preceding step. */
+typedef struct pelagic_hull_state {
+    uint32_t struct_size;
+    int32_t has_previous_step;        /* 0: no acceleration of the water and no slamming */
+    double position_m[3];             /* of the centre of mass; [-1e8, 1e8] */
+    double orientation[4];            /* unit quaternion x, y, z, w: world from hull */
+    double velocity_mps[3];           /* of the centre of mass; [-1e4, 1e4] */
+    double angular_velocity_radps[3]; /* [-1e4, 1e4] */
+    /* Of the preceding step: vertical velocity and rotation of the water's surface at the hull, and
+     * the fraction of the added mass. */
+    double water_velocity_y_mps;
+    double water_rotation_radps[3];
+    double submersion; /* [0, 1] */
+} pelagic_hull_state;
+
+/* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at
+ * the position minus the rotated centre_of_mass_m of pelagic_hull_info.
+ *
+ * heading_rad: angle of the hull's x axis, from +x to +z.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value that is not finite or a position out of range.
+ * Threads: any. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m,
+                                                         double heading_rad, pelagic_hull_state* state);
+
+/* A force and its torque about the centre of mass, in the world's axes. */
+typedef struct pelagic_hull_force {
+    double force_n[3], torque_nm[3];
+} pelagic_hull_force;
+
+/* What else acts on a hull: engines, tow lines and contacts; [-1e15, 1e15] each. */
+typedef struct pelagic_hull_inputs {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    pelagic_hull_force force;
+    double wind_mps[3]; /* [-1000, 1000] */
+} pelagic_hull_inputs;
+
+/* Forces of water and air. The total leaves out weight, inputs and the force of added mass that
+ * opposes acceleration, -A du/dt. */
+typedef struct pelagic_hull_loads {
+    uint32_t struct_size;
+    uint32_t reserved;
+    pelagic_hull_force total;
+    pelagic_hull_force pressure;   /* of the water's weight and acceleration */
+    pelagic_hull_force added_mass; /* A times the acceleration of the water */
+    pelagic_hull_force drag;       /* drag, radiation damping and air */
+    pelagic_hull_force slamming;
+    double displaced_m3;
+    double submersion; /* displaced over floating volume, at most 1 */
+    /* The plane through the surface at the hull: its height at the centre of mass, and slopes. */
+    double water_height_m, water_slope_x, water_slope_z;
+    double water_velocity_mps[3]; /* mean at the hull */
+    double water_acceleration_mps2[3];
+} pelagic_hull_loads;
+
+/* Computes the loads of a state in the water of the frame completed last, and stores in the state
+ * what the next call depends on. For a physics engine that integrates positions: it sets pose and
+ * velocities and applies the total.
+ *
+ * state: successive calls are step_s apart.
+ * step_s: (0, 0.1]; drag is that of an implicit step of this length, so that an explicit integrator
+ *   remains stable.
+ * inputs: only the wind is used; NULL: no wind.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for an ocean without queries or
+ *   velocities; PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: one thread per hull; also while another thread calls functions of the ocean. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const pelagic_ocean* ocean,
+                                                               pelagic_hull_state* state, double step_s,
+                                                               const pelagic_hull_inputs* inputs,
+                                                               pelagic_hull_loads* loads);
+
+/* Computes the loads as pelagic_hull_compute_loads(), and the velocities of the state after a step
+ * under them, the weight and the inputs, with mass and added mass. For a physics engine without
+ * added mass: it sets the body's velocities to the result.
+ *
+ * inputs: NULL: none.
+ * loads: may be NULL.
+ *
+ * Errors: as pelagic_hull_compute_loads().
+ * Threads: one thread per hull; also while another thread calls functions of the ocean. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, const pelagic_ocean* ocean,
+                                                            pelagic_hull_state* state, double step_s,
+                                                            const pelagic_hull_inputs* inputs,
+                                                            pelagic_hull_loads* loads);
+
+/* ---- Floating bodies ------------------------------------------------------------------------- */
+
+/* A set of hulls that float in the water of an ocean. With wakes they press on its dynamic waves,
+ * and float on the waves of others. A tick is:
+ *
+ *   pelagic_ocean_complete(ocean, &frame);
+ *   pelagic_bodies_press(bodies, tick_s);
+ *   pelagic_ocean_schedule(ocean, next_s);
+ *   pelagic_bodies_step(bodies, tick_s);  // during the computation of the next frame
+ *
+ * With wakes, functions that enqueue commands (add, remove, press, destroy) are called by the
+ * thread that calls the ocean's. After the ocean is destroyed, functions of its bodies return
+ * PELAGIC_INVALID_ARGUMENT. In a library that was built without PELAGIC_FLOATING each does. */
+typedef struct pelagic_bodies pelagic_bodies;
+
+typedef struct pelagic_bodies_options {
+    uint32_t struct_size;
+    /* Nonzero: with wakes, which need pelagic_ocean_options.dynamic_waves. */
+    int32_t wakes;
+    const pelagic_executor* executor; /* of the steps; NULL: PELAGIC_EXECUTOR_DEFAULT */
+} pelagic_bodies_options;
+
+/* Creates an empty set.
+ *
+ * options: may be NULL, which means that all fields are 0.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an ocean without queries or velocities, and for wakes
+ *   without dynamic waves; PELAGIC_SYSTEM_ERROR if the system cannot create the threads.
+ * Threads: one thread per ocean. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_options* options,
+                                                          pelagic_bodies** bodies);
+
+/* Destroys a set, and removes its pressures from the dynamic waves.
+ *
+ * bodies: may be NULL.
+ *
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL void pelagic_bodies_destroy(pelagic_bodies* bodies);
+
+/* Adds a body without inputs. The set keeps the hull, also for pelagic_bodies_restore_state() after
+ * the body is removed.
+ *
+ * number: receives the number of the body, which is never reused.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; with wakes also if the hull is longer
+ *   than 1000 m or the waves have too many sources.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull,
+                                                       const pelagic_hull_state* state, uint32_t* number);
+
+/* Removes a body. Does nothing if no body has that number. Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_remove(pelagic_bodies* bodies, uint32_t number);
+
+/* Sets force and wind of the steps from now on.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number,
+                                                              const pelagic_hull_inputs* inputs);
+
+/* Replaces the state of a body.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number,
+                                                             const pelagic_hull_state* state);
+
+/* Writes the state of a body.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number,
+                                                             pelagic_hull_state* state);
+
+/* Writes the loads of a body in the last step, all 0 before the first.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
+                                                             pelagic_hull_loads* loads);
+
+/* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it between
+ * pelagic_ocean_complete() and pelagic_ocean_schedule(), whose frames are a tick apart.
+ *
+ * tick_s: (0, 0.1].
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; PELAGIC_WRONG_ORDER before the first
+ *   frame and if a frame is in flight.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s);
+
+/* Advances all bodies by a step in the water of the frame completed last, on the executor's
+ * threads. Results do not depend on the number of threads. Allocates nothing once the set has
+ * stepped with as many vertices.
+ *
+ * step_s: (0, 0.1].
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and a body that has moved out of range,
+ *   whose number the message has; PELAGIC_WRONG_ORDER before the first frame;
+ *   PELAGIC_APPLICATION_ERROR if a callback of the executor fails, after which the bodies have
+ *   advanced.
+ * Threads: one thread per object; also while another thread calls functions of the ocean. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s);
+
+/* Saves all that later steps depend on, inputs and wakes included. Call it when
+ * pelagic_dynamic_waves_save_state() is called, before the first command after a frame.
+ *
+ * bytes: receives the state; NULL to obtain only the count.
+ * room: size of `bytes`.
+ * count: receives the number of bytes: 1,300 a body, and with wakes 12 for each texel under it.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodies, uint8_t* bytes,
+                                                              size_t room, size_t* count);
+
+/* Restores a saved state, on any machine of equal byte order. With wakes, restore the dynamic waves
+ * first. A frame of the saved time, scheduled without commands, shows the water of that time again.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if the set never had a body of a saved hull, the dynamic waves
+ *   have other options, or the bytes are damaged.
+ * Threads: one thread per object. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_restore_state(pelagic_bodies* bodies, const uint8_t* bytes,
+                                                                 size_t count);
 
 #ifdef __cplusplus
 }

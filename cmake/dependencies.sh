@@ -8,7 +8,7 @@ pelagic_packages=(
   libtbb-dev               # oneTBB: jobs
   libxsimd-dev             # xsimd: kernels
   libxxhash-dev            # XXH3: the hash of a frame
-  libglm-dev               # GLM: cameras, in the quadtree
+  libglm-dev               # GLM: cameras of the quadtree, hulls
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that renders without a GPU: pelagic render
   libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: text in previews
@@ -45,12 +45,13 @@ command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
 # Packages for tests inside other programs: Doxygen, for the API reference; a compiler to
 # WebAssembly, node and a browser; a game engine, with a window (for xvfb-run, which needs xauth)
-# and without; mono and its compiler of C#; pybind11 and Python's headers, NumPy, matplotlib for the
-# Python example, pytest and mypy; Blender; a compiler to Windows, and wine.
+# and without; mono and its compiler of C#, and a translator of shaders; pybind11 and Python's
+# headers, NumPy, matplotlib for the Python example, pytest and mypy; Blender; a compiler to
+# Windows, and wine.
 pelagic_hosts_packages=(doxygen emscripten chromium)
 pelagic_hosts_packages+=(godot3 godot3-server xauth)
 pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
-pelagic_hosts_packages+=(mono-mcs mono-runtime)
+pelagic_hosts_packages+=(mono-mcs mono-runtime spirv-cross)
 pelagic_hosts_packages+=(blender)
 pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)

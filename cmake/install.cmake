@@ -1,13 +1,21 @@
 # cmake --install: libraries, public headers, package files for CMake and pkg-config, and the tool.
+# The components are
+#
+#   runtime      the shared library, and licences
+#   development  headers, static libraries, files for CMake and pkg-config
+#   tools        the command, with its manual page, completion and presets
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelagic)
 
 # A targets file for each component, so that an application needs only the packages of its
 # components.
 function(pelagic_install_component component target)
-  install(TARGETS ${target} EXPORT pelagic_${component})
+  install(TARGETS ${target} EXPORT pelagic_${component} ARCHIVE COMPONENT development
+          RUNTIME COMPONENT runtime LIBRARY COMPONENT runtime NAMELINK_COMPONENT development)
   install(EXPORT pelagic_${component} NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagic_${component}_targets.cmake)
 endfunction()
 pelagic_install_component(c pelagic_shared)
@@ -27,9 +35,9 @@ endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pelagicConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake INSTALL_DESTINATION ${package_folder})
-# A minor version may change the sea's reproducible values and, before 1.0, the interface.
+# A minor version may change a sea's reproducible values, but keeps the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake ${PROJECT_BINARY_DIR}/package/pelagicConfigVersion.cmake
         DESTINATION ${package_folder})
 
@@ -66,7 +74,7 @@ set(simd_headers allocator isa)
 set(sim_headers analytic_cascades cascade cascade_plan disturbance dynamic_waves dynamic_waves_view foam_report forecast frame frame_buffers
                 gerstner_input ocean pressure_footprint rain ripple_input sea_state shore shore_surface slope_sum slope_variance snapshot_foam spray statistics surface_query
                 surface_query_jobs surface_ray texture_targets water_frame wave_input)
-set(floating_headers floating_hulls hull hull_mesh hull_plan hull_wake)
+set(floating_headers floating_bodies floating_hulls hull hull_mesh hull_plan hull_spray hull_wake)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers application_scene display errors exposure functions headless_context light_meter objects pixel_ring render_target views
                sky/light_presets sky/sky sky/sky_baker
@@ -92,16 +100,22 @@ foreach(folder IN LISTS folders)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/pelagic)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Debian's packages have copies of their own (packages.cmake).
+if(NOT PELAGIC_DEBIAN)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+endif()
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tools)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/pelagic)
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)
   if(PELAGIC_IMAGES)
     install(TARGETS pelagic_images pelagic_exr LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
   endif()
   if(TARGET pelagic_manual)
-    install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    if(NOT PELAGIC_DEBIAN)
+      install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    endif()
     install(FILES ${PROJECT_BINARY_DIR}/manual/pelagic DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   endif()
 endif()

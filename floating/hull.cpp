@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
@@ -88,9 +91,9 @@ std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
         }
     if (options.inertia_kgm2)
         for (int axis = 0; axis < 3; ++axis)
-            if (!((*options.inertia_kgm2)[axis] > 0 && (*options.inertia_kgm2)[axis] <= 1e16))
+            if (!((*options.inertia_kgm2)[axis] >= 1e-15 && (*options.inertia_kgm2)[axis] <= 1e16))
                 return invalid_value_message(std::string("inertia_kgm2.") + "xyz"[axis],
-                                             (*options.inertia_kgm2)[axis], "(0, 1e16]");
+                                             (*options.inertia_kgm2)[axis], "[1e-15, 1e16]");
     return options.added_mass ? check_added_mass(*options.added_mass) : "";
 }
 
@@ -209,6 +212,19 @@ void Hull::set_default_added_mass() {
                                sway * size.x * size.x / 12,
                                heave * size.x * size.x / 12};
     for (std::size_t i = 0; i < 6; ++i) added_mass_[i][i] = diagonal[i];
+}
+
+std::uint64_t Hull::digest() const {
+    std::vector<double> numbers;
+    const auto put = [&](const glm::dvec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+    for (const NumericField<HullOptions>& field : fields) numbers.push_back(field.value_in(options_));
+    put(centre_of_mass_m_);
+    put(inertia_kgm2_);
+    for (const auto& row : added_mass_) numbers.insert(numbers.end(), row.begin(), row.end());
+    for (const glm::dvec3& vertex : mesh_.vertices()) put(vertex);
+    for (const HullMesh::Triangle& triangle : mesh_.triangles())
+        numbers.insert(numbers.end(), triangle.begin(), triangle.end());
+    return XXH3_64bits(numbers.data(), numbers.size() * sizeof(double));
 }
 
 glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {

@@ -45,6 +45,7 @@
 
 namespace pelagic {
 
+class HullSpray;
 class HullWake;
 
 /// Rows and columns: surge, heave, sway (translation along x, y, z of the hull), roll, yaw, pitch
@@ -55,8 +56,8 @@ struct HullOptions {
     double mass_kg = 0;  ///< [1e-6, 1e10]
     /// In the axes of the mesh; unset: the centre of the mesh's volume.
     std::optional<glm::dvec3> centre_of_mass_m = {};
-    /// Moments of inertia about the axes through the centre of mass, positive; unset: those of a
-    /// body that fills the mesh evenly.
+    /// Moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; unset: those of
+    /// a body that fills the mesh evenly.
     std::optional<glm::dvec3> inertia_kgm2 = {};
     /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
@@ -106,6 +107,9 @@ struct HullLoads {
     HullForce added_mass;  ///< A a_w
     HullForce drag;        ///< drag, radiation damping and air
     HullForce slamming;
+    /// Impact on the water, of slamming and of the pressure on advancing faces: the magnitudes of
+    /// both forces, and the power that they take from the motion relative to the water.
+    double impact_n = 0, impact_w = 0;
     double displaced_m3 = 0;
     double submersion = 0;  ///< displaced over floating volume, at most 1: scales added mass
     /// The plane through the water's surface at the hull: height at the centre of mass, and slopes.
@@ -178,6 +182,9 @@ class Hull {
     double mass_kg() const { return mass_kg_; }
     const HullMatrix& added_mass() const { return added_mass_; }       ///< at rest
     glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh
+    /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
+    /// bit-identically.
+    std::uint64_t digest() const;
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
 
@@ -207,7 +214,11 @@ class Hull {
 
    private:
     friend class FloatingHulls;
+    friend class HullSpray;
     void append_points(const HullState& state, HullWorkspace& workspace) const;
+    /// Fills workspace.vertices from its samples.
+    void place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
+                        const HullWake* wake, HullWorkspace& workspace) const;
     HullLoads loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
                        const HullInputs& inputs, HullWorkspace& workspace) const;
     struct Speeds;

@@ -125,25 +125,31 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
     }
 }
 
-HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
-                         const HullInputs& inputs, HullWorkspace& workspace) const {
-    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
-    if (inputs.wake) {
+void Hull::place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
+                          const HullWake* wake, HullWorkspace& workspace) const {
+    if (wake) {
         const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
-        inputs.wake->leave_out(water.frame(), ours(workspace.x), ours(workspace.z), ours(workspace.height_m),
-                               ours(workspace.velocity_y_mps));
+        wake->leave_out(water.frame(), ours(workspace.x), ours(workspace.z), ours(workspace.height_m),
+                        ours(workspace.velocity_y_mps));
     }
-    std::vector<HullVertex>& vertices = workspace.vertices;
-    vertices.resize(arms_m_.size());
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    workspace.vertices.resize(arms_m_.size());
     for (std::size_t i = 0; i < arms_m_.size(); ++i) {
         const std::size_t point = first_point + i;
-        HullVertex& vertex = vertices[i];
+        HullVertex& vertex = workspace.vertices[i];
         vertex.arm_m = axes * arms_m_[i];
         vertex.depth_m = workspace.height_m[point] - (state.position_m.y + vertex.arm_m.y);
         vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
     }
+}
+
+HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
+                         const HullInputs& inputs, HullWorkspace& workspace) const {
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    place_vertices(water, first_point, state, inputs.wake, workspace);
+    const std::vector<HullVertex>& vertices = workspace.vertices;
     const MeanWater mean =
         mean_water(weights_, vertices, state.position_m.y, state.velocity_mps, state.angular_velocity_radps);
     HullLoads loads;
@@ -156,7 +162,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.water_acceleration_mps2 = water_acceleration(mean, state, step_s);
 
     Hydrostatics wet;
-    Loss drag;
+    Loss drag, advancing;
     const double half_water = 0.5 * options_.water_density_kgpm3, half_air = 0.5 * options_.air_density_kgpm3;
     const auto add_wet = [&](const HullTriangle& triangle) {
         wet.add(triangle);
@@ -172,6 +178,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
                      (coefficient * std::fabs(across) * across * normal +
                       options_.friction_coefficient * glm::length(along) * along),
                  relative);
+        if (across > 0) advancing.add(arm, -half_water * area_m2 * coefficient * across * across * normal, relative);
         if (area.y >= 0) return;
         // A strip across the length does not take part in roll.
         const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0];
@@ -216,18 +223,31 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);
+    const auto in_axes = [&](const HullForce& force) {
+        return joined(to_hull * force.force_n, to_hull * force.torque_nm);
+    };
+    const Vector6 relative = joined(to_hull * (state.velocity_mps - loads.water_velocity_mps),
+                                    to_hull * (state.angular_velocity_radps - loads.water_rotation_radps));
+    Vector6 slamming{}, slammed{};
     if (state.has_previous_step && loads.submersion > state.submersion) {
-        Vector6 momentum =
-            product(added_mass_, joined(to_hull * (state.velocity_mps - loads.water_velocity_mps),
-                                        to_hull * (state.angular_velocity_radps - loads.water_rotation_radps)));
-        for (double& value : momentum) value *= (state.submersion - loads.submersion) / step_s;
-        loads.slamming = to_world(momentum);
+        slamming = product(added_mass_, relative);
+        for (double& value : slamming) value *= (state.submersion - loads.submersion) / step_s;
+        loads.slamming = to_world(slamming);
+        slammed = solve(loads.mass, slamming);
     }
     // A long step would reverse the motion that drag opposes: the part that stops it is enough.
-    const Vector6 in_axes = joined(to_hull * drag.force.force_n, to_hull * drag.force.torque_nm);
-    const double kick = step_s * dot(in_axes, solve(loads.mass, in_axes));
+    const Vector6 dragged = in_axes(drag.force), stopped = solve(loads.mass, dragged);
+    const double kick = step_s * dot(dragged, stopped);
     const double kept = kick > -drag.power_w ? -drag.power_w / kick : 1;
     loads.drag = {kept * drag.force.force_n, kept * drag.force.torque_nm};
+    // Power at the speeds after the losses: the energy of hull and added mass then falls by half of
+    // that of slamming, and by no less than that of the drag.
+    const Vector6 advanced = in_axes(advancing.force);
+    double impact_w = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+        impact_w -= (slamming[i] + kept * advanced[i]) * (relative[i] + step_s * (slammed[i] + kept * stopped[i]));
+    loads.impact_n = glm::length(loads.slamming.force_n) + kept * glm::length(advancing.force.force_n);
+    loads.impact_w = std::max(impact_w, 0.0);
 
     state.water_velocity_y_mps = mean.velocity_mps.y;
     state.water_rotation_radps = loads.water_rotation_radps;

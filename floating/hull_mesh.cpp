@@ -88,13 +88,18 @@ struct Volume {
 
 }  // namespace
 
-std::string HullMesh::check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles) {
-    if (triangles.size() < 4 || triangles.size() > max_triangles)
-        return "the hull has " + std::to_string(triangles.size()) + " triangles, expected 4 to " +
+std::string HullMesh::check_counts(std::size_t vertices, std::size_t triangles) {
+    if (triangles < 4 || triangles > max_triangles)
+        return "the hull has " + std::to_string(triangles) + " triangles, expected 4 to " +
                std::to_string(max_triangles);
-    if (vertices.size() > max_vertices)
-        return "the hull has " + std::to_string(vertices.size()) + " vertices, expected at most " +
+    if (vertices > max_vertices)
+        return "the hull has " + std::to_string(vertices) + " vertices, expected at most " +
                std::to_string(max_vertices);
+    return {};
+}
+
+std::string HullMesh::check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles) {
+    if (std::string reason = check_counts(vertices.size(), triangles.size()); !reason.empty()) return reason;
     for (std::size_t i = 0; i < vertices.size(); ++i)
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::fabs(vertices[i][axis]) <= max_coordinate_m))

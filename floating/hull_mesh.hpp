@@ -31,6 +31,8 @@ class HullMesh {
     /// between vertices 3 and 7". A mesh has 4 to 4096 triangles, coordinates in [-1000, 1000] m,
     /// for each edge exactly one triangle on both sides, and a positive volume.
     static std::string check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles);
+    /// Returns what check() returns for these numbers, without reading a mesh.
+    static std::string check_counts(std::size_t vertices, std::size_t triangles);
 
     const std::vector<glm::dvec3>& vertices() const { return vertices_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }

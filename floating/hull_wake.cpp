@@ -18,8 +18,7 @@ int cells(double size_m, double texel_m) {
 
 }  // namespace
 
-HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state)
-    : waves_(&waves), hull_(&hull), hull_m_(state.position_m), pressure_m_(state.position_m) {
+HullWake::HullWake(DynamicWaves& waves, const Hull& hull) : waves_(&waves), hull_(&hull) {
     const double texel_m = waves.options().side_m / waves.options().resolution;
     const glm::dvec3 size = hull.mesh().upper_m() - hull.mesh().lower_m();
     plan_ = plan_of(hull.mesh(), cells(size.x, texel_m), cells(size.z, texel_m));
@@ -29,10 +28,20 @@ HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state
         footprint.length_m = plan_.length_m;
         footprint.beam_m = plan_.beam_m;
         footprint.depth_m.assign(plan_.low_m.size(), 0);
+    }
+}
+
+HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state) : HullWake(waves, hull) {
+    launch(state);
+}
+
+void HullWake::launch(const HullState& state) {
+    hull_m_ = pressure_m_ = state.position_m;
+    for (PressureFootprint& footprint : footprints_) {
         footprint.x_m = state.position_m.x;
         footprint.z_m = state.position_m.z;
     }
-    source_ = waves.add_footprint(footprints_[0]);
+    source_ = waves_->add_footprint(footprints_[0]);
 }
 
 double HullWake::period_s() const { return std::sqrt(two_pi * plan_.length_m / gravity_mps2); }

@@ -55,6 +55,10 @@ class HullWake {
     const PressureFootprint& footprint() const { return footprints_[0]; }
 
    private:
+    friend class FloatingBodies;
+    /// Computes the plan, which is that of all hulls of a kind. launch() adds the pressure.
+    HullWake(DynamicWaves& waves, const Hull& hull);
+    void launch(const HullState& state);
     double period_s() const;  // of waves of the hull's length
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const;
     double hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double place_s, double x_m,
@@ -63,10 +67,10 @@ class HullWake {
     DynamicWaves* waves_;
     const Hull* hull_;
     HullPlan plan_;
-    std::uint32_t source_;
+    std::uint32_t source_ = 0;
     double afloat_s_ = 0, tick_s_ = 0;
-    glm::dvec3 hull_m_;      // position of the hull at the previous press()
-    glm::dvec3 pressure_m_;  // position of the pressure
+    glm::dvec3 hull_m_{};      // position of the hull at the previous press()
+    glm::dvec3 pressure_m_{};  // position of the pressure
     // Of the next frame, of the last completed frame, which shows the tick before it, and of that
     // tick.
     std::array<PressureFootprint, 3> footprints_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <thread>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -161,7 +162,12 @@ void WorkerGroup::work(int thread) noexcept {
     if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
     // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
     // each time if the two CPUs share no cache. The thread then waits for 2 ms, so it stays away.
-    if (const int cpu = current_cpu(); cpu >= 0 && cpu == waking_cpu_) leave_cpu(cpu, owns_threads());
+    // A thread that others use as well may run there later, so it leaves now, and the waking thread
+    // yields next time to let it leave.
+    const int cpu = current_cpu();
+    const bool is_in_the_way = cpu >= 0 && cpu == waking_cpu_;
+    if (is_in_the_way) leave_cpu(cpu, owns_threads());
+    yields_after_waking_ = is_in_the_way && !owns_threads();
     RunProgress::Place place{thread};
     std::shared_ptr<Run> last;
     std::uint32_t seen;
@@ -229,6 +235,7 @@ void WorkerGroup::wake_for(std::size_t blocks) noexcept {
     woken_at_ = start;
     waking_cpu_ = current_cpu();
     awake_ -= count - wake(count);
+    if (yields_after_waking_) std::this_thread::yield();
     adjust(wake_cost_, now() - start);
 }
 

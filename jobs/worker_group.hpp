@@ -80,6 +80,7 @@ class WorkerGroup {
     std::atomic<Clock::rep> woken_at_ = 0;            ///< 0 when the worker that was woken works
     std::atomic<Clock::rep> last_end_ = 0;
     std::atomic<int> runs_in_a_row_ = 0, helped_in_a_row_ = 0, waking_cpu_ = -1;
+    std::atomic<bool> yields_after_waking_ = false;  ///< the last worker began on the waking CPU
 
     // In separate cache lines, because other cores read them for each stage.
     alignas(64) std::atomic<std::uint32_t> changes_ = 0;  ///< incremented when blocks become ready

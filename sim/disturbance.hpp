@@ -29,6 +29,9 @@ struct Disturbance {
         /// added to the water.
         relaxation,
         impulse,  ///< the shape is added to the surface at once: a drop, a stone
+        /// Adds the foam that waves as high as the shape have (DynamicWavesOptions::foam_height_m),
+        /// and no waves: water that a hull or a propeller breaks.
+        foam,
     };
 
     Shape shape = Shape::gauss;
@@ -54,7 +57,7 @@ struct EnumNames<Disturbance::Shape> {
 };
 template <>
 struct EnumNames<Disturbance::Mode> {
-    static constexpr std::array<std::string_view, 3> all = {"pressure", "relaxation", "impulse"};
+    static constexpr std::array<std::string_view, 4> all = {"pressure", "relaxation", "impulse", "foam"};
 };
 
 /// Returns the numeric fields of a disturbance, with names and ranges.

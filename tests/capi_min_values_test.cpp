@@ -540,5 +540,90 @@ TEST(CInterfaceSmallestValues, TimesAndPositionsAreRejectedOrFinite) {
     }
 }
 
+/// Adds a body to waves of its own and returns the first number of its state that is not finite
+/// after some ticks.
+std::string first_non_finite(const pelagic_hull* hull, const pelagic_hull_state& from) {
+    const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
+    pelagic_ocean_options options = all_options();
+    options.foam = 0;
+    options.dynamic_waves = &dynamic_waves;
+    const COcean ocean = ocean_of(small_sea(), options);
+    auto with_wakes = sized<pelagic_bodies_options>();
+    with_wakes.wakes = 1;
+    with_wakes.executor = options.executor;
+    pelagic_bodies* bodies = nullptr;
+    std::uint32_t number = 0;
+    EXPECT_EQ(pelagic_bodies_create(ocean.get(), &with_wakes, &bodies), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_bodies_add(bodies, hull, &from, &number), PELAGIC_OK) << pelagic_last_error();
+    for (int tick = 0; tick < 4; ++tick) {
+        auto frame = sized<pelagic_frame>();
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), tick / 60.0), PELAGIC_OK);
+        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_press(bodies, 1 / 60.0), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0), PELAGIC_OK) << pelagic_last_error();
+    }
+    Findings found;
+    auto state = sized<pelagic_hull_state>();
+    auto loads = sized<pelagic_hull_loads>();
+    EXPECT_EQ(pelagic_bodies_get_state(bodies, number, &state), PELAGIC_OK);
+    EXPECT_EQ(pelagic_bodies_get_loads(bodies, number, &loads), PELAGIC_OK);
+    for (const auto& vector : {state.position_m, state.velocity_mps, state.angular_velocity_radps,
+                               loads.total.force_n, loads.total.torque_nm})
+        for (int axis = 0; axis < 3; ++axis) found.number("state", vector[axis]);
+    for (const double part : state.orientation) found.number("orientation", part);
+    pelagic_bodies_destroy(bodies);
+    return found.what();
+}
+
+TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
+    constexpr Named<pelagic_hull_options> fields[] = {
+        {"mass_kg", &pelagic_hull_options::mass_kg},
+        {"heave_damping", &pelagic_hull_options::heave_damping},
+        {"roll_damping", &pelagic_hull_options::roll_damping},
+        {"pressure_coefficient", &pelagic_hull_options::pressure_coefficient},
+        {"suction_coefficient", &pelagic_hull_options::suction_coefficient},
+        {"friction_coefficient", &pelagic_hull_options::friction_coefficient},
+        {"air_coefficient", &pelagic_hull_options::air_coefficient},
+        {"water_density_kgpm3", &pelagic_hull_options::water_density_kgpm3},
+        {"air_density_kgpm3", &pelagic_hull_options::air_density_kgpm3}};
+    auto usual = sized<pelagic_hull_options>();
+    if (pelagic_hull_defaults(&usual) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
+    usual.mass_kg = 80;
+    const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    auto mesh = sized<pelagic_hull_mesh>();
+    mesh.vertex_count = mesh.triangle_count = 4;
+    mesh.vertices_m = vertices;
+    mesh.triangles = triangles;
+    pelagic_hull* hull = nullptr;
+    const auto try_options = [&](const pelagic_hull_options& options, const std::string& what, const char* name) {
+        const pelagic_status status = pelagic_hull_create(&mesh, &options, &hull);
+        if (status != PELAGIC_OK) return expect_rejected(status, what, name);
+        auto state = sized<pelagic_hull_state>();
+        EXPECT_EQ(pelagic_hull_at_rest(hull, 0, 0, 0, &state), PELAGIC_OK);
+        EXPECT_EQ(first_non_finite(hull, state), "") << what;
+        pelagic_hull_destroy(hull);
+    };
+    walk(usual, fields, "options", try_options);
+    for (const double value : min_values) {
+        const std::vector<double> of_all(36, value);
+        pelagic_hull_options options = usual;
+        options.centre_of_mass_m = of_all.data();
+        try_options(options, "centre of mass", "centre_of_mass_m");
+        options = usual, options.inertia_kgm2 = of_all.data();
+        try_options(options, "inertia", "inertia_kgm2");
+        options = usual, options.added_mass = of_all.data();
+        try_options(options, "added mass", "added_mass");
+    }
+    ASSERT_EQ(pelagic_hull_create(&mesh, &usual, &hull), PELAGIC_OK);
+    for (const double value : min_values) {
+        auto state = sized<pelagic_hull_state>();
+        ASSERT_EQ(pelagic_hull_at_rest(hull, value, value, value, &state), PELAGIC_OK);
+        state.velocity_mps[0] = state.angular_velocity_radps[1] = value;
+        EXPECT_EQ(first_non_finite(hull, state), "") << value;
+    }
+    pelagic_hull_destroy(hull);
+}
+
 }  // namespace
 }  // namespace pelagic

@@ -239,5 +239,58 @@ TEST_F(StructSizes, OutputStructsMayBeOlderOrNewer) {
         [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
 }
 
+TEST_F(StructSizes, StructsOfHullsMayBeOlderOrNewer) {
+    auto options = sized<pelagic_hull_options>();
+    if (pelagic_hull_defaults(&options) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
+    options.mass_kg = 10;
+    const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    auto mesh = sized<pelagic_hull_mesh>();
+    mesh.vertex_count = mesh.triangle_count = 4;
+    mesh.vertices_m = vertices;
+    mesh.triangles = triangles;
+    const auto status_of_hull = [](const pelagic_hull_mesh* of, const pelagic_hull_options* with) {
+        pelagic_hull* made = nullptr;
+        const pelagic_status status = pelagic_hull_create(of, with, &made);
+        pelagic_hull_destroy(made);
+        return status;
+    };
+    expect_read_in_every_size(mesh, [&](pelagic_hull_mesh* of) { return status_of_hull(of, &options); });
+    expect_read_in_every_size(options, [&](pelagic_hull_options* with) { return status_of_hull(&mesh, with); });
+    expect_written_in_every_size<pelagic_hull_options>(pelagic_hull_defaults);
+
+    pelagic_hull* hull = nullptr;
+    pelagic_bodies* bodies = nullptr;
+    std::uint32_t number = 0;
+    ASSERT_EQ(pelagic_hull_create(&mesh, &options, &hull), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(pelagic_bodies_create(ocean.get(), nullptr, &bodies), PELAGIC_OK) << pelagic_last_error();
+    expect_read_in_every_size(sized<pelagic_bodies_options>(), [&](pelagic_bodies_options* with) {
+        pelagic_bodies* made = nullptr;
+        const pelagic_status status = pelagic_bodies_create(ocean.get(), with, &made);
+        pelagic_bodies_destroy(made);
+        return status;
+    });
+    auto state = sized<pelagic_hull_state>();
+    ASSERT_EQ(pelagic_hull_at_rest(hull, 0, 0, 0, &state), PELAGIC_OK);
+    ASSERT_EQ(pelagic_bodies_add(bodies, hull, &state, &number), PELAGIC_OK);
+    complete_one();
+    ASSERT_EQ(pelagic_bodies_step(bodies, 0.01), PELAGIC_OK) << pelagic_last_error();
+    expect_read_in_every_size(
+        state, [&](pelagic_hull_state* wanted) { return pelagic_bodies_set_state(bodies, number, wanted); });
+    expect_read_in_every_size(sized<pelagic_hull_inputs>(), [&](pelagic_hull_inputs* inputs) {
+        return pelagic_bodies_set_inputs(bodies, number, inputs);
+    });
+    expect_written_in_every_size<pelagic_hull_state>(
+        [&](pelagic_hull_state* to) { return pelagic_hull_at_rest(hull, 1, 2, 3, to); });
+    expect_written_in_every_size<pelagic_hull_state>(
+        [&](pelagic_hull_state* to) { return pelagic_bodies_get_state(bodies, number, to); });
+    expect_written_in_every_size<pelagic_hull_info>(
+        [&](pelagic_hull_info* info) { return pelagic_hull_describe(hull, info); });
+    expect_written_in_every_size<pelagic_hull_loads>(
+        [&](pelagic_hull_loads* loads) { return pelagic_bodies_get_loads(bodies, number, loads); });
+    pelagic_bodies_destroy(bodies);
+    pelagic_hull_destroy(hull);
+}
+
 }  // namespace
 }  // namespace pelagic

@@ -141,6 +141,31 @@ TEST(CascadeStackQuery, ResultsAreBitIdenticalForEachBatchThreadAndInstructionSe
     }
 }
 
+/// A lone point shares its registers with the origin, in another cell. Lanes of dense points are in
+/// one cell of the coarse cascades, or of all.
+TEST(CascadeStackQuery, DensePointsHaveTheBitsOfLonePoints) {
+    constexpr std::size_t count = 128;
+    for (const Isa isa : isas_here()) {
+        const CascadeStack stack(CascadeStack::of_scales(4, 12, 1, 2, 32), 5, isa);
+        for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic})
+            for (const double reach_m : {2.0, 0.002}) {
+                const SurfaceQuery query(stack.frame(), {.interpolation = interpolation});
+                Points points = random_points(count, reach_m, 9);
+                for (double& x : points.x) x += 777;
+                Samples together(count);
+                query.sample(points.view(), together.view());
+                for (std::size_t i = 0; i < count; ++i) {
+                    Samples one(1);
+                    query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, one.view());
+                    ASSERT_EQ(one.height[0], together.height[i]);
+                    ASSERT_EQ(one.normal_x[0], together.normal_x[i]);
+                    ASSERT_EQ(one.velocity_y[0], together.velocity_y[i]);
+                    ASSERT_EQ(one.error[0], together.error[i]);
+                }
+            }
+    }
+}
+
 TEST(CascadeStackQuery, InvalidPositionsDoNotConverge) {
     const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();

@@ -455,7 +455,7 @@ TEST_F(ExportEvents, InvalidRowsAreRejectedWithLineAndColumn) {
         {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, expected seconds in"},
         {start + "\n0,0,0,1,1e3\n", ":2: height is 1e3, expected metres in [-100, 100]"},
         {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, expected 0, or a duration"},
-        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, expected impulse, pressure or relaxation"},
+        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, expected impulse, pressure, relaxation or foam"},
         {start + ",mode,duration\n0,0,0,1,1,impulse,1\n",
          ":2: mode is impulse, expected pressure or relaxation with a duration"},
         {start + "\n-90000,0,0,1,1\n", "expected 86400 s between them at most"}};

@@ -1,5 +1,5 @@
-// Trajectories of hulls are bit-identical on every instruction set, executor and compiler, and
-// after a rollback.
+// Trajectories and spray of hulls are bit-identical on every instruction set, executor and
+// compiler, and after a rollback.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/hull_spray.hpp"
+#include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -90,6 +92,91 @@ TEST(HullDeterminism, ARollbackOf30TicksReplaysBitEqual) {
     for (int i = 0; i < 50; ++i)
         hull.step(SurfaceQuery(ocean.frame_at((i + 0.5) * step_s)), alone, step_s, hulls[1].inputs, workspace);
     EXPECT_TRUE(equal(alone, hulls[1].state));
+}
+
+/// A boat under way in waves, with all that it does to the water.
+struct Voyage {
+    Ocean ocean;
+    Hull hull{boat_mesh(6, 2.2, 1.2), {.mass_kg = 2000}};
+    std::vector<FloatingHull> hulls;
+    HullWake wake;
+    HullSpray thrown;
+    FloatingHulls jobs;
+    HullWorkspace workspace;
+    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a of the emitters
+    std::size_t droplets = 0;
+
+    explicit Voyage(Isa isa, const std::shared_ptr<Executor>& executor)
+        : ocean(rough, {.executor = executor,
+                        .isa = isa,
+                        .queries = true,
+                        .velocities = true,
+                        .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}}),
+          hulls(1, {.hull = &hull, .state = hull.at_rest(3, -2, 0.4)}),
+          wake(ocean.dynamic_waves(), hull, hulls[0].state),
+          thrown(hull),
+          jobs(executor) {
+        hulls[0].inputs = {.force = {.force_n = {9000, 0, 3000}}, .wake = &wake};
+        hulls[0].state.velocity_mps = {8, 0, 3};
+    }
+
+    void advance(int from, int to) {
+        for (int tick = from; tick < to; ++tick) {
+            ocean.schedule(tick * step_s);
+            const Frame& frame = ocean.complete();
+            FloatingHull& boat = hulls[0];
+            wake.press(frame, boat.state, boat.loads, step_s);
+            jobs.step(SurfaceQuery(frame), hulls, step_s);
+            thrown.update(SurfaceQuery(frame), boat.state, boat.loads, step_s, workspace, &wake);
+            for (const Disturbance& foam : thrown.foam()) ocean.dynamic_waves().add_impulse(foam);
+            droplets += thrown.emitters().size();
+            for (const SprayEmitter& emitter : thrown.emitters())
+                for (const double value :
+                     {emitter.time_s, emitter.x_m, emitter.y_m, emitter.z_m, emitter.velocity_x_mps,
+                      emitter.velocity_y_mps, emitter.velocity_z_mps, emitter.drop_mm, thrown.masses_kg()[0]})
+                    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+        }
+    }
+};
+
+TEST(HullDeterminism, SprayIsBitIdenticalOnEachInstructionSetAndThreadCount) {
+    const auto hash = [](Isa isa, const std::shared_ptr<Executor>& executor) {
+        Voyage voyage(isa, executor);
+        voyage.advance(0, is_sanitized ? 20 : 60);
+        EXPECT_GT(voyage.droplets, 20u);
+        return voyage.hash ^ hash_of(voyage.ocean.dynamic_waves().view());
+    };
+    const std::uint64_t expected = hash(isas_here().front(), make_serial_executor());
+    for (const Isa isa : isas_here())
+        for (const ExecutorKind& kind : executor_kinds())
+            EXPECT_EQ(hash(isa, kind.make(kind.threads)), expected) << name_of(isa) << kind.name;
+    if (!is_sanitized) {
+        EXPECT_EQ(expected, 14398630331780197938u)
+            << "the same from every compiler; a change of physics changes it, too";
+    }
+}
+
+TEST(HullDeterminism, SprayAndFoamReplay30TicksBitEqual) {
+    Voyage voyage(choose_isa(), make_thread_executor(2));
+    voyage.advance(0, 40);
+    voyage.ocean.schedule(40 * step_s);
+    voyage.ocean.complete();
+    const std::vector<std::uint8_t> waves = voyage.ocean.dynamic_waves().save_state();
+    const std::vector<FloatingHull> hulls = voyage.hulls;
+    const HullWake wake = voyage.wake;
+    const HullSpray thrown = voyage.thrown;
+    const auto replay = [&] {
+        voyage.hash = 0;
+        voyage.advance(40, 71);
+        return std::pair(voyage.hash, hash_of(voyage.ocean.dynamic_waves().view()));
+    };
+    const auto once = replay();
+    EXPECT_NE(once.first, 0u) << "it throws water";
+    voyage.ocean.dynamic_waves().restore_state(waves);
+    voyage.hulls = hulls;
+    voyage.wake = wake;
+    voyage.thrown = thrown;
+    EXPECT_EQ(replay(), once);
 }
 
 }  // namespace

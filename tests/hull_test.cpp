@@ -14,6 +14,7 @@
 
 #include "pelagic/floating/floating_hulls.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/hull_energy.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/still_water.hpp"
@@ -184,38 +185,6 @@ TEST(Hull, TerminalSpeedsBalanceDrag) {
     EXPECT_NEAR(under_way.velocity_mps.x, std::sqrt(4000 / (0.5 * density * (1.05 * 2 * 0.5 + 4e-3 * wet_m2))), 0.02);
 }
 
-/// Mechanical energy of a box in still water: kinetic with the added mass, weight, and the work
-/// that displaced the water, which is rho g times the integral of the depth over the submerged
-/// volume. The integral is a sum over columns along the box axis that is closest to vertical,
-/// independent of the mesh.
-double energy_j(const Hull& hull, const HullState& state, const glm::dvec3& size, const glm::dvec3& inertia) {
-    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
-    int along = 0;
-    for (int axis = 1; axis < 3; ++axis)
-        if (std::fabs(axes[axis].y) > std::fabs(axes[along].y)) along = axis;
-    const int a = (along + 1) % 3, b = (along + 2) % 3;
-    constexpr int columns = 100;
-    const double slope = std::fabs(axes[along].y), length = size[along];
-    double sum = 0;
-    for (int i = 0; i < columns; ++i)
-        for (int j = 0; j < columns; ++j) {
-            glm::dvec3 middle{};
-            middle[a] += ((i + 0.5) / columns - 0.5) * size[a];
-            middle[b] += ((j + 0.5) / columns - 0.5) * size[b];
-            const double lowest = state.position_m.y + (axes * middle).y - slope * length / 2;
-            const double wet = std::clamp(-lowest / slope, 0.0, length);
-            sum += wet * (-lowest - slope * wet / 2);
-        }
-    const double cell = size[a] * size[b] / (columns * columns);
-    const double displaced = density * gravity_mps2 * sum * cell;
-    const glm::dvec3 v = state.velocity_mps * axes, w = state.angular_velocity_radps * axes;
-    const double u[] = {v.x, v.y, v.z, w.x, w.y, w.z};
-    double kinetic = hull.mass_kg() / 2 * glm::dot(v, v) + glm::dot(inertia * w, w) / 2;
-    for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) kinetic += state.submersion * hull.added_mass()[i][j] * u[i] * u[j] / 2;
-    return kinetic + hull.mass_kg() * gravity_mps2 * state.position_m.y + displaced;
-}
-
 TEST(Hull, MechanicalEnergyFallsEachStep) {
     const glm::dvec3 size(4, 1, 2);
     const double mass = 0.4 * density * 8;
@@ -236,11 +205,11 @@ TEST(Hull, MechanicalEnergyFallsEachStep) {
         state.position_m.y = start.height_m;
         state.velocity_mps = start.velocity;
         state.angular_velocity_radps = start.spin;
-        double before = energy_j(hull, state, size, inertia);
+        double before = box_energy_j(hull, state, size, inertia);
         const double first = before;
         for (int i = 0; i < (is_sanitized ? 100 : 10000); ++i) {
             hull.step(water.query(), state, step_s, {}, workspace);
-            const double now = energy_j(hull, state, size, inertia);
+            const double now = box_energy_j(hull, state, size, inertia);
             // rounding of the sums of the energy itself
             ASSERT_LE(now, before + 1e-13 * first) << "step " << i;
             before = now;
@@ -248,7 +217,7 @@ TEST(Hull, MechanicalEnergyFallsEachStep) {
         if (is_sanitized) continue;
         // The energy of the box at rest remains, of weight and displaced water, within that of a
         // millimetre of lift.
-        EXPECT_NEAR(before, energy_j(hull, hull.at_rest(0, 0), size, inertia), 1e-3 * mass * gravity_mps2);
+        EXPECT_NEAR(before, box_energy_j(hull, hull.at_rest(0, 0), size, inertia), 1e-3 * mass * gravity_mps2);
     }
 }
 

@@ -33,7 +33,8 @@ PLUGINS = {"linux": ("Plugins/Linux/libpelagic_c.so", "x86-64", LINUX_LIBRARIES)
 PLATFORMS = {"linux": (("Editor: Editor", "CPU: x86_64", "OS: Linux"), ("Standalone: Linux64", "CPU: x86_64")),
              "windows": (("Editor: Editor", "CPU: x86_64", "OS: Windows"), ("Standalone: Win64", "CPU: x86_64")),
              "android": (("Android: Android", "CPU: ARM64"),)}
-IMPORTERS = {".cs": "MonoImporter", ".asmdef": "AssemblyDefinitionImporter", ".json": "PackageManifestImporter", ".md": "TextScriptImporter"}
+IMPORTERS = {".cs": "MonoImporter", ".asmdef": "AssemblyDefinitionImporter", ".json": "PackageManifestImporter", ".md": "TextScriptImporter",
+             ".hlsl": "ShaderIncludeImporter", ".shader": "ShaderImporter"}
 
 
 def functions_of_the_header():

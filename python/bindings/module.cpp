@@ -170,4 +170,5 @@ PYBIND11_MODULE(_pelagic, module) {
     OceanClass ocean = add_ocean_class(module);
     add_dynamic_waves(module, frame, ocean);
     add_shore(module, frame);
+    add_hulls(module);
 }

@@ -1,4 +1,4 @@
-// Optional parts of an ocean: dynamic waves, a shore, wave inputs.
+// Optional parts of an ocean: dynamic waves, a shore, wave inputs, floating hulls.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -50,5 +50,6 @@ class TakenInputs {
 void add_dynamic_waves(pybind11::module_& module, FrameClass& frame, OceanClass& ocean);
 void add_shore(pybind11::module_& module, FrameClass& frame);
 void add_inputs(pybind11::module_& module);
+void add_hulls(pybind11::module_& module);
 
 }  // namespace pelagic::python

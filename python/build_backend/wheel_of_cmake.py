@@ -32,7 +32,12 @@ def dependencies_of_project():
     return re.findall(r'"(.*?)"', re.search(r"^dependencies = \[(.*)\]$", table, re.MULTILINE).group(1))
 
 
-NAME, VERSION = field_of_project("name"), field_of_project("version")
+def version_of_header():
+    text = (SOURCE / "capi" / "pelagic.h").read_text("utf-8")
+    return ".".join(re.search(rf"PELAGIC_VERSION_{part} (\d+)", text).group(1) for part in ("MAJOR", "MINOR", "PATCH"))
+
+
+NAME, VERSION = field_of_project("name"), version_of_header()
 INFO = f"{NAME}-{VERSION}.dist-info"
 
 
@@ -104,7 +109,7 @@ def build_sdist(sdist_directory, config_settings=None):
     folder = f"{NAME}-{VERSION}"
     with tarfile.open(Path(sdist_directory) / f"{folder}.tar.gz", "w:gz", format=tarfile.PAX_FORMAT) as archive:
         for path in sorted(SOURCE.iterdir()):
-            if path.name not in (".git", "build", "out"):
+            if path.name not in (".git", "build", "dist", "out"):
                 archive.add(path, f"{folder}/{path.name}", filter=lambda entry: None if "__pycache__" in entry.name else entry)
         info = tarfile.TarInfo(f"{folder}/PKG-INFO")
         content = metadata().encode()

@@ -16,13 +16,13 @@ from typing import Mapping as _Mapping
 
 from ._explained import explain as _explain, nearest_hint as _nearest_hint
 from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions
-from ._pelagic import (Bounds, Cascade, DynamicWaves, DynamicWavesView, Frame, GerstnerInput, Ocean, RippleInput, ShoreSurface, StaleFrame,
-                       WaveInput, isas_here, preset_list as _preset_list, version as __version__)
+from ._pelagic import (Bodies, Bounds, Cascade, DynamicWaves, DynamicWavesView, Frame, GerstnerInput, Hull, HullState, Ocean, RippleInput,
+                       ShoreSurface, StaleFrame, WaveInput, isas_here, preset_list as _preset_list, version as __version__)
 from ._sea import Report, Sea
 
 __all__ = [
-    "AnalyticWave", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
-    "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "StaleFrame", "WaveInput",
+    "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
+    "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "StaleFrame", "WaveInput",
     "isas_here", "preset", "preset_summaries", "presets",
 ]
 
@@ -33,7 +33,7 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 #: A one-line summary of each preset.
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
 
-_explain(AnalyticWave, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Ocean, Rain, Ripple, RippleInput, Sea,
+_explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
          ShoreOptions)
 
 

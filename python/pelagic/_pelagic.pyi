@@ -489,6 +489,169 @@ class Ocean:
     def isa(self) -> str:
         """The instruction set in use."""
 
+class Hull:
+    """Mesh, mass and coefficients of hulls of one kind. Axes: x forward, y up, z to starboard. The
+    last properties are those of the hull upright at rest in still water; 0 if it sinks."""
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        triangles: ArrayLike,
+        mass_kg: float,
+        *,
+        centre_of_mass_m: Optional[ArrayLike] = None,
+        inertia_kgm2: Optional[ArrayLike] = None,
+        added_mass: Optional[ArrayLike] = None,
+        heave_damping: float = 0.2,
+        roll_damping: float = 0.05,
+        pressure_coefficient: float = 0.7,
+        suction_coefficient: float = 0.35,
+        friction_coefficient: float = 0.004,
+        air_coefficient: float = 1.0,
+        water_density_kgpm3: float = 1025.0,
+        air_density_kgpm3: float = 1.225,
+    ) -> None:
+        """Creates a hull from a closed mesh, wound counter-clockwise as seen from outside.
+
+        vertices    (n, 3), in metres; vertices at equal positions are merged
+        triangles   (m, 3), numbers of vertices, 4 to 4096 triangles
+        mass_kg     [1e-6, 1e10]
+        centre_of_mass_m  (3,), in the mesh's axes; None: the centre of its volume
+        inertia_kgm2  (3,), about axes through the centre of mass; None: of an even filling
+        added_mass  (6, 6), of surge, heave, sway, roll, yaw and pitch at rest; None: derived from
+                    the sizes of waterline and draught
+        heave_damping, roll_damping  fractions of critical damping; [0, 0.999]
+        pressure_coefficient, suction_coefficient  drag of advancing and retreating faces; [0, 10]
+        friction_coefficient  [0, 1]
+        air_coefficient  drag of faces above the water; [0, 10]
+        water_density_kgpm3, air_density_kgpm3  [500, 2000] and [0, 10]
+        """
+    @property
+    def volume_m3(self) -> float:
+        """The volume of the mesh."""
+    @property
+    def centre_m(self) -> Tuple[float, float, float]:
+        """The centre of the volume, in the mesh's axes."""
+    @property
+    def mass_kg(self) -> float:
+        """The mass."""
+    @property
+    def centre_of_mass_m(self) -> Tuple[float, float, float]:
+        """The centre of mass, in the mesh's axes."""
+    @property
+    def floats(self) -> bool:
+        """False if it is heavier than its volume of water."""
+    @property
+    def draught_m(self) -> float:
+        """The depth of the lowest vertex."""
+    @property
+    def height_m(self) -> float:
+        """The height of the centre of mass above the water."""
+    @property
+    def waterplane_m2(self) -> float:
+        """The area of the section at the water's surface."""
+    @property
+    def roll_gm_m(self) -> float:
+        """The metacentric height of roll."""
+    @property
+    def pitch_gm_m(self) -> float:
+        """The metacentric height of pitch."""
+    @property
+    def digest(self) -> int:
+        """A 64-bit hash of mesh, mass and coefficients: equal hulls move bit-identically."""
+    def at_rest(self, x_m: float, z_m: float, heading_rad: float = 0.0) -> HullState:
+        """Returns the state of the hull upright at rest in still water, with its x axis rotated
+        from +x towards +z by the heading."""
+
+class HullState:
+    """A rigid body in world axes, and what the water's forces depend on of the step before. A copy:
+    Bodies.set_state() applies changes."""
+
+    @property
+    def position_m(self) -> Tuple[float, float, float]:
+        """Position of the centre of mass."""
+    @position_m.setter
+    def position_m(self, value: Tuple[float, float, float]) -> None: ...
+    @property
+    def orientation(self) -> Tuple[float, float, float, float]:
+        """Unit quaternion x, y, z, w: world from hull."""
+    @orientation.setter
+    def orientation(self, value: Tuple[float, float, float, float]) -> None: ...
+    @property
+    def velocity_mps(self) -> Tuple[float, float, float]:
+        """Velocity of the centre of mass."""
+    @velocity_mps.setter
+    def velocity_mps(self, value: Tuple[float, float, float]) -> None: ...
+    @property
+    def angular_velocity_radps(self) -> Tuple[float, float, float]:
+        """Angular velocity, in world axes."""
+    @angular_velocity_radps.setter
+    def angular_velocity_radps(self, value: Tuple[float, float, float]) -> None: ...
+
+class HullLoads(TypedDict):
+    """Forces of water and air on a body, and torques about its centre of mass, in world axes. The
+    total leaves out weight and inputs."""
+
+    total_force_n: Tuple[float, float, float]
+    total_torque_nm: Tuple[float, float, float]
+    pressure_force_n: Tuple[float, float, float]  #: of the water's weight and acceleration
+    pressure_torque_nm: Tuple[float, float, float]
+    added_mass_force_n: Tuple[float, float, float]  #: added mass times the water's acceleration
+    added_mass_torque_nm: Tuple[float, float, float]
+    drag_force_n: Tuple[float, float, float]  #: drag, radiation damping and air
+    drag_torque_nm: Tuple[float, float, float]
+    slamming_force_n: Tuple[float, float, float]
+    slamming_torque_nm: Tuple[float, float, float]
+    displaced_m3: float
+    submersion: float  #: displaced over floating volume, at most 1
+    water_height_m: float  #: of the surface at the centre of mass
+    water_slope: Tuple[float, float]  #: along x and z
+    water_velocity_mps: Tuple[float, float, float]
+
+class Bodies:
+    """A set of hulls that float in an ocean's water. With wakes they press on its dynamic waves,
+    and float on the waves of others. A tick is frame = ocean.complete(), press(frame, tick_s),
+    ocean.schedule(next_s), step(frame, tick_s)."""
+
+    def __init__(self, ocean: Ocean, wakes: bool = False, threads: int = 0) -> None:
+        """Creates an empty set.
+
+        ocean       needs queries and velocities, and for wakes dynamic_waves
+        wakes       bodies press on the dynamic waves
+        threads     maximum threads of a step, including the calling thread; 0: one per core
+        """
+    def add(self, hull: Hull, state: HullState) -> int:
+        """Adds a body without inputs. Returns its number, which is never reused."""
+    def remove(self, number: int) -> None:
+        """Does nothing if there is no body of that number."""
+    def set_inputs(
+        self,
+        number: int,
+        force_n: ArrayLike = (0.0, 0.0, 0.0),
+        torque_nm: ArrayLike = (0.0, 0.0, 0.0),
+        wind_mps: ArrayLike = (0.0, 0.0, 0.0),
+    ) -> None:
+        """Sets what else acts on a body from now on: engines, tow lines and contacts, about the
+        centre of mass in world axes, and the wind."""
+    def state(self, number: int) -> HullState:
+        """Returns a copy of a body's state."""
+    def set_state(self, number: int, state: HullState) -> None:
+        """Replaces a body's state."""
+    def loads(self, number: int) -> HullLoads:
+        """Returns the loads of a body in the last step."""
+    def press(self, frame: Frame, tick_s: float) -> None:
+        """Moves the pressures of wakes to the bodies; tick_s in (0, 0.1]. Call it between
+        complete() and schedule(). Does nothing without wakes."""
+    def step(self, frame: Frame, step_s: float) -> None:
+        """Advances all bodies by a step, (0, 0.1] s, in the water of the frame completed last.
+        Other threads run meanwhile. Results do not depend on the number of threads."""
+    def save_state(self) -> bytes:
+        """Returns everything that later steps depend on. Call it like DynamicWaves.save_state(),
+        before the first command of a tick."""
+    def restore_state(self, saved: bytes) -> None:
+        """Continues from a saved state, whose hulls were added to this set. With wakes, restore the
+        dynamic waves first. A frame of the saved time shows its water again."""
+
 def isas_here() -> List[str]:
     """Returns the instruction sets that this processor supports, weakest first."""
 
@@ -502,6 +665,7 @@ def check_shore_options(options: ShoreOptions) -> None: ...
 def analytic_wave_fields() -> List[Tuple[str, float, str]]: ...
 def disturbance_fields() -> List[Tuple[str, float, str]]: ...
 def dynamic_waves_fields() -> List[Tuple[str, float, str]]: ...
+def hull_fields() -> List[Tuple[str, float, str]]: ...
 def rain_fields() -> List[Tuple[str, float, str]]: ...
 def ripple_fields() -> List[Tuple[str, float, str]]: ...
 def shore_fields() -> List[Tuple[str, float, str]]: ...

@@ -269,6 +269,7 @@ void DynamicWaveGrid::foam_rows(std::size_t first_row) {
          .fade = static_cast<int>((ticks_ + 1) * foam_fade_per_s / rate - ticks_ * foam_fade_per_s / rate),
          .foam = foam_.data(),
          .has_foam = has_foam_.data()});
+    sources_.foam_rows(placement_, first_row, rows_an_item, threshold, {foam_.data(), has_foam_.data()});
 }
 
 void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {

@@ -138,8 +138,8 @@ SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturb
 Disturbance disturbance_of(const SavedSource& saved) {
     if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
         throw std::invalid_argument(invalid_value_message("a saved source's shape", saved.shape, "0 or 1"));
-    if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::impulse))
-        throw std::invalid_argument(invalid_value_message("a saved source's mode", saved.mode, "0, 1 or 2"));
+    if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::foam))
+        throw std::invalid_argument(invalid_value_message("a saved source's mode", saved.mode, "0 to 3"));
     const Disturbance source = {.shape = static_cast<Disturbance::Shape>(saved.shape),
                                 .mode = static_cast<Disturbance::Mode>(saved.mode),
                                 .x_m = saved.x,
@@ -368,6 +368,7 @@ void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t f
                     tick_before[texel] += shape;
                 });
                 break;
+            case Disturbance::Mode::foam: break;  // foam_rows()
         }
     }
     rain_.push_rows(placement, tick_, first_row, rows, heights);
@@ -381,6 +382,22 @@ void DynamicWaveSources::lift_rows(const GridPlacement& placement, std::size_t f
         for_texels(splash, placement, first_row, rows, [=](std::size_t texel, float shape, float) {
             now[texel] += shape;
             if (before) before[texel] += shape;
+        });
+    }
+}
+
+void DynamicWaveSources::foam_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                                   float threshold, FoamPlane to) const {
+    const auto n = static_cast<std::size_t>(placement.resolution());
+    const std::size_t stride = dynamic_row_stride(n);
+    for (const Splash& splash : splashes_) {
+        if (splash.of.mode != Disturbance::Mode::foam) continue;
+        for_texels(splash, placement, first_row, rows, [&](std::size_t texel, float shape, float) {
+            const float above = std::clamp((shape - threshold) / threshold, 0.f, 1.f);
+            const std::size_t row = texel / stride;
+            std::uint8_t& foam = to.foam[row * n + texel % stride];
+            foam = std::max(foam, static_cast<std::uint8_t>(255 * above));
+            to.has_foam[row] = static_cast<std::uint8_t>(to.has_foam[row] | foam);
         });
     }
 }

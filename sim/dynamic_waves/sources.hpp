@@ -53,6 +53,14 @@ class DynamicWaveSources {
                    HeightPlanes heights) const;
     void lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
                    HeightPlanes heights) const;
+    /// Adds the foam of disturbances to rows of the torus, after that of waves.
+    /// \param threshold  DynamicWavesOptions::foam_height_m
+    struct FoamPlane {
+        std::uint8_t* foam;
+        std::uint8_t* has_foam;  ///< by row; 0: none
+    };
+    void foam_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows, float threshold,
+                   FoamPlane to) const;
     void end_tick();
 
     /// Saves sources, waiting impulses and rain as bytes.

@@ -299,6 +299,15 @@ struct CellPlaces {
     float *u, *v;
 };
 
+/// Places positions on the grid of a cascade.
+struct SplitPositionsJob {
+    const double *x, *z;   ///< world positions \pre at most 2^50 texels from the origin
+    double along, across;  ///< texels per unit of x: along the grid's x axis, and across it
+    std::int32_t resolution;
+    std::size_t count;  ///< a multiple of W
+    CellPlaces out;     ///< u and v are in [0, 1]; aliases no input
+};
+
 /// Computes the reference position of each given world position: the q of q + D(q) = p, where D is
 /// bilinear or cubic between texels. Uses Newton steps with the slopes of the cell. Far from the
 /// solution or near a fold it uses the fixed-point step q - (q + D(q) - p). A lane within `target`
@@ -459,6 +468,7 @@ struct Kernels {
     void (*snapshot)(const SnapshotJob&);
     void (*halve_snapshots)(const HalveSnapshotsJob&);
     void (*find_folds)(const FindFoldsJob&);
+    void (*split_positions)(const SplitPositionsJob&);
     ByInterpolation<InvertSurfaceJob> invert_surface;
     ByInterpolation<SampleSurfaceJob> sample_surface;
     void (*find_contraction)(const FindContractionJob&);

@@ -14,6 +14,7 @@
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/inputs.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/kernels/positions.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
 #include "pelagic/sim/kernels/snapshots.kernel.hpp"
@@ -44,6 +45,7 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::snapshot<xsimd::PELAGIC_ISA_ARCH>,
     kernels::halve_snapshots<xsimd::PELAGIC_ISA_ARCH>,
     kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::split_positions<xsimd::PELAGIC_ISA_ARCH>,
     {kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
     {kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,

@@ -314,12 +314,17 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         if (out.normal_x) {
             const V half_along = weight.of(V(0.5f * cascade.along)),
                     half_across = weight.of(V(0.5f * cascade.across));
-            CellSurroundings<Arch> around[3];
-            CellReader<Arch>(texels, place.x, place.z)
-                .read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
-            dx.add(at_place.slopes(around[0]), weight, half_along, half_across);
-            height.add(at_place.slopes(around[1]), weight, half_along, half_across);
-            dz.add(at_place.slopes(around[2]), weight, half_along, half_across);
+            const auto add = [&](const auto& cell) PELAGIC_INLINE_LAMBDA {
+                CellSurroundings<Arch> around[3];
+                cell.read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
+                dx.add(at_place.slopes(around[0]), weight, half_along, half_across);
+                height.add(at_place.slopes(around[1]), weight, half_along, half_across);
+                dz.add(at_place.slopes(around[2]), weight, half_along, half_across);
+            };
+            if (SharedCell<Arch>::is_shared(place.x, place.z))
+                add(SharedCell<Arch>(texels, place.x, place.z));
+            else
+                add(CellReader<Arch>(texels, place.x, place.z));
         } else if (out.height) {
             V values[1];
             at_place.read(texels, place.x, place.z, {cascade.surface.height}, values);

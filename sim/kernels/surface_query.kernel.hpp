@@ -20,7 +20,8 @@ class TexelPlaces {
 
    public:
     explicit TexelPlaces(const SurfaceTexels& surface)
-        : last_(I(surface.resolution - 1)),
+        : surface_(surface),
+          last_(I(surface.resolution - 1)),
           in_block_(I(surface.block_columns - 1)),
           row_stride_(I(surface.row_stride)),
           block_stride_(I(surface.block_stride)),
@@ -32,7 +33,17 @@ class TexelPlaces {
     }
     PELAGIC_INLINE I row(I j) const { return (j & last_) * row_stride_; }
 
+    PELAGIC_INLINE std::uint32_t column(std::int32_t i) const {
+        const std::int32_t wrapped = i & (surface_.resolution - 1);
+        return static_cast<std::uint32_t>((wrapped >> surface_.block_shift) * surface_.block_stride +
+                                          (wrapped & (surface_.block_columns - 1)));
+    }
+    PELAGIC_INLINE std::uint32_t row(std::int32_t j) const {
+        return static_cast<std::uint32_t>((j & (surface_.resolution - 1)) * surface_.row_stride);
+    }
+
    private:
+    const SurfaceTexels& surface_;
     I last_, in_block_, row_stride_, block_stride_;
     int block_shift_;
 };
@@ -87,6 +98,44 @@ class CellGather {
 template <class Arch>
 struct CellSurroundings {
     xsimd::batch<float, Arch> at[4][4];
+};
+
+/// Reads the texels around a cell that is the same in all lanes: one load fills a register.
+/// Neighbouring points often share a cell, above all in cascades with large texels.
+template <class Arch>
+class SharedCell {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE static bool is_shared(I x, I z) { return xsimd::all((x == I(x.get(0))) & (z == I(z.get(0)))); }
+
+    /// \pre is_shared(x, z)
+    PELAGIC_INLINE SharedCell(const TexelPlaces<Arch>& places, I x, I z) {
+        for (std::int32_t k = 0; k < 4; ++k) {
+            columns_[k] = places.column(x.get(0) + k - 1);
+            rows_[k] = places.row(z.get(0) + k - 1);
+        }
+    }
+
+    template <std::size_t Planes>
+    PELAGIC_INLINE void corners(const float* const (&planes)[Planes], Corners<Arch> (&corners)[Planes]) const {
+        for (std::size_t p = 0; p < Planes; ++p)
+            corners[p] = {at(planes[p], 1, 1), at(planes[p], 1, 2), at(planes[p], 2, 1), at(planes[p], 2, 2)};
+    }
+    template <std::size_t Planes>
+    PELAGIC_INLINE void read(const float* const (&planes)[Planes], CellSurroundings<Arch> (&texels)[Planes]) const {
+        for (std::size_t p = 0; p < Planes; ++p)
+            for (int row = 0; row < 4; ++row)
+                for (int column = 0; column < 4; ++column) texels[p].at[row][column] = at(planes[p], row, column);
+    }
+
+   private:
+    PELAGIC_INLINE V at(const float* plane, int row, int column) const {
+        return V(plane[rows_[row] + columns_[column]]);
+    }
+
+    std::uint32_t columns_[4], rows_[4];
 };
 
 /// Value of one plane inside a cell, and its slopes along both axes per two texels.
@@ -275,8 +324,10 @@ class LinearCells {
 
    public:
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
-        const CellGather<Arch> cell(places, x, z);
-        cell.corners({surface.dx, surface.dz}, texels_);
+        if (SharedCell<Arch>::is_shared(x, z))
+            SharedCell<Arch>(places, x, z).corners({surface.dx, surface.dz}, texels_);
+        else
+            CellGather<Arch>(places, x, z).corners({surface.dx, surface.dz}, texels_);
     }
     PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const { return {texels_[0], u, v, texels_per_m}; }
     PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const { return {texels_[1], u, v, texels_per_m}; }
@@ -293,7 +344,10 @@ class CubicCells {
 
    public:
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
-        CellReader<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
+        if (SharedCell<Arch>::is_shared(x, z))
+            SharedCell<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
+        else
+            CellReader<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
     }
     PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const {
         return {CubicPlace<Arch>(u, v).slopes(texels_[0]), texels_per_m};

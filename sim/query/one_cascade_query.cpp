@@ -78,12 +78,18 @@ OneCascadeQuery::OneCascadeQuery(const Frame& frame, const Kernels& kernels, con
       target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {}
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
-    const int resolution = cascade_.resolution();
-    PointChunk::World& world = chunk.world[0];
+    alignas(64) double x[PointChunk::capacity], z[PointChunk::capacity];
     for (std::size_t i = 0; i < chunk.padded; ++i) {
-        split_place(chunk.x[i] / texel_m_, resolution, world.cell_x[i], world.u[i]);
-        split_place(chunk.z[i] / texel_m_, resolution, world.cell_z[i], world.v[i]);
+        x[i] = chunk.x[i] / texel_m_;
+        z[i] = chunk.z[i] / texel_m_;
     }
+    kernels_.split_positions({.x = x,
+                              .z = z,
+                              .along = 1,
+                              .across = 0,
+                              .resolution = cascade_.resolution(),
+                              .count = chunk.padded,
+                              .out = chunk.world[0].places()});
 }
 
 void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {

@@ -1,7 +1,6 @@
 // Positions of a batch that the kernels process together.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,23 +18,6 @@ inline constexpr double max_texels_away = 0x1p50;
 inline std::int64_t floor_of(double x) {
     const auto cut = static_cast<std::int64_t>(x);
     return cut - (static_cast<double>(cut) > x);
-}
-
-/// Splits a coordinate along an axis into a cell of the cascade and the position in the cell. Uses
-/// only sums and bit operations, which compilers vectorize.
-/// \param texels  coordinate, in texels \pre |texels| <= max_texels_away
-/// \param within  position in the cell, in [0, 1]
-inline void split_place(double texels, int resolution, std::int32_t& cell, float& within) {
-    // So large that a double has no fraction, and that its lowest bits are a whole number.
-    constexpr double whole = 0x1.8p52;
-    const double shifted = texels + whole;
-    // The difference from the nearest whole number; never -0.
-    const double beyond = texels - (shifted - whole) + 0.0;
-    const std::uint64_t is_below = std::bit_cast<std::uint64_t>(beyond) >> 63;
-    const double one_if_below = std::bit_cast<double>((0 - is_below) & std::bit_cast<std::uint64_t>(1.0));
-    const auto last = static_cast<std::uint64_t>(resolution - 1);
-    cell = static_cast<std::int32_t>((std::bit_cast<std::uint64_t>(shifted) - is_below) & last);
-    within = static_cast<float>(beyond + one_if_below);
 }
 
 /// Lives on the stack. The 8 KB that one cascade uses fit the first-level cache.

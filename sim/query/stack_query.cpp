@@ -48,13 +48,13 @@ void StackQuery::place(PointChunk& chunk) const {
         }
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const SearchCascade& cascade = search_cascades_[t];
-        const int resolution = cascade.texels.resolution;
-        PointChunk::World& world = chunk.world[t];
-        for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const double x = chunk.x[i], z = chunk.z[i];
-            split_place(cascade.along * x + cascade.across * z, resolution, world.cell_x[i], world.u[i]);
-            split_place(cascade.along * z - cascade.across * x, resolution, world.cell_z[i], world.v[i]);
-        }
+        kernels_.split_positions({.x = chunk.x,
+                                  .z = chunk.z,
+                                  .along = cascade.along,
+                                  .across = cascade.across,
+                                  .resolution = cascade.texels.resolution,
+                                  .count = chunk.padded,
+                                  .out = chunk.world[t].places()});
     }
 }
 

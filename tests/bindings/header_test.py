@@ -18,6 +18,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "tools/bindings"))
 sys.dont_write_bytecode = True
 
+import abi  # noqa: E402
 import c_header  # noqa: E402
 import c_layout  # noqa: E402
 import header as generator  # noqa: E402
@@ -68,6 +69,29 @@ class Parser(unittest.TestCase):
     def test_a_moved_field_is_a_difference(self):
         self.header.struct("pelagic_sea").fields.reverse()
         self.assertIn("pelagic_sea.wind_speed_mps", "".join(c_layout.differences(self.compiled, c_layout.read_layout(self.header))))
+
+
+class FrozenInterface(unittest.TestCase):
+    def setUp(self):
+        self.header, self.stored = generator.read_pelagic_header(), generator.ABI.read_text()
+
+    def breaks(self, layout):
+        return list(abi.breaks(self.stored, abi.write(self.header, layout)))
+
+    def test_is_kept(self):
+        self.assertEqual(self.breaks(compiled()), [])
+
+    def test_a_new_field_at_the_end_keeps_it(self):
+        self.assertEqual(self.breaks(compiled() | {"pelagic_sea": compiled()["pelagic_sea"] + 8}), [])
+
+    def test_other_changes_break_it(self):
+        for name, number in (("pelagic_sea", 8), ("pelagic_sea.wind_speed_mps", 0), ("PELAGIC_OUT_OF_MEMORY", 77)):
+            self.assertEqual(len(self.breaks(compiled() | {name: number})), 1, name)
+        self.header.functions = [f for f in self.header.functions if f.name != "pelagic_ocean_query"]
+        self.assertEqual(len([line for line in self.breaks(compiled()) if line.startswith("pelagic_status pelagic_ocean_query(")]), 1)
+
+    def test_experimental_functions_are_left_out(self):
+        self.assertEqual([f.name for f in self.header.functions if f.is_experimental and f"{f.name}(" in self.stored], [])
 
 
 class PythonLayouts(unittest.TestCase):

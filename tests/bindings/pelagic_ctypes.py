@@ -522,6 +522,114 @@ class pelagic_hit(ctypes.Structure):
     ]
 
 
+class pelagic_hull_mesh(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("vertex_count", c_size_t),
+        ("vertices_m", POINTER(c_double)),
+        ("triangle_count", c_size_t),
+        ("triangles", POINTER(c_uint32)),
+    ]
+
+
+class pelagic_hull_options(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("mass_kg", c_double),
+        ("centre_of_mass_m", POINTER(c_double)),
+        ("inertia_kgm2", POINTER(c_double)),
+        ("added_mass", POINTER(c_double)),
+        ("heave_damping", c_double),
+        ("roll_damping", c_double),
+        ("pressure_coefficient", c_double),
+        ("suction_coefficient", c_double),
+        ("friction_coefficient", c_double),
+        ("air_coefficient", c_double),
+        ("water_density_kgpm3", c_double),
+        ("air_density_kgpm3", c_double),
+    ]
+
+
+class pelagic_hull_info(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("floats", c_int32),
+        ("volume_m3", c_double),
+        ("centre_m", c_double * 3),
+        ("minimum_m", c_double * 3),
+        ("maximum_m", c_double * 3),
+        ("mass_kg", c_double),
+        ("centre_of_mass_m", c_double * 3),
+        ("draught_m", c_double),
+        ("height_m", c_double),
+        ("waterplane_m2", c_double),
+        ("roll_gm_m", c_double),
+        ("pitch_gm_m", c_double),
+        ("digest", c_uint64),
+        ("vertex_count", c_int32),
+        ("triangle_count", c_int32),
+    ]
+
+
+class pelagic_hull_state(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("has_previous_step", c_int32),
+        ("position_m", c_double * 3),
+        ("orientation", c_double * 4),
+        ("velocity_mps", c_double * 3),
+        ("angular_velocity_radps", c_double * 3),
+        ("water_velocity_y_mps", c_double),
+        ("water_rotation_radps", c_double * 3),
+        ("submersion", c_double),
+    ]
+
+
+class pelagic_hull_force(ctypes.Structure):
+    _fields_ = [
+        ("force_n", c_double * 3),
+        ("torque_nm", c_double * 3),
+    ]
+
+
+class pelagic_hull_inputs(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("force", pelagic_hull_force),
+        ("wind_mps", c_double * 3),
+    ]
+
+
+class pelagic_hull_loads(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("total", pelagic_hull_force),
+        ("pressure", pelagic_hull_force),
+        ("added_mass", pelagic_hull_force),
+        ("drag", pelagic_hull_force),
+        ("slamming", pelagic_hull_force),
+        ("displaced_m3", c_double),
+        ("submersion", c_double),
+        ("water_height_m", c_double),
+        ("water_slope_x", c_double),
+        ("water_slope_z", c_double),
+        ("water_velocity_mps", c_double * 3),
+        ("water_acceleration_mps2", c_double * 3),
+    ]
+
+
+class pelagic_bodies_options(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("wakes", c_int32),
+        ("executor", c_void_p),
+    ]
+
+
 STRUCTS = [
     pelagic_sea,
     pelagic_statistics,
@@ -552,6 +660,14 @@ STRUCTS = [
     pelagic_samples,
     pelagic_ray,
     pelagic_hit,
+    pelagic_hull_mesh,
+    pelagic_hull_options,
+    pelagic_hull_info,
+    pelagic_hull_state,
+    pelagic_hull_force,
+    pelagic_hull_inputs,
+    pelagic_hull_loads,
+    pelagic_bodies_options,
 ]
 FUNCTIONS = {
     "pelagic_version": (c_uint32, []),
@@ -611,6 +727,25 @@ FUNCTIONS = {
     "pelagic_input_destroy": (None, [c_void_p]),
     "pelagic_ocean_query": (c_int32, [c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples)]),
     "pelagic_ocean_first_hit": (c_int32, [c_void_p, POINTER(pelagic_ray), POINTER(pelagic_hit)]),
+    "pelagic_hull_defaults": (c_int32, [POINTER(pelagic_hull_options)]),
+    "pelagic_hull_create": (c_int32, [POINTER(pelagic_hull_mesh), POINTER(pelagic_hull_options), POINTER(c_void_p)]),
+    "pelagic_hull_destroy": (None, [c_void_p]),
+    "pelagic_hull_describe": (c_int32, [c_void_p, POINTER(pelagic_hull_info)]),
+    "pelagic_hull_at_rest": (c_int32, [c_void_p, c_double, c_double, c_double, POINTER(pelagic_hull_state)]),
+    "pelagic_hull_compute_loads": (c_int32, [c_void_p, c_void_p, POINTER(pelagic_hull_state), c_double, POINTER(pelagic_hull_inputs), POINTER(pelagic_hull_loads)]),
+    "pelagic_hull_accelerate": (c_int32, [c_void_p, c_void_p, POINTER(pelagic_hull_state), c_double, POINTER(pelagic_hull_inputs), POINTER(pelagic_hull_loads)]),
+    "pelagic_bodies_create": (c_int32, [c_void_p, POINTER(pelagic_bodies_options), POINTER(c_void_p)]),
+    "pelagic_bodies_destroy": (None, [c_void_p]),
+    "pelagic_bodies_add": (c_int32, [c_void_p, c_void_p, POINTER(pelagic_hull_state), POINTER(c_uint32)]),
+    "pelagic_bodies_remove": (c_int32, [c_void_p, c_uint32]),
+    "pelagic_bodies_set_inputs": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_inputs)]),
+    "pelagic_bodies_set_state": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_state)]),
+    "pelagic_bodies_get_state": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_state)]),
+    "pelagic_bodies_get_loads": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_loads)]),
+    "pelagic_bodies_press": (c_int32, [c_void_p, c_double]),
+    "pelagic_bodies_step": (c_int32, [c_void_p, c_double]),
+    "pelagic_bodies_save_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t, POINTER(c_size_t)]),
+    "pelagic_bodies_restore_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t]),
 }
 
 

@@ -13,7 +13,8 @@ import pytest
 from pelagic import _pelagic
 
 PACKAGE = Path(pelagic.__file__).parent
-CLASSES = ("Bounds", "Cascade", "DynamicWaves", "DynamicWavesView", "Frame", "GerstnerInput", "Ocean", "RippleInput", "ShoreSurface", "WaveInput")
+CLASSES = ("Bodies", "Bounds", "Cascade", "DynamicWaves", "DynamicWavesView", "Frame", "GerstnerInput", "Hull", "HullState", "Ocean", "RippleInput",
+           "ShoreSurface", "WaveInput")
 
 
 def docstrings_of_fields(cls):
@@ -27,6 +28,11 @@ def test_a_sea_has_the_fields_and_defaults_of_the_library():
     assert {name: here.pop(name) for name in ("waves", "spectrum", "spreading")} == {
         "waves": "spectrum", "spectrum": "jonswap", "spreading": "paper"}
     assert here == {name: default for name, default, _ in _pelagic.sea_fields()}
+
+
+def test_a_hull_has_the_defaults_of_the_library():
+    here = {name: parameter.default for name, parameter in inspect.signature(pelagic.Hull).parameters.items()}
+    assert {name: default for name, default, _ in _pelagic.hull_fields() if name != "mass_kg"}.items() <= here.items()
 
 
 def test_each_field_documents_its_range():
@@ -57,7 +63,7 @@ def members(cls):
 
 def test_the_stub_has_the_names_of_the_module():
     stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
-    only_types = {"SurfaceSamples", "Hits", "UndisplacedSamples"}
+    only_types = {"SurfaceSamples", "Hits", "HullLoads", "UndisplacedSamples"}
     named = {part.name for part in stub.body if isinstance(part, (ast.ClassDef, ast.FunctionDef))} - only_types | {"version"}
     assert named == {name for name in dir(_pelagic) if not name.startswith("__")}
     for part in stub.body:

@@ -24,6 +24,9 @@ def heights(sea: pelagic.Sea) -> NDArray[np.float32]:
         ocean.dynamic_waves.remove_source(boat)
         depths: NDArray[np.float32] = ocean.frame_at(1).shore.depth_m
         print(depths.shape, ocean.frame_at(2).dynamic_waves.hash + 1)
+        bodies, hull = pelagic.Bodies(ocean, wakes=True), pelagic.Hull(np.zeros((8, 3)), [[0, 1, 2]], 90)
+        body: int = bodies.add(hull, hull.at_rest(0, 0, heading_rad=1))
+        bodies.step(ocean.frame_at(3), bodies.state(body).position_m[1] + bodies.loads(body)["displaced_m3"])
     with pelagic.Ocean(sea, threads=1, isa="sse4.2") as ocean:
         frame: pelagic.Frame = ocean.frame_at(1)
         halves: NDArray[np.float16] = frame.cascades[0].displacement
@@ -36,7 +39,8 @@ check right.py
 lines=('pelagic.Sea(wind_speed=9)' 'pelagic.Sea(wind_speed_mps="9")' 'pelagic.preset("rough").seed = 2' 'pelagic.Ocean(pelagic.Sea(), query=True)'
        'pelagic.Ocean(pelagic.Sea()).frame_at("now")' 'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]], fields=["depth"])'
        'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]])["depth"]'
-       'pelagic.Disturbance(radius=2)' 'pelagic.Ocean(pelagic.Sea(), inputs=[3])' 'pelagic.Ocean(pelagic.Sea()).dynamic_waves.add_impulse(3)')
+       'pelagic.Disturbance(radius=2)' 'pelagic.Ocean(pelagic.Sea(), inputs=[3])' 'pelagic.Ocean(pelagic.Sea()).dynamic_waves.add_impulse(3)'
+       'pelagic.Bodies(None)')
 for line in "${lines[@]}"; do
   printf 'import pelagic\n%s\n' "$line" >wrong.py
   if check wrong.py >said; then echo "$line is taken" && exit 1; fi

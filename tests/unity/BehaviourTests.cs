@@ -8,11 +8,11 @@ using UnityEngine;
 
 public static class BehaviourTests
 {
-    private static void Send(OceanBehaviour behaviour, string message)
+    public static void Send(MonoBehaviour behaviour, string message)
     {
         try
         {
-            typeof(OceanBehaviour).GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(behaviour, null);
+            behaviour.GetType().GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(behaviour, null);
         }
         catch (TargetInvocationException exception)
         {
@@ -27,7 +27,7 @@ public static class BehaviourTests
             var side = cascade.Resolution >> level;
             if (!MemoryMarshal.AsBytes(chain.Slice(cascade.LevelOffset(level), side * side)).SequenceEqual(texture.Levels[(level, slice)])) return false;
         }
-        return texture.Levels.Count(entry => entry.Key.slice == slice) == cascade.Levels;
+        return texture.Levels.Count(entry => entry.Key.Item2 == slice) == cascade.Levels;
     }
 
     [Test]
@@ -35,6 +35,7 @@ public static class BehaviourTests
     {
         var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32 };
         UnityEngine.Time.timeAsDouble = 2;
+        UnityEngine.Object.Destroyed.Clear();
         Send(behaviour, "OnEnable");
         for (var update = 1; update <= 3; ++update)
         {
@@ -47,7 +48,11 @@ public static class BehaviourTests
                 Check.True(MemoryMarshal.AsBytes(cascade.DisplacementRgba16f).SequenceEqual(behaviour.Displacement.Levels[(0, i)]), "displacement");
                 Check.True(AreEqual(cascade.SlopesRgba8, cascade, behaviour.Slopes, i), "slopes");
                 Check.True(AreEqual(cascade.MomentsRgba8, cascade, behaviour.Moments, i), "moments");
+                for (var image = 0; i < 3 && image < 2; ++image)
+                    Check.True(AreEqual(cascade.SnapshotsRgba8(image), cascade, behaviour.Snapshots, 3 * image + i), "snapshots");
             }
+            // Frames of 1/72 s: the snapshots do not change in each.
+            Check.True(behaviour.Snapshots.Applied >= 1 && behaviour.Snapshots.Applied <= 2, "uploads of snapshots");
             foreach (var texture in new[] { behaviour.Displacement, behaviour.Slopes, behaviour.Moments })
             {
                 Check.Equal(texture.Applied, update, "calls of Apply(false)");
@@ -61,7 +66,7 @@ public static class BehaviourTests
         Ocean ocean = behaviour.Ocean;
         Send(behaviour, "OnDisable");
         Check.Throws<ObjectDisposedException>(() => ocean.Schedule(0), "the ocean of a disabled component");
-        Check.Equal(UnityEngine.Object.Destroyed.Count, 3, "destroyed textures");
+        Check.Equal(UnityEngine.Object.Destroyed.Count, 4, "destroyed textures");
         Send(behaviour, "OnEnable");
         Send(behaviour, "Update");
         Send(behaviour, "OnDisable");

@@ -22,9 +22,9 @@ public static class LayoutTests
     private static string FieldOf(Type type, string name)
     {
         var names = type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).Select(field => field.Name).ToArray();
-        var unit = name.EndsWith("_m") ? "M" : "";
-        var vector = Pascal(unit == "" ? name : name.Substring(0, name.Length - 2)) + "X" + unit;
-        return new[] { name, Pascal(name), name + "_0", vector }.FirstOrDefault(names.Contains)
+        var unit = Math.Max(name.LastIndexOf('_'), 0);
+        var vector = Pascal(name.Substring(0, unit)) + "X" + Pascal(name.Substring(unit));
+        return new[] { name, Pascal(name), name + "_0", Pascal(name) + "X", vector }.FirstOrDefault(names.Contains)
             ?? throw new Exception($"{type.Name} has no {name}");
     }
 

@@ -55,7 +55,8 @@ class Package(unittest.TestCase):
                      "Samples~/FrameLoop/FrameLoop.cs", "Documentation~/pelagic.md"):
             self.assertIn(name, names)
         manifest = json.loads(names["package.json"])
-        project = re.search(r"project\(pelagic VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
+        defined = dict(re.findall(r"#define PELAGIC_VERSION_(\w+) (\d+)", (SOURCE / "capi/pelagic.h").read_text()))
+        project = f"{defined['MAJOR']}.{defined['MINOR']}.{defined['PATCH']}"
         self.assertEqual((manifest["name"], manifest["version"], manifest["unity"]), ("com.pelagic.ocean", project, "2022.3"))
         for sample in manifest["samples"]:
             self.assertTrue(any(name.startswith(sample["path"] + "/") for name in names))

@@ -73,7 +73,7 @@ export const hashes: (string | undefined)[] = [ocean.frameAt(0).dynamicWaves?.ha
 });
 
 test('the tarball has the files of the package only', () => {
-  const files = run('tar', ['tzf', join(source, 'build', 'pelagic-0.1.0.tgz')]).trim().split('\n').sort();
+  const files = run('tar', ['tzf', join(source, 'build', 'pelagic-1.0.0.tgz')]).trim().split('\n').sort();
   assert.deepEqual(files.filter((file) => !/^package\/(\w+\.(js|d\.ts)|examples\/three\/.*|wasm\/ocean(-threads)?(\.worker)?\.(js|wasm))$/.test(file)),
                    ['package/LICENSE', 'package/NOTICE', 'package/README.md', 'package/package.json']);
   for (const name of ['ocean.js', 'ocean.wasm', 'ocean-threads.js', 'ocean-threads.wasm', 'ocean-threads.worker.js'])

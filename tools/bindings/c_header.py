@@ -89,6 +89,7 @@ class Function:
     parameters: list
     doc: str = ""
     section: str = ""
+    is_experimental: bool = False
 
 
 @dataclasses.dataclass
@@ -247,9 +248,10 @@ def read_header(text):
         header.status = header.status or match[1] or ""
     for match in matches(r"\btypedef ([\w\s*]+?)\(\*(\w+)\)\(([^;]*)\);"):
         header.callbacks.append(Callback(match[2], read_type(match[1]), read_parameters(match[3]), comments.before(match.start())))
-    for match in matches(r"\bPELAGIC_API ([\w\s*]+?)(\w+)\(([^;]*)\);"):
+    for match in matches(r"\bPELAGIC_(API|EXPERIMENTAL) ([\w\s*]+?)(\w+)\(([^;]*)\);"):
         section = next((title for start, title in reversed(sections) if start < match.start()), "The library")
-        header.functions.append(Function(match[2], read_type(match[1]), read_parameters(match[3]), comments.before(match.start()), section))
+        header.functions.append(Function(match[3], read_type(match[2]), read_parameters(match[4]), comments.before(match.start()), section,
+                                         match[1] == "EXPERIMENTAL"))
     if rest.strip():
         raise ValueError(f"unknown declaration: {rest.strip().splitlines()[0]}")
     link_callbacks(header)

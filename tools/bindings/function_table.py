@@ -11,7 +11,7 @@ def thread_rule(function):
 
 
 def names_of(functions):
-    return ", ".join(f"`{function.name.removeprefix('pelagic_')}`" for function in functions)
+    return ", ".join(f"`{f.name.removeprefix('pelagic_')}`{' *' if f.is_experimental else ''}" for f in functions)
 
 
 def table(header):

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Generates what describes the C interface in other languages from capi/pelagic.h.
 
-usage: header.py           compares the files in the tree with what would be generated
-       header.py --write   writes them
+usage: header.py            compares the files in the tree with what would be generated
+       header.py --write    writes them
+       header.py --freeze   writes tests/abi/pelagic-1.layout, which later versions 1.x must keep
 
 unity/Runtime/Native.g.cs        structs, enums and functions for C#
 tests/bindings/pelagic_ctypes.py structs, constants and functions for ctypes
@@ -12,12 +13,15 @@ import difflib
 import pathlib
 import sys
 
+import abi
 import c_header
+import c_layout
 import csharp
 import function_table
 import python_layouts
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+ABI = SOURCE / "tests/abi/pelagic-1.layout"
 
 
 def read_pelagic_header():
@@ -32,6 +36,9 @@ def generated(header):
 
 
 def main():
+    if sys.argv[1:] == ["--freeze"]:
+        header = read_pelagic_header()
+        return ABI.write_text(abi.write(header, c_layout.read_layout(header)))
     if sys.argv[1:] not in ([], ["--write"]):
         sys.exit(__doc__)
     stale = []

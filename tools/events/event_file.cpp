@@ -40,7 +40,7 @@ constexpr std::array<ColumnRule, 10> rules = {{
     {Column::heading, "heading", false, -360, 360, "degrees in [-360, 360]"},
     {Column::duration, "duration", false, 0, EventFile::longest_s, "seconds in [0, 86400]"},
     {Column::length, "length", false, 0.001, 1000, "metres in [0.001, 1000], or 0 for what is round"},
-    {Column::mode, "mode", false, 0, 0, "impulse, pressure or relaxation"},
+    {Column::mode, "mode", false, 0, 0, "impulse, pressure, relaxation or foam"},
 }};
 
 std::string names_of_columns() {

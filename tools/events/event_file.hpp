@@ -7,8 +7,8 @@
 //   duration           seconds of a source; 0 or absent: the disturbance acts once
 //   length             metres: half the length of a hull, whose half beam is the radius; 0 or
 //                      absent: the shape is round
-//   mode               impulse, pressure or relaxation (sim/disturbance.hpp); by default impulse
-//                      for one that acts once, pressure for a source
+//   mode               impulse, pressure, relaxation or foam (sim/disturbance.hpp); by default
+//                      impulse for one that acts once, pressure for a source
 #pragma once
 
 #include <cstddef>

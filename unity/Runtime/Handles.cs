@@ -98,6 +98,18 @@ namespace Pelagic
         protected override void Destroy() => Native.pelagic_input_destroy(handle);
     }
 
+    internal sealed class HullHandle : NativeHandle
+    {
+        internal HullHandle(IntPtr pointer, CallbackRoot[] roots) : base(pointer, roots) { }
+        protected override void Destroy() => Native.pelagic_hull_destroy(handle);
+    }
+
+    internal sealed class BodiesHandle : NativeHandle
+    {
+        internal BodiesHandle(IntPtr pointer, CallbackRoot[] roots) : base(pointer, roots) { }
+        protected override void Destroy() => Native.pelagic_bodies_destroy(handle);
+    }
+
     /// <summary>
     /// Holds a handle during a call, so that Dispose on another thread releases it afterwards. Throws
     /// ObjectDisposedException for a released handle. A null handle has a null pointer.

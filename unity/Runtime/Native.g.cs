@@ -406,6 +406,120 @@ namespace Pelagic
         public double PositionXM, PositionYM, PositionZM;
     }
 
+    /// <summary>
+    /// Properties of a hull, in the axes of its mesh. Those from DraughtM on are of the hull upright at
+    /// rest in still water, and 0 if it is heavier than its volume of water.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct HullInfo
+    {
+        internal uint struct_size;
+        /// <summary>1: it floats, 0: it sinks</summary>
+        public int Floats;
+        public double VolumeM3;
+        /// <summary>of the volume</summary>
+        public double CentreXM, CentreYM, CentreZM;
+        /// <summary>bounds of the mesh</summary>
+        public double MinimumXM, MinimumYM, MinimumZM;
+        /// <summary>bounds of the mesh</summary>
+        public double MaximumXM, MaximumYM, MaximumZM;
+        public double MassKg;
+        public double CentreOfMassXM, CentreOfMassYM, CentreOfMassZM;
+        /// <summary>of the lowest vertex</summary>
+        public double DraughtM;
+        /// <summary>of the centre of mass above the water</summary>
+        public double HeightM;
+        /// <summary>area of the section at the water's surface</summary>
+        public double WaterplaneM2;
+        /// <summary>metacentric heights</summary>
+        public double RollGmM;
+        /// <summary>metacentric heights</summary>
+        public double PitchGmM;
+        /// <summary>Of mesh, mass and coefficients: hulls of equal digests move bit-identically.</summary>
+        public ulong Digest;
+        /// <summary>of the merged mesh</summary>
+        public int VertexCount;
+        /// <summary>of the merged mesh</summary>
+        public int TriangleCount;
+    }
+
+    /// <summary>
+    /// A rigid body in the world's axes, and what the water's forces depend on of the preceding step.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct HullState
+    {
+        internal uint struct_size;
+        /// <summary>0: no acceleration of the water and no slamming</summary>
+        public int HasPreviousStep;
+        /// <summary>of the centre of mass; [-1e8, 1e8]</summary>
+        public double PositionXM, PositionYM, PositionZM;
+        /// <summary>unit quaternion x, y, z, w: world from hull</summary>
+        public double OrientationX, OrientationY, OrientationZ, OrientationW;
+        /// <summary>of the centre of mass; [-1e4, 1e4]</summary>
+        public double VelocityXMps, VelocityYMps, VelocityZMps;
+        /// <summary>[-1e4, 1e4]</summary>
+        public double AngularVelocityXRadps, AngularVelocityYRadps, AngularVelocityZRadps;
+        /// <summary>
+        /// Of the preceding step: vertical velocity and rotation of the water's surface at the hull, and
+        /// the fraction of the added mass.
+        /// </summary>
+        public double WaterVelocityYMps;
+        public double WaterRotationXRadps, WaterRotationYRadps, WaterRotationZRadps;
+        /// <summary>[0, 1]</summary>
+        public double Submersion;
+    }
+
+    /// <summary>A force and its torque about the centre of mass, in the world's axes.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct HullForce
+    {
+        public double ForceXN, ForceYN, ForceZN;
+        public double TorqueXNm, TorqueYNm, TorqueZNm;
+    }
+
+    /// <summary>What else acts on a hull: engines, tow lines and contacts; [-1e15, 1e15] each.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct HullInputs
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        public HullForce Force;
+        /// <summary>[-1000, 1000]</summary>
+        public double WindXMps, WindYMps, WindZMps;
+    }
+
+    /// <summary>
+    /// Forces of water and air. The total leaves out weight, inputs and the force of added mass that
+    /// opposes acceleration, -A du/dt.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct HullLoads
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        public HullForce Total;
+        /// <summary>of the water's weight and acceleration</summary>
+        public HullForce Pressure;
+        /// <summary>A times the acceleration of the water</summary>
+        public HullForce AddedMass;
+        /// <summary>drag, radiation damping and air</summary>
+        public HullForce Drag;
+        public HullForce Slamming;
+        public double DisplacedM3;
+        /// <summary>displaced over floating volume, at most 1</summary>
+        public double Submersion;
+        /// <summary>The plane through the surface at the hull: its height at the centre of mass, and slopes.</summary>
+        public double WaterHeightM;
+        /// <summary>The plane through the surface at the hull: its height at the centre of mass, and slopes.</summary>
+        public double WaterSlopeX;
+        /// <summary>The plane through the surface at the hull: its height at the centre of mass, and slopes.</summary>
+        public double WaterSlopeZ;
+        /// <summary>mean at the hull</summary>
+        public double WaterVelocityXMps, WaterVelocityYMps, WaterVelocityZMps;
+        public double WaterAccelerationXMps2, WaterAccelerationYMps2, WaterAccelerationZMps2;
+    }
+
     public sealed partial class ExecutorOptions
     {
         /// <summary>ExecutorKind</summary>
@@ -552,6 +666,54 @@ namespace Pelagic
         }
     }
 
+    public sealed partial class HullOptions
+    {
+        /// <summary>[1e-6, 1e10]</summary>
+        public double MassKg;
+        /// <summary>fraction of critical damping, of pitch too; [0, 0.999]</summary>
+        public double HeaveDamping;
+        /// <summary>fraction of critical damping; [0, 0.999]</summary>
+        public double RollDamping;
+        /// <summary>drag of advancing faces; [0, 10]</summary>
+        public double PressureCoefficient;
+        /// <summary>drag of retreating faces; [0, 10]</summary>
+        public double SuctionCoefficient;
+        /// <summary>[0, 1]</summary>
+        public double FrictionCoefficient;
+        /// <summary>drag of faces above the water; [0, 10]</summary>
+        public double AirCoefficient;
+        /// <summary>[500, 2000]</summary>
+        public double WaterDensityKgpm3;
+        /// <summary>[0, 10]</summary>
+        public double AirDensityKgpm3;
+
+        private void CopyTo(ref Native.pelagic_hull_options native)
+        {
+            native.mass_kg = MassKg;
+            native.heave_damping = HeaveDamping;
+            native.roll_damping = RollDamping;
+            native.pressure_coefficient = PressureCoefficient;
+            native.suction_coefficient = SuctionCoefficient;
+            native.friction_coefficient = FrictionCoefficient;
+            native.air_coefficient = AirCoefficient;
+            native.water_density_kgpm3 = WaterDensityKgpm3;
+            native.air_density_kgpm3 = AirDensityKgpm3;
+        }
+
+        private void CopyFrom(in Native.pelagic_hull_options native)
+        {
+            MassKg = native.mass_kg;
+            HeaveDamping = native.heave_damping;
+            RollDamping = native.roll_damping;
+            PressureCoefficient = native.pressure_coefficient;
+            SuctionCoefficient = native.suction_coefficient;
+            FrictionCoefficient = native.friction_coefficient;
+            AirCoefficient = native.air_coefficient;
+            WaterDensityKgpm3 = native.water_density_kgpm3;
+            AirDensityKgpm3 = native.air_density_kgpm3;
+        }
+    }
+
     [SuppressUnmanagedCodeSecurity]
     internal static unsafe class Native
     {
@@ -561,7 +723,7 @@ namespace Pelagic
         private const string Library = "pelagic_c";
 #endif
 
-        internal const int VersionMajor = 0, VersionMinor = 1;
+        internal const int VersionMajor = 1, VersionMinor = 0;
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_executor_options
@@ -902,6 +1064,44 @@ namespace Pelagic
             internal float* foam;
         }
 
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_hull_mesh
+        {
+            internal uint struct_size;
+            internal uint reserved;
+            internal UIntPtr vertex_count;
+            internal double* vertices_m;
+            internal UIntPtr triangle_count;
+            internal uint* triangles;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_hull_options
+        {
+            internal uint struct_size;
+            internal uint reserved;
+            internal double mass_kg;
+            internal double* centre_of_mass_m;
+            internal double* inertia_kgm2;
+            internal double* added_mass;
+            internal double heave_damping;
+            internal double roll_damping;
+            internal double pressure_coefficient;
+            internal double suction_coefficient;
+            internal double friction_coefficient;
+            internal double air_coefficient;
+            internal double water_density_kgpm3;
+            internal double air_density_kgpm3;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_bodies_options
+        {
+            internal uint struct_size;
+            internal int wakes;
+            internal IntPtr executor;
+        }
+
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void pelagic_error_callback(void* user, Status status, byte* message);
 
@@ -1096,5 +1296,62 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_first_hit(IntPtr ocean, Ray* ray, Hit* hit);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_defaults(pelagic_hull_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_create(pelagic_hull_mesh* mesh, pelagic_hull_options* options, IntPtr* hull);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void pelagic_hull_destroy(IntPtr hull);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_describe(IntPtr hull, HullInfo* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_at_rest(IntPtr hull, double x_m, double z_m, double heading_rad, HullState* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_compute_loads(IntPtr hull, IntPtr ocean, HullState* state, double step_s, HullInputs* inputs, HullLoads* loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_hull_accelerate(IntPtr hull, IntPtr ocean, HullState* state, double step_s, HullInputs* inputs, HullLoads* loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_create(IntPtr ocean, pelagic_bodies_options* options, IntPtr* bodies);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void pelagic_bodies_destroy(IntPtr bodies);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_add(IntPtr bodies, IntPtr hull, HullState* state, uint* number);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_remove(IntPtr bodies, uint number);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_set_inputs(IntPtr bodies, uint number, HullInputs* inputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_set_state(IntPtr bodies, uint number, HullState* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_get_state(IntPtr bodies, uint number, HullState* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_get_loads(IntPtr bodies, uint number, HullLoads* loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_press(IntPtr bodies, double tick_s);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_step(IntPtr bodies, double step_s);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_save_state(IntPtr bodies, byte* bytes, UIntPtr room, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_restore_state(IntPtr bodies, byte* bytes, UIntPtr count);
     }
 }

@@ -65,6 +65,7 @@ namespace Pelagic
         private readonly FrameSlot[] slots;
         private readonly IntPtr waves;
         private readonly bool hasShore;
+        private readonly List<BodiesHandle> keptBodies = new List<BodiesHandle>();
         private long frames;
 
         /// <summary>Creates an ocean and computes the spectrum of its sea.</summary>
@@ -111,6 +112,22 @@ namespace Pelagic
             Errors.Check(Native.pelagic_ocean_dynamic_waves(ocean, &owned));
             waves = owned;
             DynamicWaves = new DynamicWaves(handle, owned);
+        }
+
+        internal OceanHandle Handle => handle;
+
+        /// <summary>
+        /// Keeps the handle of bodies up to the end of the ocean: a finalizer's thread would enqueue commands of their
+        /// wakes while another thread uses the ocean.
+        /// </summary>
+        internal void Keep(BodiesHandle bodies)
+        {
+            lock (keptBodies) keptBodies.Add(bodies);
+        }
+
+        internal void Forget(BodiesHandle bodies)
+        {
+            lock (keptBodies) keptBodies.Remove(bodies);
         }
 
         /// <summary>The waves of OceanOptions.DynamicWaves, or null.</summary>

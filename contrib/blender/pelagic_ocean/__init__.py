@@ -2,7 +2,7 @@
 bl_info = {
     "name": "Pelagic Ocean",
     "author": "The authors of Pelagic",
-    "version": (0, 1, 0),
+    "version": (1, 0, 0),
     "blender": (3, 3, 0),
     "location": "3D View > Sidebar > Pelagic; Add > Mesh > Ocean (Pelagic)",
     "description": "Ocean meshes that follow the timeline: waves, foam, dynamic waves, shorelines, bakes",

@@ -10,21 +10,26 @@ namespace Pelagic.Unity
     /// and schedules the next, which is computed while the scene is drawn. Unity's z axis is -z of the sea.
     ///
     /// Shaders find the textures as _PelagicDisplacement, _PelagicSlopes and _PelagicMoments, arrays with one slice
-    /// for each cascade, and _PelagicCascades: side in metres, cosine, sine and slope range.
+    /// for each cascade, and _PelagicCascades: side in metres, cosine, sine and slope range. With Foam, slice 3 i + j
+    /// of _PelagicSnapshots is image i of 2 of the snapshots of cascade j of 3.
     /// </summary>
     public sealed unsafe class OceanBehaviour : MonoBehaviour
     {
-        private const int MaxCascades = 4;
+        private const int MaxCascades = 4, FoamCascades = 3, SnapshotImages = 2;
         private static readonly int displacementId = Shader.PropertyToID("_PelagicDisplacement"), slopesId = Shader.PropertyToID("_PelagicSlopes"),
-                                    momentsId = Shader.PropertyToID("_PelagicMoments"), cascadesId = Shader.PropertyToID("_PelagicCascades");
+                                    momentsId = Shader.PropertyToID("_PelagicMoments"),
+                                    snapshotsId = Shader.PropertyToID("_PelagicSnapshots"), cascadesId = Shader.PropertyToID("_PelagicCascades");
 
         /// <summary>Name of a preset; see Sea.Preset().</summary>
         public string Preset = "moderate";
         /// <summary>Texels along a side of a cascade. 0: that of the preset.</summary>
         public int Resolution;
+        /// <summary>Computes foam.</summary>
+        public bool Foam = true;
 
         // An array of this length, because Unity fixes the length of a shader's array at the first call.
         private readonly Vector4[] cascades = new Vector4[MaxCascades];
+        private readonly ulong[] versions = new ulong[FoamCascades * SnapshotImages];
 
         /// <summary>Null while the component is disabled.</summary>
         public Ocean Ocean { get; private set; }
@@ -33,6 +38,10 @@ namespace Pelagic.Unity
         public Texture2DArray Displacement { get; private set; }
         public Texture2DArray Slopes { get; private set; }
         public Texture2DArray Moments { get; private set; }
+        /// <summary>Null without Foam.</summary>
+        public Texture2DArray Snapshots { get; private set; }
+        /// <summary>The sea of the preset.</summary>
+        public Sea Sea { get; private set; }
 
         /// <summary>Height of the water at a position of the scene.</summary>
         public float HeightAt(Vector3 position)
@@ -44,11 +53,14 @@ namespace Pelagic.Unity
         {
             var sea = Sea.Preset(Preset);
             if (Resolution != 0) sea.Resolution = Resolution;
-            Ocean = new Ocean(sea, new OceanOptions { Queries = true, Slopes = true });
+            Sea = sea;
+            Ocean = new Ocean(sea, new OceanOptions { Queries = true, Slopes = true, Foam = Foam });
             var info = Ocean.Info;
-            Displacement = ArrayOf(info, TextureFormat.RGBAHalf, false);
-            Slopes = ArrayOf(info, TextureFormat.RGBA32, true);
-            Moments = ArrayOf(info, TextureFormat.RGBA32, true);
+            Displacement = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBAHalf, false);
+            Slopes = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBA32, true);
+            Moments = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBA32, true);
+            if (Foam) Snapshots = ArrayOf(info.Resolution, versions.Length, TextureFormat.RGBA32, true);
+            System.Array.Clear(versions, 0, versions.Length);
             Ocean.Schedule(Time.timeAsDouble);
         }
 
@@ -61,13 +73,8 @@ namespace Pelagic.Unity
                 var cascade = Frame.Cascade(i);
                 var displacement = cascade.DisplacementRgba16f;
                 fixed (ushort* texels = &MemoryMarshal.GetReference(displacement)) Upload<ushort>(texels, displacement.Length, Displacement, 0, i);
-                fixed (uint* slopes = &MemoryMarshal.GetReference(cascade.SlopesRgba8), moments = &MemoryMarshal.GetReference(cascade.MomentsRgba8))
-                    for (var level = 0; level < cascade.Levels; ++level)
-                    {
-                        int side = cascade.Resolution >> level, offset = cascade.LevelOffset(level);
-                        Upload<uint>(slopes + offset, side * side, Slopes, level, i);
-                        Upload<uint>(moments + offset, side * side, Moments, level, i);
-                    }
+                Upload(cascade, cascade.SlopesRgba8, Slopes, i);
+                Upload(cascade, cascade.MomentsRgba8, Moments, i);
                 cascades[i] = new Vector4((float)cascade.SideM, (float)cascade.Cosine, (float)cascade.Sine, cascade.SlopeRange);
             }
             Displacement.Apply(false);
@@ -77,6 +84,26 @@ namespace Pelagic.Unity
             Shader.SetGlobalTexture(slopesId, Slopes);
             Shader.SetGlobalTexture(momentsId, Moments);
             Shader.SetGlobalVectorArray(cascadesId, cascades);
+            if (Snapshots != null) UploadSnapshots();
+        }
+
+        /// <summary>Uploads images that have changed, which they do about five times a second.</summary>
+        private void UploadSnapshots()
+        {
+            var hasChanged = false;
+            for (var i = 0; i < versions.Length; ++i)
+            {
+                int image = i / FoamCascades, index = i % FoamCascades;
+                if (index >= Frame.CascadeCount) continue;
+                var cascade = Frame.Cascade(index);
+                var snapshots = cascade.SnapshotsRgba8(image);
+                if (snapshots.IsEmpty || cascade.SnapshotsVersion(image) == versions[i]) continue;
+                versions[i] = cascade.SnapshotsVersion(image);
+                Upload(cascade, snapshots, Snapshots, i);
+                hasChanged = true;
+            }
+            if (hasChanged) Snapshots.Apply(false);
+            Shader.SetGlobalTexture(snapshotsId, Snapshots);
         }
 
         private void OnDisable()
@@ -86,16 +113,28 @@ namespace Pelagic.Unity
             Destroy(Displacement);
             Destroy(Slopes);
             Destroy(Moments);
+            if (Snapshots != null) Destroy(Snapshots);
+            Snapshots = null;
         }
 
-        private static Texture2DArray ArrayOf(OceanInfo info, TextureFormat format, bool hasMipmaps)
+        private static Texture2DArray ArrayOf(int side, int depth, TextureFormat format, bool hasMipmaps)
         {
             // Linear: the values are no colours.
-            return new Texture2DArray(info.Resolution, info.Resolution, info.CascadeCount, format, hasMipmaps, true)
+            return new Texture2DArray(side, side, depth, format, hasMipmaps, true)
             {
                 wrapMode = TextureWrapMode.Repeat,
                 filterMode = hasMipmaps ? FilterMode.Trilinear : FilterMode.Bilinear,
             };
+        }
+
+        private static void Upload(in Cascade cascade, System.ReadOnlySpan<uint> chain, Texture2DArray texture, int slice)
+        {
+            fixed (uint* texels = &MemoryMarshal.GetReference(chain))
+                for (var level = 0; level < cascade.Levels; ++level)
+                {
+                    var side = cascade.Resolution >> level;
+                    Upload<uint>(texels + cascade.LevelOffset(level), side * side, texture, level, slice);
+                }
         }
 
         /// <summary>Copies texels from the library's memory, without an array in between.</summary>

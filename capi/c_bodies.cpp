@@ -1,0 +1,123 @@
+// C interface of floating bodies.
+#include <memory>
+#include <string>
+
+#include "pelagic/capi/c_executor.hpp"
+#include "pelagic/capi/c_hull.hpp"
+#include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
+
+struct pelagic_bodies {
+    std::weak_ptr<pelagic_ocean> ocean;
+    pelagic::FloatingBodies bodies;
+};
+
+namespace pelagic::capi {
+namespace {
+
+/// Throws std::invalid_argument for null and if the ocean is destroyed.
+template <class Bodies>  // const or not
+auto& needed_bodies(Bodies* bodies) {
+    if (needed(bodies, "bodies").ocean.expired())
+        reject("the ocean of the bodies is destroyed, expected one that exists");
+    return bodies->bodies;
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_options* options,
+                                     pelagic_bodies** bodies) {
+    return guarded([&] {
+        pelagic_bodies*& out = needed(bodies, "bodies");
+        out = nullptr;
+        const pelagic_bodies_options from = options ? read_struct(options, "options") : pelagic_bodies_options{};
+        const pelagic_ocean& of = needed(ocean, "ocean");
+        if (!of.has_queries || !of.contents.velocities)
+            reject("bodies need queries and velocities, which the ocean was created without");
+        // throws without dynamic waves
+        DynamicWaves* const waves = from.wakes != 0 ? &ocean->ocean.dynamic_waves() : nullptr;
+        out = new pelagic_bodies{
+            of.alive, FloatingBodies(from.executor ? from.executor->executor : make_default_executor(), waves)};
+    });
+}
+
+void pelagic_bodies_destroy(pelagic_bodies* bodies) {
+    if (!bodies) return;
+    // A command that finds no memory leaves a pressure in the waves.
+    if (!bodies->ocean.expired()) guarded([&] { bodies->bodies.clear(); });
+    delete bodies;
+}
+
+pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull, const pelagic_hull_state* state,
+                                  uint32_t* number) {
+    return guarded([&] {
+        FloatingBodies& ours = needed_bodies(bodies);
+        std::uint32_t& out = needed(number, "number");
+        out = ours.add(needed(hull, "hull").hull, hull_state_of(state, "state"));
+    });
+}
+
+pelagic_status pelagic_bodies_remove(pelagic_bodies* bodies, uint32_t number) {
+    return guarded([&] { needed_bodies(bodies).remove(number); });
+}
+
+pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number, const pelagic_hull_inputs* inputs) {
+    return guarded([&] { needed_bodies(bodies).set_inputs(number, hull_inputs_of(inputs, "inputs")); });
+}
+
+pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number, const pelagic_hull_state* state) {
+    return guarded([&] { needed_bodies(bodies).set_state(number, hull_state_of(state, "state")); });
+}
+
+pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number, pelagic_hull_state* state) {
+    return guarded([&] {
+        const HullState& ours = needed_bodies(bodies).state(number);
+        struct_bytes(state, "state");
+        write_hull_state(ours, state);
+    });
+}
+
+pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number, pelagic_hull_loads* loads) {
+    return guarded([&] {
+        const HullLoads& ours = needed_bodies(bodies).loads(number);
+        struct_bytes(loads, "loads");
+        write_hull_loads(ours, loads);
+    });
+}
+
+pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s) {
+    return guarded([&] {
+        FloatingBodies& ours = needed_bodies(bodies);
+        const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
+        need_frame(*ocean);
+        need_no_frame_in_flight(*ocean);
+        ours.press(*ocean->shown, tick_s);
+    });
+}
+
+pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s) {
+    return guarded([&] {
+        FloatingBodies& ours = needed_bodies(bodies);
+        const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
+        const QueryFrames::Reader reader(ocean->query_frames);
+        ours.step(needed_query(*ocean, reader), step_s);
+    });
+}
+
+pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodies, uint8_t* bytes, size_t room, size_t* count) {
+    return guarded([&] { write_saved(needed_bodies(bodies).save_state(), bytes, room, count); });
+}
+
+pelagic_status pelagic_bodies_restore_state(pelagic_bodies* bodies, const uint8_t* bytes, size_t count) {
+    return guarded([&] {
+        FloatingBodies& ours = needed_bodies(bodies);
+        if (count > 0) needed(bytes, "bytes");
+        ours.restore_state({bytes, count});
+    });
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Builds packages from a folder with the sources, in its build/, with the steps of each page.
+#
+# usage: build.sh SOURCE_FOLDER OUT_FOLDER PART...
+set -euo pipefail
+source=$(realpath "$1") out=$(realpath -m "$2")
+packaging=$source/packaging
+mkdir -p "$out"
+cd "$source"
+version=$("$packaging/version.sh")
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} PYTHONDONTWRITEBYTECODE=1
+export DESTDIR=
+without_extras=(-DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF)
+
+# usage: pack BUILD_FOLDER
+pack() {
+  (cd "$1" && cpack -B packages >packages.log) || { cat "$1/packages.log"; return 1; }
+  find "$1/packages" -maxdepth 1 -type f -name '*pelagic*' -exec mv -t "$out" {} +
+}
+
+build_debian() {
+  cmake --preset release -B build/debian -DCMAKE_INSTALL_PREFIX=/usr -DPELAGIC_DEBIAN=ON "${without_extras[@]}"
+  cmake --build build/debian
+  pack build/debian
+}
+
+# Without oneTBB, so that the library needs no other packages. Godot's library comes from the same
+# build.
+configure_linux() {
+  cmake --preset release -B build/linux "${without_extras[@]}" -DPELAGIC_EXAMPLES=ON -DPELAGIC_TBB=OFF \
+    -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON -DCMAKE_SHARED_LINKER_FLAGS=-s
+}
+
+build_linux() {
+  configure_linux
+  cmake --build build/linux --target pelagic pelagic_manual_files pelagic_static pelagic_shared pelagic_quadtree pelagic_floating pelagic_gl
+  pack build/linux
+}
+
+build_godot() {
+  configure_linux
+  cmake --build build/linux --target pelagic_godot
+  cp LICENSE NOTICE build/linux/godot/addons/pelagic
+  "$packaging/artefact.py" zip "$out/pelagic-godot-$version-linux-x86_64.zip" build/linux/godot addons
+}
+
+build_arm64() {
+  cmake --preset arm64 -B build/arm64-package "${without_extras[@]}" -DPELAGIC_TBB=OFF -DPELAGIC_TOOLS=ON -DPELAGIC_IMAGES=OFF
+  cmake --build build/arm64-package
+  pack build/arm64-package
+}
+
+build_windows() {
+  cmake --preset windows -B build/windows-package "${without_extras[@]}"
+  cmake --build build/windows-package
+  pack build/windows-package
+}
+
+build_python() {
+  CMAKE_ARGS="-DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s" PYTHONPATH=python/build_backend \
+    /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
+}
+
+build_blender() {
+  cmake --preset python -DPython_EXECUTABLE=/usr/bin/python3 -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s
+  cmake --build --preset python --target pelagic_blender
+  zip=$(basename build/python/pelagic_blender-*.zip)
+  "$packaging/artefact.py" zip "$out/$zip" build/python/contrib/blender pelagic_ocean
+}
+
+build_npm() {
+  local preset
+  for preset in web web-threads; do
+    cmake --preset $preset
+    cmake --build --preset $preset --target pelagic_ocean_module
+  done
+  npm pack ./build/pelagic-npm --pack-destination "$out"
+}
+
+# With the libraries of the archives.
+build_unity() {
+  mkdir -p build/unity-package
+  tar -xzf "$out/pelagic-$version-linux-x86_64.tar.gz" -C build/unity-package --strip-components=1
+  unzip -qo "$out/pelagic-$version-windows-x86_64.zip" -d build/unity-package
+  python3 unity/pack.py --out "$out" --linux "build/unity-package/lib/libpelagic_c.so.$version" \
+    --windows "build/unity-package/pelagic-$version-windows-x86_64/bin/pelagic.dll"
+}
+
+for part in "${@:3}"; do
+  echo "== building $part"
+  "build_$part"
+done

@@ -1,0 +1,182 @@
+#!/usr/bin/env bash
+# Tests packages: compares their files with the lists in files/, installs each in an empty folder or
+# a fresh Debian system, and runs the first example of its page.
+#
+# usage: test.sh SOURCE_FOLDER DIST_FOLDER PART...
+set -euo pipefail
+source=$(realpath "$1") dist=$(realpath "$2")
+packaging=$source/packaging
+version=$("$packaging/version.sh")
+soversion=${version%%.*}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export DESTDIR= PYTHONDONTWRITEBYTECODE=1
+newest_glibc=$(sed -nE 's/.*glibc ([0-9.]+[0-9]).*/\1/p' "$source/docs/packages.md" | head -n 1)
+
+# usage: check LIST ARTEFACT
+check() {
+  [ -e "$2" ] || { echo "there is no $2"; return 1; }
+  "$packaging/artefact.py" check "$packaging/files/$1.txt" "$version" "$soversion" "$source" "$2"
+}
+
+# Prints the first block of a language on a page.
+first_block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/{/^\`\`\`\$/q;/^\`\`\`/!p}" "$source/docs/$2"; }
+
+# The lines of the example applications.
+first_block text integrations/windows.md >"$work/application_lines"
+
+# Prints a command's output only if it fails.
+quietly() { "$@" >"$work/log" 2>&1 || { tail -n 40 "$work/log"; return 1; }; }
+
+# usage: in_root ROOT COMMAND   runs a shell command in a Debian system, in processes of its own
+in_root() {
+  unshare --mount --pid --fork env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+    chroot "$1" sh -c "mount -t proc proc /proc && cd /root && $2"
+}
+
+# usage: make_root NAME   a fresh Debian 12 with nothing but its base, in $work/NAME
+#
+# PELAGIC_DEBIAN_BASE names a folder with such a base, if there is one already.
+make_root() {
+  local base=${PELAGIC_DEBIAN_BASE:-$work/base}
+  [ -d "$base" ] || quietly debootstrap --variant=minbase bookworm "$base" "${PELAGIC_MIRROR:-http://deb.debian.org/debian}"
+  cp -a "$base" "$work/$1"
+  cp /etc/resolv.conf "$work/$1/etc"
+  cp -r "$source/examples" "$work/application_lines" "$work/$1/root"
+}
+
+test_debian() {
+  local root=$work/debian_root install="apt-get install -y -qq --no-install-recommends"
+  lintian --allow-root --fail-on error --tag-display-limit 0 "$dist"/*.deb
+  check debian_library "$(echo "$dist/libpelagic$soversion"_*.deb)"
+  check debian_development "$(echo "$dist"/libpelagic-dev_*.deb)"
+  check debian_tools "$(echo "$dist"/pelagic_*.deb)"
+  "$packaging/artefact.py" glibc 2.36 "$dist"/*.deb
+
+  make_root debian_root
+  cp "$dist"/*.deb "$root/root"
+  quietly in_root "$root" "$install ./libpelagic[0-9]*.deb"
+  in_root "$root" "ldconfig -p | grep -q 'libpelagic_c.so.$soversion '"
+  ! in_root "$root" "dpkg-query -W" | grep -E 'openimageio|openexr|glfw' || { echo "the library needs packages of the command"; return 1; }
+  quietly in_root "$root" "$install ./libpelagic-dev_*.deb gcc libc6-dev pkg-config"
+  in_root "$root" 'cc examples/c_application/main.c -o main $(pkg-config --cflags --libs pelagic_c) && ./main' | diff "$work/application_lines" -
+  quietly in_root "$root" "$install ./pelagic_*.deb"
+  in_root "$root" "pelagic export --out waves --resolution 64 --frames 2 && pelagic verify waves"
+  in_root "$root" "test -s waves/displacement_0001.exr && test -s /usr/share/bash-completion/completions/pelagic"
+}
+
+# Builds the C application with the shared library of an archive, and runs it and the command.
+#
+# usage: test_archive FOLDER C_COMPILER [EMULATOR...]
+test_archive() {
+  local folder=$1 cc=$2 run=("${@:3}")
+  "$cc" "$source/examples/c_application/main.c" -o "$work/application.exe" -I"$folder/include" -L"$folder/lib" -lpelagic_c
+  [ ! -e "$folder/bin/pelagic.dll" ] || cp "$folder/bin/pelagic.dll" "$work"
+  export LD_LIBRARY_PATH=$folder/lib
+  ${run[@]+"${run[@]}"} "$work/application.exe" | tr -d '\r' | diff "$work/application_lines" -
+  "$source/tests/golden_rows_test.sh" "$source/tests/golden" "$work/rows" ${run[@]+"${run[@]}"} "$(find "$folder/bin" -name pelagic -o -name pelagic.exe)"
+  unset LD_LIBRARY_PATH
+}
+
+test_linux() {
+  local name=pelagic-$version-linux-x86_64
+  check linux "$dist/$name.tar.gz"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$dist/$name.tar.gz"
+  tar -xzf "$dist/$name.tar.gz" -C "$work"
+  test_archive "$work/$name" cc
+  # A prefix for find_package, whose application is that of docs/getting-started.md.
+  mkdir "$work/application"
+  first_block cmake getting-started.md >"$work/application/CMakeLists.txt"
+  first_block cpp getting-started.md >"$work/application/main.cpp"
+  (cd "$work/application" && quietly cmake -S . -B build -DCMAKE_PREFIX_PATH="$work/$name" && quietly cmake --build build)
+  [ "$("$work/application/build/cpp_application" | grep -c 'half floats to upload, side')" -eq 20 ]
+  # A system with the libraries of the command only.
+  make_root linux_root
+  tar -xzf "$dist/$name.tar.gz" -C "$work/linux_root/opt"
+  quietly in_root "$work/linux_root" "apt-get install -y -qq --no-install-recommends libglfw3 libzstd1"
+  in_root "$work/linux_root" "/opt/$name/bin/pelagic info --preset moderate" | grep -q 'significant wave height'
+  if in_root "$work/linux_root" "/opt/$name/bin/pelagic export --out waves" >"$work/log" 2>&1; then
+    echo "export works without OpenEXR and OpenImageIO" && return 1
+  fi
+  [ "$(wc -l <"$work/log")" -eq 1 ] || { cat "$work/log"; return 1; }
+}
+
+test_arm64() {
+  local name=pelagic-$version-linux-arm64
+  check arm64 "$dist/$name.tar.gz"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$dist/$name.tar.gz"
+  tar -xzf "$dist/$name.tar.gz" -C "$work"
+  test_archive "$work/$name" aarch64-linux-gnu-gcc qemu-aarch64
+}
+
+test_windows() {
+  local name=pelagic-$version-windows-x86_64
+  check windows "$dist/$name.zip"
+  unzip -q "$dist/$name.zip" -d "$work"
+  test_archive "$work/$name" x86_64-w64-mingw32-gcc-posix "$source/cmake/run_wine.sh" "$work/wine-prefix"
+}
+
+test_python() {
+  local wheel
+  wheel=$(echo "$dist"/pelagic-*.whl)
+  check python "$wheel"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$wheel"
+  /usr/bin/python3 -m venv --system-site-packages "$work/venv"
+  quietly "$work/venv/bin/pip" install --no-index --no-deps "$wheel"
+  (cd "$work" && first_block python integrations/python.md | venv/bin/python -) | diff <(first_block text integrations/python.md) -
+}
+
+test_blender() {
+  local zip
+  zip=$(echo "$dist"/pelagic_blender-*.zip)
+  check blender "$zip"
+  export BLENDER_USER_RESOURCES=$work/blender_home
+  mkdir -p "$BLENDER_USER_RESOURCES" "$work/out"
+  quietly blender -b --factory-startup --python-exit-code 1 -P "$source/contrib/blender/install.py" -- "$zip"
+  first_block python integrations/blender.md >"$work/page.py"
+  (cd "$work" && quietly blender -b --python-exit-code 1 -P page.py)
+  grep -qFx "$(first_block text integrations/blender.md)" "$work/log" || { cat "$work/log"; return 1; }
+}
+
+test_npm() {
+  local archive=$dist/pelagic-$version.tgz
+  check npm "$archive"
+  mkdir "$work/my-sea"
+  (
+    cd "$work/my-sea"
+    quietly npm init -y
+    quietly npm install --offline --no-audit --no-fund "$archive"
+    sed -n "/^cat >sea.mjs <<'END'/,/^END\$/{/END/!p}" "$source/docs/integrations/web.md" >sea.mjs
+    node sea.mjs | diff <(first_block text integrations/web.md) -
+  )
+}
+
+test_godot() {
+  local zip=$dist/pelagic-godot-$version-linux-x86_64.zip answer
+  check godot "$zip"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$zip"
+  mkdir "$work/my_game"
+  touch "$work/my_game/project.godot"
+  unzip -q "$zip" -d "$work/my_game"
+  sed -n '/`server.gd`:/,/^```$/p' "$source/docs/integrations/godot.md" | sed -n '/^```gdscript/,/^```$/{/^```/!p}' >"$work/my_game/server.gd"
+  answer=$(HOME=$work godot3-server --path "$work/my_game" -s server.gd)
+  grep -q "^$(printf %16s "$(sed -n 's/^preset-moderate@12.34 //p' "$source/tests/golden/hashes.txt")" | tr ' ' 0) " <<<"$answer" || { echo "$answer"; return 1; }
+}
+
+# Under mono, because Unity is no package; docs/integrations/unity.md has what was tested.
+test_unity() {
+  local package=$dist/com.pelagic.ocean-$version.tgz
+  check unity "$package"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$package"
+  tar -xzf "$package" -C "$work"
+  cd "$work/package"
+  echo 'public static class Program { public static void Main() { FrameLoop.Run(System.Console.WriteLine); } }' >"$work/program.cs"
+  quietly mcs -unsafe -langversion:7.2 -out:Plugins/Linux/loop.exe "$work/program.cs" Runtime/*.cs Samples~/FrameLoop/FrameLoop.cs
+  LD_LIBRARY_PATH=Plugins/Linux mono Plugins/Linux/loop.exe | diff <(sed 's/, cascades.*//' "$work/application_lines") -
+  cd "$source"
+}
+
+for part in "${@:3}"; do
+  echo "== testing $part"
+  "test_$part"
+done

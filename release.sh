@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Builds the packages of the current commit into dist/, from a clean clone, and tests each of them:
+#
+#   ./release.sh              all parts
+#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot unity
+#   ./release.sh --twice ...  builds them again in another folder, and compares the bytes
+#
+# Needs Debian 12, and root, because some packages are tested in fresh systems. Installs missing
+# packages, like test.sh. The part unity needs the archives of linux and windows. docs/packages.md
+# describes each package.
+set -euo pipefail
+cd "$(dirname "$0")"
+. cmake/dependencies.sh
+
+twice=
+[ "${1:-}" != --twice ] || { twice=1 && shift; }
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot unity)
+
+packages=(git python3)
+for part in "${parts[@]}"; do
+  case $part in
+    debian) packages+=(lintian debootstrap) ;;
+    linux) packages+=(debootstrap) ;;
+    arm64) packages+=("${pelagic_gate_packages[@]}") ;;
+    windows) packages+=(g++-mingw-w64-x86-64-posix wine64 unzip) ;;
+    python) packages+=(pybind11-dev python3-dev python3-venv python3-numpy) ;;
+    blender) packages+=(pybind11-dev python3-dev blender) ;;
+    npm)
+      packages+=("${pelagic_web_packages[@]}")
+      command -v npm >/dev/null || packages+=(npm)
+      ;;
+    godot) packages+=(godot3-server unzip) ;;
+    unity) packages+=(mono-mcs mono-runtime unzip) ;;
+    *) echo "release.sh: what is $part? Accepted: debian linux arm64 windows python blender npm godot unity" && exit 2 ;;
+  esac
+done
+pelagic_install_dependencies "${packages[@]}"
+[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "Changes that are not committed are left out."
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
+umask 022
+
+# usage: build_clone FOLDER OUT
+build_clone() {
+  rm -rf "$1"
+  git clone -q --no-local . "$1"
+  mkdir -p "$1/build"
+  "$1/packaging/build.sh" "$1" "$2" "${parts[@]}" >"$1/build/log" 2>&1 || { tail -n 40 "$1/build/log"; exit 1; }
+}
+
+rm -rf dist
+clone=$PWD/build/release-clone
+echo "Building ${parts[*]} in $clone ..."
+build_clone "$clone" dist
+"$clone/packaging/test.sh" "$clone" dist "${parts[@]}"
+if [ -n "$twice" ]; then
+  echo "Building again ..."
+  build_clone "$PWD/build/second-release-clone" build/second-dist
+  diff -r dist build/second-dist
+  echo "Both builds have the same bytes."
+fi
+packaging/bill_of_materials.py dist
+(cd dist && sha256sum -- * >SHA256SUMS)
+ls -l dist

@@ -1,0 +1,340 @@
+// Floating bodies through the C interface: bit-identical to hulls and wakes of the C++ interface,
+// and after a rollback.
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/capi_hulls.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double tick_s = 1.0 / 60;
+constexpr DynamicWavesOptions waves_options{.resolution = 64, .side_m = 32, .border_m = 4};
+
+struct DestroyBodies {
+    void operator()(pelagic_bodies* bodies) const { pelagic_bodies_destroy(bodies); }
+};
+using CBodies = std::unique_ptr<pelagic_bodies, DestroyBodies>;
+
+class CInterfaceBodies : public testing::Test {
+   protected:
+    COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+    CHull launch = boat_of(6, 2.2, 1.2, 3500), dinghy = boat_of(4, 1.7, 0.8, 350);
+
+    COcean water(double side_m = waves_options.side_m, bool has_waves = true) const {
+        auto waves = sized<pelagic_dynamic_waves_options>();
+        EXPECT_EQ(pelagic_dynamic_waves_defaults(&waves), PELAGIC_OK);
+        waves.resolution = waves_options.resolution;
+        waves.side_m = side_m;
+        waves.border_m = waves_options.border_m;
+        auto options = sized<pelagic_ocean_options>();
+        options.executor = serial.get();
+        options.queries = options.velocities = 1;
+        options.dynamic_waves = has_waves ? &waves : nullptr;
+        auto sea = small_sea(32);
+        sea.wind_speed_mps = 12;
+        return ocean_of(sea, options);
+    }
+    CBodies bodies_of(const COcean& ocean, bool wakes = true) const {
+        auto options = sized<pelagic_bodies_options>();
+        options.wakes = wakes;
+        options.executor = serial.get();
+        pelagic_bodies* bodies = nullptr;
+        EXPECT_EQ(pelagic_bodies_create(ocean.get(), &options, &bodies), PELAGIC_OK) << pelagic_last_error();
+        return CBodies(bodies);
+    }
+    static std::uint32_t add(const CBodies& bodies, const CHull& hull, const pelagic_hull_state& state) {
+        std::uint32_t number = 0;
+        EXPECT_EQ(pelagic_bodies_add(bodies.get(), hull.get(), &state, &number), PELAGIC_OK) << pelagic_last_error();
+        return number;
+    }
+    static pelagic_hull_state state_of(const CBodies& bodies, std::uint32_t number) {
+        auto state = sized<pelagic_hull_state>();
+        EXPECT_EQ(pelagic_bodies_get_state(bodies.get(), number, &state), PELAGIC_OK) << pelagic_last_error();
+        return state;
+    }
+    static void push(const CBodies& bodies, std::uint32_t number, double force_x_n) {
+        auto inputs = sized<pelagic_hull_inputs>();
+        inputs.force.force_n[0] = force_x_n;
+        inputs.wind_mps[2] = 4;
+        EXPECT_EQ(pelagic_bodies_set_inputs(bodies.get(), number, &inputs), PELAGIC_OK) << pelagic_last_error();
+    }
+    static void complete(const COcean& ocean, int tick) {
+        auto frame = sized<pelagic_frame>();
+        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), tick * tick_s), PELAGIC_OK) << pelagic_last_error();
+        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
+    }
+    /// Completes a frame and advances the bodies in it.
+    static void advance(const COcean& ocean, const CBodies& bodies, int tick) {
+        complete(ocean, tick);
+        ASSERT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
+        ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
+    }
+    static std::vector<std::uint8_t> saved(const CBodies& bodies) {
+        std::size_t count = 0;
+        EXPECT_EQ(pelagic_bodies_save_state(bodies.get(), nullptr, 0, &count), PELAGIC_OK) << pelagic_last_error();
+        std::vector<std::uint8_t> bytes(count);
+        EXPECT_EQ(pelagic_bodies_save_state(bodies.get(), bytes.data(), count, &count), PELAGIC_OK);
+        return bytes;
+    }
+    static pelagic_status restore(const CBodies& bodies, std::span<const std::uint8_t> bytes) {
+        return pelagic_bodies_restore_state(bodies.get(), bytes.data(), bytes.size());
+    }
+    static std::uint64_t waves_hash(const COcean& ocean) {
+        std::uint64_t hash = 0;
+        EXPECT_EQ(pelagic_dynamic_waves_hash(waves_of(ocean.get()), &hash), PELAGIC_OK);
+        return hash;
+    }
+};
+
+void expect_rejected(pelagic_status status, const std::string& line) {
+    EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+
+// The other side of the comparison has its own hulls, wakes and dynamic waves.
+TEST_F(CInterfaceBodies, EqualHullsAndWakesOfTheCppInterfaceOver200Ticks) {
+    Ocean sea(
+        {.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 12},
+        {.executor = make_serial_executor(), .queries = true, .velocities = true, .dynamic_waves = waves_options});
+    const Hull kinds[] = {Hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500}),
+                          Hull(boat_mesh(4, 1.7, 0.8), {.mass_kg = 350})};
+    std::vector<FloatingHull> hulls = {{.hull = &kinds[0], .state = kinds[0].at_rest(-4, 1, 0.2)},
+                                       {.hull = &kinds[1], .state = kinds[1].at_rest(5, -2, -1)},
+                                       {.hull = &kinds[1], .state = kinds[1].at_rest(0, 8)}};
+    hulls[2].state.position_m.y += 2;
+    std::vector<HullWake> wakes;
+    wakes.reserve(hulls.size());
+    for (FloatingHull& floating : hulls)
+        floating.inputs.wake = &wakes.emplace_back(sea.dynamic_waves(), *floating.hull, floating.state);
+    hulls[0].inputs.force.force_n.x = 2000;
+    hulls[0].inputs.wind_mps.z = 4;
+    FloatingHulls jobs(make_serial_executor());
+
+    const COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    pelagic_hull_state above = at_rest(dinghy, 0, 8);
+    above.position_m[1] += 2;
+    EXPECT_EQ(add(bodies, launch, at_rest(launch, -4, 1, 0.2)), 1u);
+    EXPECT_EQ(add(bodies, dinghy, at_rest(dinghy, 5, -2, -1)), 2u);
+    EXPECT_EQ(add(bodies, dinghy, above), 3u);
+    push(bodies, 1, 2000);
+    // The set keeps what it needs.
+    launch.reset();
+    dinghy.reset();
+
+    for (int tick = 0; tick < (is_sanitized ? 20 : 200); ++tick) {
+        const Frame& frame = sea.frame_at(tick * tick_s);
+        for (std::size_t i = 0; i < hulls.size(); ++i) wakes[i].press(frame, hulls[i].state, hulls[i].loads, tick_s);
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+        advance(ocean, bodies, tick);
+        for (std::uint32_t i = 0; i < 3; ++i)
+            ASSERT_EQ(difference(state_of(bodies, i + 1), hulls[i].state), "") << tick << ", body " << i + 1;
+        ASSERT_EQ(waves_hash(ocean), hash_of(frame.dynamic_waves)) << tick;
+    }
+    auto loads = sized<pelagic_hull_loads>();
+    ASSERT_EQ(pelagic_bodies_get_loads(bodies.get(), 3, &loads), PELAGIC_OK);
+    EXPECT_EQ(loads.total.force_n[1], hulls[2].loads.total().force_n.y);
+    EXPECT_GT(loads.displaced_m3, 0);
+}
+
+// After the saved tick a body is added, another removed and a third pushed, all of which the
+// rollback reverts.
+TEST_F(CInterfaceBodies, ARollbackOf30TicksReplaysBitEqual) {
+    const COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    add(bodies, launch, at_rest(launch, -4, 1, 0.2));
+    add(bodies, dinghy, at_rest(dinghy, 5, -2, -1));
+    add(bodies, launch, at_rest(launch, 0, 8));
+    push(bodies, 1, 2000);
+    for (int tick = 0; tick < 40; ++tick) advance(ocean, bodies, tick);
+    complete(ocean, 40);
+    const std::vector<std::uint8_t> bytes = saved(bodies);
+    std::size_t count = 0;
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(ocean.get()), nullptr, 0, &count), PELAGIC_OK);
+    std::vector<std::uint8_t> waves(count);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(ocean.get()), waves.data(), count, &count), PELAGIC_OK);
+
+    const auto replay = [&] {
+        push(bodies, 2, 300);
+        EXPECT_EQ(pelagic_bodies_remove(bodies.get(), 3), PELAGIC_OK);
+        EXPECT_EQ(add(bodies, dinghy, at_rest(dinghy, -8, -8)), 4u) << "numbers are replayed, too";
+        for (int tick = 40; tick < 70; ++tick) advance(ocean, bodies, tick);
+        return std::pair(saved(bodies), waves_hash(ocean));
+    };
+    const auto once = replay();
+    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(ocean.get()), waves.data(), count), PELAGIC_OK);
+    ASSERT_EQ(restore(bodies, bytes), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(saved(bodies), bytes);
+    const auto again = replay();
+    EXPECT_TRUE(once.first == again.first);
+    EXPECT_EQ(once.second, again.second);
+
+    // In another process: an ocean and bodies that are new, and knew the hulls.
+    const COcean other_ocean = water();
+    const CBodies other = bodies_of(other_ocean);
+    expect_rejected(restore(other, bytes),
+                    "saved body 1 has an unknown hull, expected one that was added to these bodies");
+    add(other, dinghy, at_rest(dinghy, 0, 0));
+    add(other, launch, at_rest(launch, 0, 0));
+    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(other_ocean.get()), waves.data(), count), PELAGIC_OK);
+    ASSERT_EQ(restore(other, bytes), PELAGIC_OK) << pelagic_last_error();
+    for (int tick = 40; tick < 50; ++tick) advance(other_ocean, other, tick);
+    ASSERT_EQ(pelagic_dynamic_waves_restore_state(waves_of(ocean.get()), waves.data(), count), PELAGIC_OK);
+    ASSERT_EQ(restore(bodies, bytes), PELAGIC_OK);
+    for (int tick = 40; tick < 50; ++tick) advance(ocean, bodies, tick);
+    EXPECT_TRUE(saved(other) == saved(bodies));
+    EXPECT_EQ(waves_hash(other_ocean), waves_hash(ocean));
+}
+
+TEST_F(CInterfaceBodies, DamagedAndForeignStatesAreRejectedAndChangeNothing) {
+    const COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    add(bodies, dinghy, at_rest(dinghy, 5, -2, -1));
+    for (int tick = 0; tick < 3; ++tick) advance(ocean, bodies, tick);
+    const std::vector<std::uint8_t> bytes = saved(bodies);
+    constexpr const char* damaged = "the saved bodies are damaged, expected the bytes that save_state() returned";
+    constexpr const char* format = "the saved bodies have another format, expected what save_state() returned";
+    for (std::size_t size = 0; size < bytes.size(); size += 13) {
+        ASSERT_EQ(restore(bodies, std::span(bytes).first(size)), PELAGIC_INVALID_ARGUMENT) << size;
+        if (size < 40)
+            EXPECT_EQ(std::string(pelagic_last_error()),
+                      "the saved bodies have a wrong size, expected as many bytes as their counts give");
+        else
+            EXPECT_STREQ(pelagic_last_error(), damaged);
+    }
+    for (std::size_t at = 0; at < bytes.size(); at += 7) {
+        std::vector<std::uint8_t> flipped = bytes;
+        flipped[at] ^= 0x10;
+        ASSERT_EQ(restore(bodies, flipped), PELAGIC_INVALID_ARGUMENT) << at;
+        EXPECT_STREQ(pelagic_last_error(), at < 8 ? format : damaged);
+    }
+    std::vector<std::uint8_t> longer = bytes;
+    longer.push_back(0);
+    expect_rejected(restore(bodies, longer), damaged);
+    std::size_t count = 0;
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(ocean.get()), nullptr, 0, &count), PELAGIC_OK);
+    std::vector<std::uint8_t> waves(count);
+    ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(ocean.get()), waves.data(), count, &count), PELAGIC_OK);
+    expect_rejected(restore(bodies, waves), format);
+    expect_rejected(pelagic_bodies_restore_state(bodies.get(), nullptr, 100), "bytes is NULL, expected a pointer");
+
+    const CBodies without_wakes = bodies_of(ocean, false);
+    add(without_wakes, dinghy, at_rest(dinghy, 0, 0));
+    expect_rejected(restore(bodies, saved(without_wakes)),
+                    "the saved bodies have no wakes, expected bodies with wakes");
+    expect_rejected(restore(without_wakes, bytes), "the saved bodies have wakes, expected bodies without wakes");
+    const COcean coarse_ocean = water(64);
+    const CBodies coarse = bodies_of(coarse_ocean);
+    add(coarse, dinghy, at_rest(dinghy, 0, 0));
+    // dinghy of 4 x 1.7 m: 8 x 3 cells on texels of 0.5 m, 4 x 1 on texels of 1 m
+    expect_rejected(restore(coarse, bytes), "saved body 1's wake has 24 cells, expected 4 as on these dynamic waves");
+    expect_rejected(
+        pelagic_bodies_save_state(bodies.get(), waves.data(), bytes.size() - 1, &count),
+        "room is " + std::to_string(bytes.size() - 1) + ", expected " + std::to_string(bytes.size()) + " or more");
+    EXPECT_TRUE(saved(bodies) == bytes) << "nothing is changed";
+}
+
+TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
+    const COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    EXPECT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
+    add(bodies, dinghy, at_rest(dinghy, 5, -2));
+    const std::uint32_t removed = add(bodies, dinghy, at_rest(dinghy, -5, -2));
+    const std::uint32_t last = add(bodies, dinghy, at_rest(dinghy, -5, 6));
+    EXPECT_EQ(pelagic_bodies_remove(bodies.get(), removed), PELAGIC_OK);
+    EXPECT_EQ(pelagic_bodies_remove(bodies.get(), removed), PELAGIC_OK) << "does nothing";
+    complete(ocean, 0);
+    const std::vector<std::uint8_t> before = saved(bodies);
+    auto state = state_of(bodies, 1);
+    auto inputs = sized<pelagic_hull_inputs>();
+    auto loads = sized<pelagic_hull_loads>();
+    expect_rejected(pelagic_bodies_get_state(bodies.get(), 2, &state), "number is 2, expected that of a body");
+    expect_rejected(pelagic_bodies_set_state(bodies.get(), 0, &state), "number is 0, expected that of a body");
+    expect_rejected(pelagic_bodies_set_inputs(bodies.get(), 4, &inputs), "number is 4, expected that of a body");
+    expect_rejected(pelagic_bodies_get_loads(bodies.get(), 2, &loads), "number is 2, expected that of a body");
+    inputs.force.torque_nm[1] = std::numeric_limits<double>::infinity();
+    expect_rejected(pelagic_bodies_set_inputs(bodies.get(), 1, &inputs),
+                    "the hull's input torque_nm is out of range [-1e15, 1e15]");
+    state.velocity_mps[0] = 2e4;
+    expect_rejected(pelagic_bodies_set_state(bodies.get(), 1, &state),
+                    "the hull's velocity_mps is out of range [-1e4, 1e4]");
+    std::uint32_t number = 77;
+    expect_rejected(pelagic_bodies_add(bodies.get(), dinghy.get(), &state, &number),
+                    "the hull's velocity_mps is out of range [-1e4, 1e4]");
+    EXPECT_EQ(number, 77u);
+    const CHull raft = hull_of(HullArrays(box_soup({1500, 2, 2})), hull_options(1e6));
+    const pelagic_hull_state rest = at_rest(raft, 0, 0);
+    expect_rejected(pelagic_bodies_add(bodies.get(), raft.get(), &rest, &number),
+                    "length_m 1500 is out of range [0.001, 1000]");
+    expect_rejected(pelagic_bodies_step(bodies.get(), 0), "step_s 0 is out of range (0, 0.1] s");
+    expect_rejected(pelagic_bodies_press(bodies.get(), 1), "tick_s 1 is out of range (0, 0.1] s");
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), tick_s), PELAGIC_OK);
+    EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
+    EXPECT_TRUE(saved(bodies) == before) << "nothing is changed";
+    // Bodies that leave the range are named by their number.
+    state = state_of(bodies, last);
+    state.position_m[0] = 99'999'999, state.position_m[1] = 5000, state.velocity_mps[0] = 9999;
+    ASSERT_EQ(pelagic_bodies_set_state(bodies.get(), last, &state), PELAGIC_OK);
+    ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_OK);
+    const std::vector<std::uint8_t> beyond = saved(bodies);
+    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s),
+                    "body 3: the hull's position_m is out of range [-1e8, 1e8]");
+    EXPECT_TRUE(saved(bodies) == beyond);
+
+    const COcean calm = water(32, false);
+    auto options = sized<pelagic_bodies_options>();
+    options.wakes = 1;
+    pelagic_bodies* none = bodies.get();
+    expect_rejected(pelagic_bodies_create(calm.get(), &options, &none),
+                    "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
+    EXPECT_EQ(none, nullptr);
+    expect_rejected(pelagic_bodies_create(nullptr, nullptr, &none), "ocean is NULL, expected a pointer");
+    expect_rejected(pelagic_bodies_step(nullptr, tick_s), "bodies is NULL, expected a pointer");
+}
+
+TEST_F(CInterfaceBodies, OceanAndBodiesAreDestroyedInAnyOrder) {
+    COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    add(bodies, launch, at_rest(launch, -4, 1));
+    for (int tick = 0; tick < 3; ++tick) advance(ocean, bodies, tick);
+    ocean.reset();
+    auto state = sized<pelagic_hull_state>();
+    constexpr const char* line = "the ocean of the bodies is destroyed, expected one that exists";
+    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s), line);
+    expect_rejected(pelagic_bodies_press(bodies.get(), tick_s), line);
+    expect_rejected(pelagic_bodies_remove(bodies.get(), 1), line);
+    expect_rejected(pelagic_bodies_get_state(bodies.get(), 1, &state), line);
+}
+
+// Waves without a source decay; those of bodies that are destroyed have none.
+TEST_F(CInterfaceBodies, RemovedBodiesPressNoMore) {
+    const auto depth_after = [&](bool remove, bool destroy) {
+        const COcean ocean = water();
+        CBodies bodies = bodies_of(ocean);
+        const std::uint32_t number = add(bodies, launch, at_rest(launch, 0, 0));
+        int tick = 0;
+        while (tick < 120) advance(ocean, bodies, tick++);
+        if (remove) EXPECT_EQ(pelagic_bodies_remove(bodies.get(), number), PELAGIC_OK);
+        if (destroy) bodies.reset();
+        while (tick < 360) complete(ocean, tick++);
+        auto view = sized<pelagic_dynamic_waves_view>();
+        EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean.get()), &view), PELAGIC_OK);
+        return -view.height_min_m;
+    };
+    const float pressed = depth_after(false, false);
+    // The pressure has grown for 2 s of its 8 s, to a sixth of the draught of 0.4 m.
+    EXPECT_GT(pressed, 0.03f);
+    EXPECT_LT(depth_after(true, false), 0.3f * pressed);
+    EXPECT_LT(depth_after(false, true), 0.3f * pressed);
+}
+
+}  // namespace
+}  // namespace pelagic

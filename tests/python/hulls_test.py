@@ -1,0 +1,188 @@
+"""Floating hulls, compared with the C++ example and closed forms."""
+
+import math
+import os
+import subprocess
+import threading
+from pathlib import Path
+
+import numpy as np
+import pelagic
+import pytest
+
+TICK_S = 1 / 60
+STILL = pelagic.Sea(resolution=16, patch_size_m=100, wind_speed_mps=0.05)
+ROUGH = pelagic.Sea(resolution=32, patch_size_m=250, wind_speed_mps=14)
+GRID = pelagic.DynamicWavesOptions(resolution=64, side_m=32, border_m=4)
+
+BOX = [(x, y, z) for x in (-2, 2) for y in (-0.5, 0.5) for z in (-1, 1)]
+BOX_TRIANGLES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+
+
+def boat_mesh(length, beam, height):
+    """Returns the mesh of examples/boat/boat_mesh.hpp."""
+    sections, ring = 10, 6
+    y, z = (0, 0.4, 1, 1.05, 1, 0.4), (0, 0.75, 1, 0, -1, -0.75)
+    vertices = [(length * (i / sections - 0.5), height * y[j], beam / 2 * (1 - 0.8 * (i / sections) * (i / sections)) * z[j])
+                for i in range(sections + 1) for j in range(ring)]
+    triangles = []
+    for i in range(sections):
+        for j in range(ring):
+            a, b = ring * i + j, ring * i + (j + 1) % ring
+            triangles += [(a, a + ring, b), (b, a + ring, b + ring)]
+    bow = ring * sections
+    for j in range(1, ring - 1):
+        triangles += [(0, j, j + 1), (bow, bow + j + 1, bow + j)]
+    return vertices, triangles
+
+
+def test_a_box_floats_by_archimedes():
+    hull = pelagic.Hull(BOX, BOX_TRIANGLES, 4100)
+    assert hull.volume_m3 == pytest.approx(8) and hull.floats
+    # half of the water's density: in closed form draught T = 0.5 m, GM b^2 / (12 T) - (h - T) / 2
+    assert hull.draught_m == pytest.approx(0.5) and hull.waterplane_m2 == pytest.approx(8)
+    assert hull.roll_gm_m == pytest.approx(4 / 6 - 0.25) and hull.pitch_gm_m == pytest.approx(16 / 6 - 0.25)
+    assert hull.centre_m == pytest.approx((0, 0, 0), abs=1e-12) and hull.centre_of_mass_m == hull.centre_m
+    assert not pelagic.Hull(np.array(BOX), np.array(BOX_TRIANGLES, np.uint8), np.float32(9000)).floats
+    assert hull.digest != pelagic.Hull(BOX, BOX_TRIANGLES, 4100, roll_damping=0.1).digest
+    with pelagic.Ocean(STILL, velocities=True) as ocean:
+        bodies = pelagic.Bodies(ocean)
+        number = bodies.add(hull, hull.at_rest(3, -4, 0.5))
+        for tick in range(60):
+            bodies.step(ocean.frame_at(tick * TICK_S), TICK_S)
+        # waves of a millimetre
+        assert bodies.state(number).position_m == pytest.approx((3, hull.height_m, -4), abs=0.005)
+        loads = bodies.loads(number)
+        assert loads["displaced_m3"] == pytest.approx(4, rel=0.005)
+        assert loads["total_force_n"][1] == pytest.approx(4100 * 9.80665, rel=0.005)
+
+
+def test_boats_move_as_in_the_example_in_cpp():
+    program = Path(os.environ["PELAGIC"]).with_name("boat")
+    lines = subprocess.run([program, "1"], capture_output=True, text=True, check=True).stdout.splitlines()
+    kinds = {
+        "dinghy": pelagic.Hull(*boat_mesh(4, 1.7, 0.8), 350),
+        "yacht": pelagic.Hull(*boat_mesh(12, 4, 2.5), 14000, centre_of_mass_m=(-1, 1, 0)),
+        "ship": pelagic.Hull(*boat_mesh(60, 14, 9), 1200000, centre_of_mass_m=(-5, 4, 0)),
+    }
+    here = ["time_s,boat,heave_m,pitch_deg,roll_deg"]
+    waves = pelagic.DynamicWavesOptions(resolution=512, side_m=160, border_m=20)
+    with pelagic.Ocean(pelagic.preset("storm"), velocities=True, dynamic_waves=waves) as ocean:
+        bodies = pelagic.Bodies(ocean, wakes=True)
+        numbers = {name: bodies.add(hull, hull.at_rest(0, 20 * i)) for i, (name, hull) in enumerate(kinds.items())}
+        ocean.schedule(0)
+        for tick in range(1, 61):
+            frame = ocean.complete()
+            bodies.press(frame, TICK_S)
+            yacht = bodies.state(numbers["yacht"]).position_m
+            ocean.dynamic_waves.set_center(yacht[0], yacht[2])
+            ocean.schedule(tick * TICK_S)
+            bodies.step(frame, TICK_S)
+            for name, hull in kinds.items():
+                state = bodies.state(numbers[name])
+                x, y, z, w = state.orientation
+                pitch, roll = math.asin(2 * (x * y + w * z)), math.atan2(-2 * (y * z - w * x), 1 - 2 * (x * x + z * z))
+                here.append(f"{tick * TICK_S:.3f},{name},{state.position_m[1] - hull.height_m:.3f},"
+                            f"{pitch * 180 / math.pi:.2f},{roll * 180 / math.pi:.2f}")
+        ocean.complete()
+    assert here == lines
+
+
+def test_a_rollback_replays_bit_equal():
+    hull = pelagic.Hull(*boat_mesh(6, 2.2, 1.2), 3500)
+    with pelagic.Ocean(ROUGH, velocities=True, dynamic_waves=GRID) as ocean:
+        bodies = pelagic.Bodies(ocean, wakes=True, threads=2)
+        first = bodies.add(hull, hull.at_rest(-4, 1))
+        bodies.set_inputs(first, force_n=(2000, 0, 0), wind_mps=(0, 0, 4))
+
+        def advance(begin, end):
+            for tick in range(begin, end):
+                frame = ocean.frame_at(tick * TICK_S)
+                bodies.press(frame, TICK_S)
+                bodies.step(frame, TICK_S)
+
+        advance(0, 20)
+        ocean.frame_at(20 * TICK_S)
+        saved, waves = bodies.save_state(), ocean.dynamic_waves.save_state()
+        advance(20, 50)
+        once = bodies.save_state()
+        bodies.remove(first)
+        ocean.dynamic_waves.restore_state(waves)
+        bodies.restore_state(saved)
+        advance(20, 50)
+        assert bodies.save_state() == once and once != saved
+        for damaged in (saved[:-1], b"", saved[:100] + b"?" + saved[101:]):
+            with pytest.raises(ValueError, match="^the saved bodies (are damaged|have a wrong size), expected "):
+                bodies.restore_state(damaged)
+        assert bodies.save_state() == once
+
+
+def test_other_threads_run_during_steps():
+    hull = pelagic.Hull(*boat_mesh(6, 2.2, 1.2), 3500)
+    with pelagic.Ocean(ROUGH, velocities=True) as ocean:
+        sets = [pelagic.Bodies(ocean, threads=1) for _ in range(2)]
+        for bodies in sets:
+            bodies.add(hull, hull.at_rest(0, 0))
+        frame = ocean.frame_at(0)
+        steps = [threading.Thread(target=lambda of=of: [of.step(frame, TICK_S) for _ in range(20)]) for of in sets]
+        for thread in steps:
+            thread.start()
+        for thread in steps:
+            thread.join()
+        assert sets[0].save_state() == sets[1].save_state()
+
+
+def test_invalid_arguments_raise_a_one_line_error():
+    hull = pelagic.Hull(BOX, BOX_TRIANGLES, 4100)
+    with pelagic.Ocean(STILL, velocities=True) as ocean, pelagic.Ocean(STILL, velocities=True) as other:
+        bodies = pelagic.Bodies(ocean)
+        number = bodies.add(hull, hull.at_rest(0, 0))
+        state, frame = bodies.state(number), ocean.frame_at(0)
+        before = bodies.save_state()
+        with pelagic.Ocean(STILL) as without_velocities:
+            cases = {
+                (TypeError, "ocean is None, expected a pelagic.Ocean"): lambda: pelagic.Bodies(None),
+                (TypeError, "hull is None, expected a pelagic.Hull"): lambda: bodies.add(None, state),
+                (TypeError, "state is None, expected a pelagic.HullState"): lambda: bodies.add(hull, None),
+                (TypeError, "state is 3, expected a pelagic.HullState"): lambda: bodies.set_state(number, 3),
+                (TypeError, "frame is None, expected a pelagic.Frame"): lambda: bodies.step(None, TICK_S),
+                (TypeError, "saved is str, expected bytes that save_state() returned"): lambda: bodies.restore_state("x"),
+                (TypeError, "Hull() needs mass_kg"): lambda: pelagic.Hull(BOX, BOX_TRIANGLES),
+                (ValueError, "the ocean has no velocities: create it with velocities=True"): lambda: pelagic.Bodies(without_velocities),
+                (ValueError, "the ocean has no dynamic waves: create it with dynamic_waves="): lambda: pelagic.Bodies(ocean, wakes=True),
+                (ValueError, "the frame is one of another ocean"): lambda: bodies.step(other.frame_at(0), TICK_S),
+                (ValueError, "step_s 1 is out of range (0, 0.1] s"): lambda: bodies.step(frame, 1),
+                (ValueError, "number is 9, expected that of a body"): lambda: bodies.state(9),
+                (ValueError, "number is -1, expected a number that add() returned"): lambda: bodies.loads(-1),
+                (ValueError, "force_n is (1, 2), expected x, y and z"): lambda: bodies.set_inputs(number, force_n=(1, 2)),
+                (ValueError, "the hull's input wind_mps is out of range [-1e3, 1e3]"): lambda: bodies.set_inputs(number, wind_mps=(0, np.nan, 0)),
+                (ValueError, "the hull's position_m is out of range [-1e8, 1e8]"): lambda: setattr(state, "position_m", (0, 2e8, 0)),
+                (ValueError, "the hull's orientation is not a unit quaternion"): lambda: setattr(state, "orientation", (0, 0, 0, 2)),
+                (ValueError, "the hull is open at the edge between "): lambda: pelagic.Hull(BOX, BOX_TRIANGLES[1:], 9),
+                (ValueError, "the hull's volume is -8 m^3: its triangles are wound inwards"): lambda: pelagic.Hull(BOX, [t[::-1] for t in BOX_TRIANGLES], 9),
+                (ValueError, "vertex 0: x nan is out of range [-1000, 1000] m"): lambda: pelagic.Hull([(np.nan, 0, 0), *BOX[1:]], BOX_TRIANGLES, 9),
+                (ValueError, "the hull has 1000000 triangles, expected 4 to 4096"): lambda: pelagic.Hull(BOX, np.zeros((1000000, 3), int), 9),
+                (ValueError, "triangle 0 of the hull has vertex -1, expected 0 to 7"): lambda: pelagic.Hull(BOX, [(-1, 1, 3), *BOX_TRIANGLES[1:]], 9),
+                (ValueError, "triangles can't be made an array of whole numbers"): lambda: pelagic.Hull(BOX, np.array(BOX_TRIANGLES, float), 9),
+                (ValueError, "vertices has another shape, expected (n, 3)"): lambda: pelagic.Hull([1, 2], BOX_TRIANGLES, 9),
+                (ValueError, "mass_kg 0 is out of range [1e-6, 1e10]"): lambda: pelagic.Hull(BOX, BOX_TRIANGLES, 0),
+                (ValueError, "heading_rad is inf, expected a finite number"): lambda: hull.at_rest(0, 0, math.inf),
+            }
+            for (kind, line), call in cases.items():
+                with pytest.raises(kind) as refused:
+                    call()
+                assert str(refused.value).startswith(line) and "\n" not in str(refused.value)
+        assert bodies.save_state() == before
+    with pytest.raises(ValueError, match="^the ocean is closed$"):
+        bodies.step(frame, TICK_S)
+
+
+def test_bodies_may_outlive_their_ocean():
+    hull = pelagic.Hull(BOX, BOX_TRIANGLES, 4100)
+    with pelagic.Ocean(STILL, velocities=True, dynamic_waves=GRID) as ocean:
+        bodies = pelagic.Bodies(ocean, wakes=True)
+        bodies.add(hull, hull.at_rest(0, 0))
+    del ocean, hull
+    with pytest.raises(ValueError, match="^the ocean is closed$"):
+        bodies.state(1)
+    del bodies

@@ -1,0 +1,210 @@
+using System;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using Pelagic;
+
+public static class BodiesTests
+{
+    private const double tickS = 1 / 60.0;
+
+    /// <summary>A box of 4 x 1 x 2 m.</summary>
+    public static readonly double[] Vertices =
+    {
+        -2, -0.5, -1, -2, -0.5, 1, -2, 0.5, -1, -2, 0.5, 1, 2, -0.5, -1, 2, -0.5, 1, 2, 0.5, -1, 2, 0.5, 1,
+    };
+    public static readonly uint[] Triangles =
+    {
+        0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3,
+    };
+
+    private static Ocean Water(Executor executor = null, bool velocities = true)
+    {
+        var sea = Sea.Preset("rough");
+        sea.Resolution = 32;
+        var waves = DynamicWavesOptions.Default;
+        waves.Resolution = 64;
+        waves.SideM = 32;
+        waves.BorderM = 4;
+        return new Ocean(sea, new OceanOptions { Queries = true, Velocities = velocities, DynamicWaves = waves, Executor = executor });
+    }
+
+    private static Hull Box() => new Hull(Vertices, Triangles, new HullOptions(2500) { RollDamping = 0.1, CentreOfMassM = new[] { 0, -0.1, 0 } });
+
+    private static void Advance(Ocean ocean, Bodies bodies, int tick)
+    {
+        ocean.Schedule(tick * tickS);
+        ocean.Complete();
+        bodies.Press(tickS);
+        bodies.Step(tickS);
+    }
+
+    private static string Bits(HullState state)
+    {
+        var numbers = new[]
+        {
+            state.PositionXM, state.PositionYM, state.PositionZM, state.OrientationX, state.OrientationY, state.OrientationZ, state.OrientationW,
+            state.VelocityXMps, state.VelocityYMps, state.VelocityZMps, state.AngularVelocityXRadps, state.AngularVelocityYRadps, state.AngularVelocityZRadps,
+        };
+        return string.Concat(numbers.Select(number => BitConverter.DoubleToInt64Bits(number).ToString("x16")));
+    }
+
+    [Test]
+    public static void MoveAsInTheCInterface()
+    {
+        using (var ocean = Water())
+        using (var bodies = new Bodies(ocean, true))
+        {
+            uint first, second;
+            using (var hull = Box())
+            {
+                first = bodies.Add(hull, hull.AtRest(1, -2, 0.3));
+                second = bodies.Add(hull, hull.AtRest(-5, 4));
+            }
+            var inputs = default(HullInputs);
+            inputs.Force.ForceXN = 900;
+            inputs.WindZMps = 5;
+            bodies.SetInputs(second, inputs);
+            for (var tick = 0; tick < 40; ++tick) Advance(ocean, bodies, tick);
+            Check.Equal(Bits(bodies.State(first)), Expected.Text("body 1"), "the first body");
+            Check.Equal(Bits(bodies.State(second)), Expected.Text("body 2"), "the second body");
+            var loads = bodies.Loads(second);
+            Check.Equal(BitConverter.DoubleToInt64Bits(loads.Total.ForceYN).ToString("x16"), Expected.Text("body 2 force"), "its force");
+            Check.True(loads.DisplacedM3 > 0.5 && loads.DisplacedM3 < 8, "it floats");
+        }
+    }
+
+    [Test]
+    public static void ARollbackOf30TicksReplaysBitEqual()
+    {
+        using (var ocean = Water())
+        using (var bodies = new Bodies(ocean, true))
+        using (var hull = Box())
+        {
+            var number = bodies.Add(hull, hull.AtRest(1, -2, 0.3));
+            for (var tick = 0; tick < 10; ++tick) Advance(ocean, bodies, tick);
+            ocean.Schedule(10 * tickS);
+            ocean.Complete();
+            byte[] saved = bodies.SaveState(), waves = ocean.DynamicWaves.SaveState();
+            for (var tick = 10; tick < 40; ++tick) Advance(ocean, bodies, tick);
+            var once = bodies.SaveState();
+            bodies.Remove(number);
+            ocean.DynamicWaves.RestoreState(waves);
+            bodies.RestoreState(saved);
+            for (var tick = 10; tick < 40; ++tick) Advance(ocean, bodies, tick);
+            Check.True(bodies.SaveState().SequenceEqual(once), "bytes after the rollback");
+            saved[50] ^= 1;
+            Check.Equal(Check.Throws<PelagicException>(() => bodies.RestoreState(saved), "a damaged state").Message,
+                        "the saved bodies are damaged, expected the bytes that save_state() returned", "message");
+            Check.Throws<PelagicException>(() => bodies.RestoreState(default), "no state");
+            Check.True(bodies.SaveState().SequenceEqual(once), "nothing is changed");
+        }
+    }
+
+    [Test]
+    public static void AThousandStepsAllocateNothing()
+    {
+        using (var executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Serial }))
+        using (var ocean = Water(executor))
+        using (var bodies = new Bodies(ocean, true, executor))
+        using (var hull = Box())
+        {
+            var number = bodies.Add(hull, hull.AtRest(0, 0));
+            var inputs = default(HullInputs);
+            var state = bodies.State(number);
+            ocean.Schedule(0);
+            ocean.Complete();
+            long bytes = 0;
+            for (var i = 0; i < 1010; ++i)
+            {
+                if (i == 10) bytes = GC.GetAllocatedBytesForCurrentThread();
+                bodies.SetInputs(number, inputs);
+                bodies.Press(tickS);
+                bodies.Step(tickS);
+                inputs.Force.ForceXN = bodies.State(number).PositionXM;
+                bodies.Loads(number);
+                hull.ComputeLoads(ocean, ref state, tickS);
+                hull.Accelerate(ocean, ref state, tickS, inputs);
+            }
+            Check.Equal(GC.GetAllocatedBytesForCurrentThread() - bytes, 0L, "bytes of 1,000 steps");
+        }
+    }
+
+    [Test]
+    public static void InvalidArgumentsThrow()
+    {
+        using (var ocean = Water())
+        using (var bodies = new Bodies(ocean))
+        using (var hull = Box())
+        {
+            Check.Equal(Math.Round(hull.Info.VolumeM3, 9), 8.0, "volume");
+            Check.Equal(Math.Round(hull.Info.DraughtM, 9), Math.Round(2500 / 1025.0 / 8, 9), "draught, by Archimedes");
+            var message = Check.Throws<PelagicException>(() => new Hull(Vertices, Triangles.Skip(3).ToArray(), new HullOptions(9)), "an open mesh").Message;
+            Check.True(message.StartsWith("the hull is open at the edge between vertices "), message);
+            Check.Throws<PelagicException>(() => new Hull(default, default, new HullOptions(9)), "no mesh");
+            Check.Throws<PelagicException>(() => new Hull(Vertices, Triangles, new HullOptions(double.NaN)), "no mass");
+            Check.Throws<ArgumentException>(() => new Hull(new double[4], Triangles, new HullOptions(9)), "four numbers");
+            Check.Throws<ArgumentException>(() => new Hull(Vertices, Triangles, new HullOptions(9) { AddedMass = new double[6] }), "six of 36 numbers");
+            Check.Throws<ArgumentNullException>(() => new Bodies(null), "no ocean");
+            Check.Throws<ArgumentNullException>(() => bodies.Add(null, default), "no hull");
+            Check.Throws<PelagicException>(() => bodies.Add(hull, default), "no orientation");
+            Check.Throws<PelagicException>(() => bodies.State(3), "an unknown body");
+            Check.Equal(Check.Throws<PelagicException>(() => bodies.Step(tickS), "no frame").Status, Status.WrongOrder, "status");
+            var state = hull.AtRest(0, 0);
+            Check.Throws<PelagicException>(() => hull.ComputeLoads(ocean, ref state, 1), "a step of a second");
+        }
+        using (var ocean = Water(velocities: false))
+            Check.Equal(Check.Throws<PelagicException>(() => new Bodies(ocean), "no velocities").Message,
+                        "bodies need queries and velocities, which the ocean was created without", "message");
+    }
+
+    [Test]
+    public static void OceanAndBodiesAreDisposedInAnyOrder()
+    {
+        var ocean = Water();
+        var bodies = new Bodies(ocean, true);
+        using (var hull = Box()) bodies.Add(hull, hull.AtRest(0, 0));
+        Advance(ocean, bodies, 0);
+        ocean.Dispose();
+        Check.Throws<ObjectDisposedException>(() => bodies.Step(tickS), "bodies of a disposed ocean");
+        bodies.Dispose();
+        bodies.Dispose();
+        using (ocean = Water())
+        {
+            Forgotten(ocean);
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            ocean.Schedule(tickS);
+            ocean.Complete();
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Forgotten(Ocean ocean)
+    {
+        using (var hull = Box()) new Bodies(ocean, true).Add(hull, hull.AtRest(0, 0));
+        ocean.Schedule(0);
+        ocean.Complete();
+    }
+
+    [Test]
+    public static void StepsRunOnJobsOfTheApplication()
+    {
+        using (var jobs = new ThreadJobs(2))
+        using (var executor = new Executor(jobs, 2))
+        using (var ocean = Water())
+        using (var bodies = new Bodies(ocean, false, executor))
+        using (var hull = Box())
+        {
+            var number = bodies.Add(hull, hull.AtRest(0, 0));
+            ocean.Schedule(0);
+            ocean.Complete();
+            bodies.Step(tickS);
+            using (var serial = new Bodies(ocean))
+            {
+                var other = serial.Add(hull, hull.AtRest(0, 0));
+                serial.Step(tickS);
+                Check.Equal(Bits(bodies.State(number)), Bits(serial.State(other)), "the state");
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+// Jobs call the C interface itself, with pointers.
+[assembly: InternalsVisibleTo("Pelagic.Unity")]

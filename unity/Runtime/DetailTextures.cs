@@ -1,0 +1,228 @@
+using System;
+
+namespace Pelagic
+{
+    /// <summary>
+    /// Periodic textures of detail below the texels of cascades: RGBA, 256 x 256, with all levels. Texels of a level
+    /// are in tight rows. Each call computes for some tenths of a second.
+    /// </summary>
+    public static class DetailTextures
+    {
+        public const int Side = 256, Levels = 9;
+
+        /// <summary>
+        /// Ripples: slopes along x and z as (byte / 255) 2 - 1, with standard deviation 1/4 at level 0; 0; the
+        /// fraction of the slopes' mean square that the level resolves. Most run along +x.
+        /// </summary>
+        public static byte[][] Ripples()
+        {
+            var random = new Random(7);
+            float[] x = new float[Side * Side], z = new float[Side * Side];
+            for (var wave = 0; wave < 96; ++wave)
+            {
+                // Wave numbers are uniform in their logarithm. The spectrum of slopes is nearly flat there.
+                var k = 3 * Math.Pow(72 / 3.0, (wave + random.NextDouble()) / 96);
+                var angle = (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5) * 1.6;
+                double kx = Math.Round(k * Math.Cos(angle)), kz = Math.Round(k * Math.Sin(angle)), phase = random.NextDouble();
+                double length = Math.Max(1, Math.Sqrt(kx * kx + kz * kz)), slope = Math.Pow(length / 3, -0.2) / length;
+                for (var j = 0; j < Side; ++j)
+                    for (var i = 0; i < Side; ++i)
+                    {
+                        var cosine = Math.Cos(2 * Math.PI * ((kx * i + kz * j) / Side + phase));
+                        x[j * Side + i] += (float)(slope * kx * cosine);
+                        z[j * Side + i] += (float)(slope * kz * cosine);
+                    }
+            }
+            var scale = (float)(0.25 / Math.Sqrt(MeanSquare(x, z) / 2));
+            for (var i = 0; i < x.Length; ++i)
+            {
+                x[i] = Clamp(x[i] * scale, -1, 1);
+                z[i] = Clamp(z[i] * scale, -1, 1);
+            }
+            var all = MeanSquare(x, z);
+            var levels = new byte[Levels][];
+            for (var level = 0; level < Levels; ++level)
+            {
+                var resolved = ByteOf((float)(MeanSquare(x, z) / all));
+                levels[level] = new byte[4 * x.Length];
+                for (var i = 0; i < x.Length; ++i)
+                {
+                    levels[level][4 * i] = ByteOf(x[i] * 0.5f + 0.5f);
+                    levels[level][4 * i + 1] = ByteOf(z[i] * 0.5f + 0.5f);
+                    levels[level][4 * i + 3] = resolved;
+                }
+                x = Halved(x, Side >> level);
+                z = Halved(z, Side >> level);
+            }
+            return levels;
+        }
+
+        /// <summary>
+        /// Structure of foam, threads along the walls of cells: the fraction of texels that are lower; slopes of the
+        /// threads as (byte - 128) / 127; 0. On each level the fraction a exceeds 1 - a.
+        /// </summary>
+        public static byte[][] Lace()
+        {
+            var random = new Random(11);
+            CellNoise[] sizes = { new CellNoise(7, 0.55, random), new CellNoise(15, 0.5, random), new CellNoise(37, 0.4, random) };
+            double[] strengths = { 1, 0.84, 0.62 }, fading = { 7, 9, 9 };
+            GradientNoise bendX = new GradientNoise(5, random), bendZ = new GradientNoise(5, random), fineX = new GradientNoise(23, random),
+                          fineZ = new GradientNoise(23, random), weak = new GradientNoise(9, random), fineWeak = new GradientNoise(29, random);
+            var threads = new float[Side * Side];
+            for (var j = 0; j < Side; ++j)
+                for (var i = 0; i < Side; ++i)
+                {
+                    double x = (i + 0.5) / Side, z = (j + 0.5) / Side, thread = 0;
+                    double bentX = x + 0.04 * bendX.At(x, z) + 0.01 * fineX.At(x, z), bentZ = z + 0.04 * bendZ.At(x, z) + 0.01 * fineZ.At(x, z);
+                    for (var size = 0; size < 3; ++size) thread = Math.Max(thread, strengths[size] - sizes[size].FromWall(bentX, bentZ) * fading[size]);
+                    threads[j * Side + i] = (float)(thread + 0.13 * weak.At(x, z) + 0.1 * fineWeak.At(x, z));
+                }
+            float[] slopeX = new float[threads.Length], slopeZ = new float[threads.Length];
+            for (var j = 0; j < Side; ++j)
+                for (var i = 0; i < Side; ++i)
+                {
+                    slopeX[j * Side + i] = threads[j * Side + (i + 1) % Side] - threads[j * Side + (i + Side - 1) % Side];
+                    slopeZ[j * Side + i] = threads[(j + 1) % Side * Side + i] - threads[(j + Side - 1) % Side * Side + i];
+                }
+            var scale = (float)(0.3 / Math.Sqrt(MeanSquare(slopeX, slopeZ) / 2));
+            for (var i = 0; i < slopeX.Length; ++i)
+            {
+                slopeX[i] = Clamp(slopeX[i] * scale, -1, 1);
+                slopeZ[i] = Clamp(slopeZ[i] * scale, -1, 1);
+            }
+            threads = Ranks(threads);
+            var levels = new byte[Levels][];
+            for (var level = 0; level < Levels; ++level)
+            {
+                // Averages concentrate around 0.5, where a threshold would cover all or nothing.
+                var ranks = level == 0 ? threads : Ranks(threads);
+                levels[level] = new byte[4 * ranks.Length];
+                for (var i = 0; i < ranks.Length; ++i)
+                {
+                    levels[level][4 * i] = ByteOf(ranks[i]);
+                    levels[level][4 * i + 1] = (byte)Math.Round(128 + slopeX[i] * 127);
+                    levels[level][4 * i + 2] = (byte)Math.Round(128 + slopeZ[i] * 127);
+                }
+                threads = Halved(threads, Side >> level);
+                slopeX = Halved(slopeX, Side >> level);
+                slopeZ = Halved(slopeZ, Side >> level);
+            }
+            return levels;
+        }
+
+        private static float Clamp(float value, float low, float high) => Math.Min(Math.Max(value, low), high);
+        private static byte ByteOf(float value) => (byte)(Clamp(value, 0, 1) * 255 + 0.5f);
+        private static double Fraction(double value) => value - Math.Floor(value);
+
+        private static double MeanSquare(float[] x, float[] z)
+        {
+            double sum = 0;
+            for (var i = 0; i < x.Length; ++i) sum += x[i] * x[i] + z[i] * z[i];
+            return sum / x.Length;
+        }
+
+        private static float[] Halved(float[] texels, int side)
+        {
+            var half = side / 2;
+            var coarser = new float[half * half];
+            for (var j = 0; j < half; ++j)
+                for (var i = 0; i < half; ++i)
+                {
+                    var at = 2 * j * side + 2 * i;
+                    coarser[j * half + i] = 0.25f * (texels[at] + texels[at + 1] + texels[at + side] + texels[at + side + 1]);
+                }
+            return coarser;
+        }
+
+        private static float[] Ranks(float[] values)
+        {
+            var keys = (float[])values.Clone();
+            var order = new int[values.Length];
+            for (var i = 0; i < order.Length; ++i) order[i] = i;
+            Array.Sort(keys, order);
+            var ranks = new float[values.Length];
+            for (var i = 0; i < order.Length; ++i) ranks[order[i]] = (i + 0.5f) / order.Length;
+            return ranks;
+        }
+
+        /// <summary>Bubbles, one in each of cells^2 squares of the unit square.</summary>
+        private sealed class CellNoise
+        {
+            private readonly int cells;
+            private readonly double[] x, z, radius;
+
+            internal CellNoise(int cells, double maxRadius, Random random)
+            {
+                this.cells = cells;
+                x = new double[cells * cells];
+                z = new double[cells * cells];
+                radius = new double[cells * cells];
+                for (var i = 0; i < x.Length; ++i)
+                {
+                    x[i] = random.NextDouble();
+                    z[i] = random.NextDouble();
+                    var size = random.NextDouble();
+                    radius[i] = maxRadius * size * size;
+                }
+            }
+
+            /// <summary>Distance to the second nearest bubble less that to the nearest.</summary>
+            internal double FromWall(double atX, double atZ)
+            {
+                double px = Fraction(atX) * cells, pz = Fraction(atZ) * cells, nearest = 9, second = 9;
+                int cellX = (int)px, cellZ = (int)pz;
+                for (var dz = -1; dz <= 1; ++dz)
+                    for (var dx = -1; dx <= 1; ++dx)
+                    {
+                        var at = (cellZ + dz + cells) % cells * cells + (cellX + dx + cells) % cells;
+                        double awayX = cellX + dx + x[at] - px, awayZ = cellZ + dz + z[at] - pz;
+                        var distance = Math.Sqrt(awayX * awayX + awayZ * awayZ) - radius[at];
+                        second = Math.Min(second, Math.Max(distance, nearest));
+                        nearest = Math.Min(nearest, distance);
+                    }
+                return (second - nearest) / cells;
+            }
+        }
+
+        /// <summary>Gradient noise in [-1, 1] with cells^2 cells in the unit square (Perlin 2002).</summary>
+        private sealed class GradientNoise
+        {
+            private readonly int cells;
+            private readonly double movedX, movedZ;
+            private readonly double[] cosine, sine;
+
+            internal GradientNoise(int cells, Random random)
+            {
+                this.cells = cells;
+                movedX = random.NextDouble();
+                movedZ = random.NextDouble();
+                cosine = new double[cells * cells];
+                sine = new double[cells * cells];
+                for (var i = 0; i < cosine.Length; ++i)
+                {
+                    var angle = 2 * Math.PI * random.NextDouble();
+                    cosine[i] = Math.Cos(angle);
+                    sine[i] = Math.Sin(angle);
+                }
+            }
+
+            internal double At(double atX, double atZ)
+            {
+                double px = Fraction(atX + movedX) * cells, pz = Fraction(atZ + movedZ) * cells;
+                int x = (int)px, z = (int)pz;
+                px -= x;
+                pz -= z;
+                double u = px * px * px * (px * (px * 6 - 15) + 10), v = pz * pz * pz * (pz * (pz * 6 - 15) + 10);
+                double near = (1 - u) * Corner(x, z, px, pz) + u * Corner(x + 1, z, px - 1, pz);
+                double far = (1 - u) * Corner(x, z + 1, px, pz - 1) + u * Corner(x + 1, z + 1, px - 1, pz - 1);
+                return 1.414 * ((1 - v) * near + v * far);
+            }
+
+            private double Corner(int x, int z, double awayX, double awayZ)
+            {
+                var at = z % cells * cells + x % cells;
+                return cosine[at] * awayX + sine[at] * awayZ;
+            }
+        }
+    }
+}
