@@ -198,8 +198,8 @@ TEST(Shaders, TakeThreeMoreTextureSamplesAtAShore) {
     }
 }
 
-// A pixel of a patch that reaches the interior of a hull takes a texture sample, or two if there are
-// more hulls, whose boxes may overlap. The text of all other programs does not depend on
+// A pixel of a patch that reaches the interior of a hull takes a texture sample, or two if there
+// are more hulls, whose boxes may overlap. The text of all other programs does not depend on
 // exclusions.
 TEST(Shaders, TakeAtMostTwoSamplesForTheInteriorsOfHulls) {
     const gl::SeaVariant variant{.cascades = 4, .shading = gl::Shading::headset};
