@@ -229,7 +229,7 @@ class GlExclusion : public testing::Test {
         shared_ = std::make_unique<GlScene>(GlScene::Options{.preset = "storm",
                                                              .quality = "low",
                                                              .resolution = 64,
-                                                             .cascades = 2,
+                                                             .cascades = 1,
                                                              .width = 8,
                                                              .height = 8,
                                                              .samples = 0,
