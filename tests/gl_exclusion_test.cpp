@@ -385,8 +385,8 @@ TEST_F(GlExclusion, LeavesOutTheWaterInAnOpenBoatInAStorm) {
                 1000 * furthest_m);
     EXPECT_GT(left_out, pixels / 10);
     EXPECT_LE(furthest_m, texel_m);
-    // Boundaries cross a tenth of the pixels. Maps that are half a cell off fail this bound.
-    EXPECT_LT(wrong, pixels / 1000);
+    // 354 pixels are wrong, and 765 with boats half a cell further forward.
+    EXPECT_LT(wrong, pixels / 2000);
 }
 
 // From a metre below the water, an eye in a boat looks down. Outside, it would see water only.
