@@ -229,7 +229,7 @@ class GlExclusion : public testing::Test {
         shared_ = std::make_unique<GlScene>(GlScene::Options{.preset = "storm",
                                                              .quality = "low",
                                                              .resolution = 64,
-                                                             .cascades = 2,
+                                                             .cascades = 1,
                                                              .width = 8,
                                                              .height = 8,
                                                              .samples = 0,
@@ -257,8 +257,7 @@ class GlExclusion : public testing::Test {
                 .viewer_m = viewer_m,
                 .list = &list,
                 .lod_scale = scene_.quadtree.lod_scale,
-                .draws_sky = false,
-                .camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), viewer_m)};
+                .draws_sky = false};
     }
 
     const Truth truth_{interior()};
@@ -343,12 +342,8 @@ TEST_F(GlExclusion, LeavesOutTheWaterInAnOpenBoatInAStorm) {
             const gl::Eye eye = gl::eye_of(pose.camera, {i % across * side, i / across * side, side, side});
             world_from_clip.push_back(glm::inverse(eye.clip_from_world));
             gl::DrawInput input = input_for(frame, {&eye, 1}, pose.camera.position_m);
-            const std::optional<gl::CameraWaterPlane> water = input.camera_water_plane;
-            // An eye in a cockpit is dry: it sees the surface's mesh from the air.
-            if (pose.contains(truth_, pose.camera.position_m)) input.camera_water_plane.reset();
             plain.bind();
             scene_.renderer->draw(input);
-            input.camera_water_plane = water;
             input.exclusions = pose.boats;
             dry.bind();
             scene_.renderer->draw(input);
@@ -390,8 +385,8 @@ TEST_F(GlExclusion, LeavesOutTheWaterInAnOpenBoatInAStorm) {
                 1000 * furthest_m);
     EXPECT_GT(left_out, pixels / 10);
     EXPECT_LE(furthest_m, texel_m);
-    // Boundaries cross a tenth of the pixels. Maps that are half a cell off fail this bound.
-    EXPECT_LT(wrong, pixels / 1000);
+    // 354 pixels are wrong, and 765 with boats half a cell further forward.
+    EXPECT_LT(wrong, pixels / 2000);
 }
 
 // From a metre below the water, an eye in a boat looks down. Outside, it would see water only.
@@ -409,7 +404,10 @@ TEST_F(GlExclusion, KeepsEachEyeInACockpitDry) {
             eyes[static_cast<std::size_t>(i)] =
                 gl::eye_of({.position_m = at, .target_m = at - glm::dvec3(0.1, 1, 0)}, {i * side, 0, side, side});
         }
-        gl::DrawInput input = input_for(frame, eyes, seat);
+        // The surface is behind the eyes. Its programs for a wet lens take seconds to compile.
+        const DrawList below;
+        gl::DrawInput input{.eyes = eyes, .viewer_m = seat, .list = &below, .draws_sky = false};
+        input.camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), seat);
         input.exclusions = exclusions;
         target.clear();
         scene_.renderer->draw(input);
@@ -429,9 +427,9 @@ TEST_F(GlExclusion, KeepsEachEyeInACockpitDry) {
 
 TEST_F(GlExclusion, RejectsAnInvalidListAndDrawsOn) {
     const Frame& frame = upload(1);
-    scene_.target->bind();
-    const double eye_m = height_at(SurfaceQuery(frame), 0, 0) + 0.5;
-    const Camera camera{.position_m = {0, eye_m, 0}, .target_m = {10, eye_m - 3, 0}};
+    const DepthTarget target(scene_.gl(), 8, 8);
+    target.clear();
+    const Camera camera{.position_m = {0, 30, 0}, .target_m = {10, 0, 0}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 8, 8});
     gl::DrawInput input = input_for(frame, {&eye, 1}, camera.position_m);
     const auto message_for = [&](const std::vector<gl::Exclusion>& exclusions) -> std::string {
@@ -459,10 +457,9 @@ TEST_F(GlExclusion, RejectsAnInvalidListAndDrawsOn) {
 // Only patches that may reach an interior use the program that discards pixels.
 TEST_F(GlExclusion, CostsNoDrawWhereNoBoatIs) {
     const Frame& frame = upload(1);
-    scene_.target->bind();
-    // Near the water, so that the other tests' programs are used.
-    const double eye_m = height_at(SurfaceQuery(frame), 0, 0) + 0.5;
-    const Camera camera{.position_m = {0, eye_m, 0}, .target_m = {100, eye_m - 3, 0}};
+    const DepthTarget target(scene_.gl(), 8, 8);
+    target.clear();
+    const Camera camera{.position_m = {0, 3, 0}, .target_m = {100, 0, 0}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 8, 8});
     gl::DrawInput input = input_for(frame, {&eye, 1}, camera.position_m);
     const int calls = scene_.renderer->draw(input).sea_calls;

@@ -83,12 +83,13 @@ TEST(Shaders, CompileInEveryVariant) {
          {gl::SeaVariant{.cascades = 4, .shading = Shading::headset, .multiview = true},
           gl::SeaVariant{.shading = Shading::high, .surface = Surface::river, .below = true},
           gl::SeaVariant{.cascades = 4, .below = true, .mirrors_scene = true, .dynamic_waves = true, .shore = true}})
-        all.push_back(gl::exclusion_program_files(variant));
+        for (const std::size_t exclusions : {std::size_t{1}, gl::max_exclusions})
+            all.push_back(gl::exclusion_program_files(variant, exclusions));
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
     for (const auto& [multiview, soft] : {std::pair(false, false), {false, true}, {true, false}})
         all.push_back(gl::spray_program_files(multiview, soft));
-    ASSERT_EQ(all.size(), 263u);
+    ASSERT_EQ(all.size(), 266u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(invalid_value_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
@@ -197,16 +198,19 @@ TEST(Shaders, TakeThreeMoreTextureSamplesAtAShore) {
     }
 }
 
-// A pixel of a patch that reaches the interior of a hull takes a texture sample for each of two
-// boxes. All other programs are without them: their text does not depend on exclusions.
+// A pixel of a patch that reaches the interior of a hull takes a texture sample, or two if there
+// are more hulls, whose boxes may overlap. The text of all other programs does not depend on
+// exclusions.
 TEST(Shaders, TakeAtMostTwoSamplesForTheInteriorsOfHulls) {
     const gl::SeaVariant variant{.cascades = 4, .shading = gl::Shading::headset};
     const PixelCost plain = cost_of(gl::sea_program_files(variant)[0]);
-    const PixelCost excluding = cost_of(gl::exclusion_program_files(variant));
-    std::printf("%d more look-ups, %d more operations\n", excluding.looks - plain.looks,
-                excluding.operations - plain.operations);
-    EXPECT_EQ(excluding.loops, 0);
-    EXPECT_EQ(excluding.looks, plain.looks + 2);
+    for (const std::size_t exclusions : {std::size_t{1}, gl::max_exclusions}) {
+        const PixelCost excluding = cost_of(gl::exclusion_program_files(variant, exclusions));
+        std::printf("%zu hulls: %d more look-ups, %d more operations\n", exclusions, excluding.looks - plain.looks,
+                    excluding.operations - plain.operations);
+        EXPECT_EQ(excluding.loops, 0);
+        EXPECT_EQ(excluding.looks, plain.looks + (exclusions == 1 ? 1 : 2));
+    }
     for (const gl::ProgramFiles& files : gl::sea_program_files(variant))
         EXPECT_EQ(files.defines.find("EXCLUSIONS"), std::string::npos);
 }

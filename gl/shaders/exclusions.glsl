@@ -8,9 +8,12 @@ vec3 place_in_box(int hull, vec3 at) {
                 dot(exclusion_box[3 * hull + 2], position));
 }
 
-bool is_in_interior(int hull, vec3 at) {
-    if (hull < 0) return false;
-    vec3 in_box = place_in_box(hull, at);
+bool is_in_box(vec3 in_box) {
+    vec3 from_middle = abs(in_box - 0.5);
+    return max(from_middle.x, max(from_middle.y, from_middle.z)) <= 0.5;
+}
+
+bool is_in_interior(int hull, vec3 in_box) {
     vec3 map = exclusion_map[hull].xyz;
     // A border of one texel surrounds the cells of a map.
     vec2 place = (in_box.xz * map.xy + 1.0) / vec2(textureSize(exclusion_maps, 0).xy);
@@ -21,12 +24,17 @@ bool is_in_interior(int hull, vec3 at) {
 // Returns whether a position relative to the viewer is in an interior. Where boxes overlap, the
 // first two are sampled.
 bool is_excluded(vec3 at) {
+#if EXCLUSIONS == 1
+    vec3 in_box = place_in_box(0, at);
+    return is_in_box(in_box) && is_in_interior(0, in_box);
+#else
     int first = -1, second = -1;
-    for (int hull = 0; hull < 8; ++hull) {
-        vec3 from_middle = abs(place_in_box(hull, at) - 0.5);
-        bool is_near = max(from_middle.x, max(from_middle.y, from_middle.z)) <= 0.5;
+    for (int hull = 0; hull < EXCLUSIONS; ++hull) {
+        bool is_near = is_in_box(place_in_box(hull, at));
         if (is_near && first >= 0 && second < 0) second = hull;
         if (is_near && first < 0) first = hull;
     }
-    return is_in_interior(first, at) || is_in_interior(second, at);
+    return first >= 0 && is_in_interior(first, place_in_box(first, at)) ||
+           second >= 0 && is_in_interior(second, place_in_box(second, at));
+#endif
 }

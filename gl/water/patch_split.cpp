@@ -46,15 +46,18 @@ void PatchSplit::assign(const DrawList& list, std::span<const Exclusion> exclusi
                                       upper.y >= r.lower.y;
                            });
     };
-    instances_.assign(list.instances.begin(), list.instances.end());
+    instances_.clear();
     apart_.clear();
     touching_.clear();
     for (const DrawBatch& batch : list.batches) {
-        const auto first = instances_.begin() + batch.first, end = first + batch.count;
-        const auto middle = std::partition(first, end, [&](const PatchInstance& patch) { return !touches(patch); });
-        const auto apart = static_cast<std::uint32_t>(middle - first);
-        if (apart > 0) apart_.push_back({batch.stitches, batch.first, apart});
-        if (apart < batch.count) touching_.push_back({batch.stitches, batch.first + apart, batch.count - apart});
+        // The order within a batch stays, because the nearest patches come first.
+        for (const bool touching : {true, false}) {
+            const auto first = static_cast<std::uint32_t>(instances_.size());
+            for (const PatchInstance& patch : std::span(list.instances).subspan(batch.first, batch.count))
+                if (touches(patch) == touching) instances_.push_back(patch);
+            const auto count = static_cast<std::uint32_t>(instances_.size()) - first;
+            if (count > 0) (touching ? touching_ : apart_).push_back({batch.stitches, first, count});
+        }
     }
 }
 

@@ -23,9 +23,9 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
              {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
 }
 
-ProgramFiles exclusion_program_files(const SeaVariant& variant) {
+ProgramFiles exclusion_program_files(const SeaVariant& variant, std::size_t exclusions) {
     ProgramFiles files = sea_program_files(variant)[0];
-    files.defines += "#define EXCLUSIONS\n";
+    files.defines += "#define EXCLUSIONS " + std::to_string(exclusions) + "\n";
     return files;
 }
 
@@ -65,10 +65,12 @@ SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) : varia
         if (programs[i] != &floor || variant.below) *programs[i] = SeaProgram(gl, files[i]);
 }
 
-void SeaPrograms::compile_exclusions(const Functions& gl) {
-    if (patches_with_exclusions.program.name() != 0) return;
-    patches_with_exclusions = SeaProgram(gl, exclusion_program_files(variant_));
-    gl.Uniform1i(patches_with_exclusions.program.uniform("exclusion_maps"), exclusions_unit(variant_.surface));
+SeaProgram& SeaPrograms::patches_with(const Functions& gl, std::size_t exclusions) {
+    SeaProgram& chosen = exclusions == 1 ? patches_with_one_ : patches_with_many_;
+    if (chosen.program.name() != 0) return chosen;
+    chosen = SeaProgram(gl, exclusion_program_files(variant_, exclusions == 1 ? 1 : max_exclusions));
+    gl.Uniform1i(chosen.program.uniform("exclusion_maps"), exclusions_unit(variant_.surface));
+    return chosen;
 }
 
 }  // namespace pelagic::gl

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/gl/program.hpp"
+#include "pelagic/gl/water/exclusions.hpp"
 #include "pelagic/gl/water/shading.hpp"
 #include "pelagic/gl/water/small_water.hpp"
 
@@ -57,7 +58,8 @@ struct SeaVariant {
 /// Returns the files of the patch, skirt, background, wireframe and floor programs, in this order.
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant);
 /// Returns the files of the program for patches that reach the interior of a hull.
-ProgramFiles exclusion_program_files(const SeaVariant& variant);
+/// \param exclusions  number of hulls that the program can leave out
+ProgramFiles exclusion_program_files(const SeaVariant& variant, std::size_t exclusions);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -74,17 +76,18 @@ struct SeaPrograms {
     /// Compiles the programs and leaves one of them current.
     /// \throws GlError  if the driver rejects a shader
     SeaPrograms(const Functions& gl, const SeaVariant& variant);
-    /// Compiles patches_with_exclusions, unless it exists, and leaves a program current.
+    /// Returns the program for patches that reach the interior of a hull: one for a single
+    /// exclusion, one for up to max_exclusions. Compiles it at the first use and leaves a program
+    /// current.
     /// \throws GlError  if the driver rejects a shader
-    void compile_exclusions(const Functions& gl);
+    SeaProgram& patches_with(const Functions& gl, std::size_t exclusions);
 
     SeaProgram patches, skirt, background, wireframe;
     SeaProgram floor;  ///< compiled only with SeaVariant::below
-    /// For patches that reach the interior of a hull; compiled by compile_exclusions().
-    SeaProgram patches_with_exclusions;
 
    private:
     SeaVariant variant_;
+    SeaProgram patches_with_one_, patches_with_many_;
 };
 
 }  // namespace pelagic::gl

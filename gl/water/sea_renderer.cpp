@@ -192,12 +192,13 @@ struct SeaRenderer::State {
 
     void draw_shaded(const DrawInput& input, int eye) {
         if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
-        programs->patches.use(gl, eye);
-        add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
+        // Boats are near, and water that they leave hides the water behind it.
         if (has_exclusions && !split.touching().empty()) {
-            programs->patches_with_exclusions.use(gl, eye);
+            programs->patches_with(gl, input.exclusions.size()).use(gl, eye);
             add(buffers->draw_patches(split.touching(), false));
         }
+        programs->patches.use(gl, eye);
+        add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(input.list->skirt));
         if (!input.draws_sky && !lens_is_wet) return;
@@ -230,12 +231,10 @@ struct SeaRenderer::State {
         return lenses;
     }
 
-    /// Splits the draw list if exclusions are drawn, and compiles their program at the first use.
+    /// Splits the draw list if exclusions are drawn.
     void split_patches(const DrawInput& input) {
         has_exclusions = !input.exclusions.empty() && input.mode == DrawMode::shaded;
-        if (!has_exclusions) return;
-        split.assign(*input.list, input.exclusions, exclusion_maps, bounds);
-        if (!split.touching().empty()) programs->compile_exclusions(gl);
+        if (has_exclusions) split.assign(*input.list, input.exclusions, exclusion_maps, bounds);
     }
 
     void upload(const SceneBlock& block) {
