@@ -81,7 +81,9 @@ def glibc(newest, *artefacts):
                     found[library] = max(found.get(library, version), version)
         texts = [f"{library} {'.'.join(map(str, version))}" for library, version in sorted(found.items())]
         print(f"{pathlib.Path(artefact).name}: {', '.join(texts) or 'no programs'}")
-        within &= found.get("GLIBC", (0,)) <= tuple(map(int, newest.split(".")))
+        if found.get("GLIBC", (0,)) > tuple(map(int, newest.split("."))):
+            print(f"{pathlib.Path(artefact).name}: needs a newer glibc than {newest}, which docs/packages.md states")
+            within = False
     return within
 
 

@@ -24,11 +24,12 @@ build_debian() {
   pack build/debian
 }
 
-# Without oneTBB, so that the library needs no other packages. Godot's library comes from the same
-# build.
+# Without oneTBB, so that the library needs no other packages, and with stb, which only Debian has
+# as a shared library, inside the command. Godot's library comes from the same build.
 configure_linux() {
   cmake --preset release -B build/linux "${without_extras[@]}" -DPELAGIC_EXAMPLES=ON -DPELAGIC_TBB=OFF \
-    -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON -DCMAKE_SHARED_LINKER_FLAGS=-s
+    -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON -DCMAKE_SHARED_LINKER_FLAGS=-s \
+    -DPELAGIC_STB_LIBRARY="/usr/lib/$(gcc -print-multiarch)/libstb.a"
 }
 
 build_linux() {

@@ -74,7 +74,7 @@ test_archive() {
   [ ! -e "$folder/bin/pelagic.dll" ] || cp "$folder/bin/pelagic.dll" "$work"
   export LD_LIBRARY_PATH=$folder/lib
   ${run[@]+"${run[@]}"} "$work/application.exe" | tr -d '\r' | diff "$work/application_lines" -
-  "$source/tests/golden_rows_test.sh" "$source/tests/golden" "$work/rows" ${run[@]+"${run[@]}"} "$(find "$folder/bin" -name pelagic -o -name pelagic.exe)"
+  quietly "$source/tests/golden_rows_test.sh" "$source/tests/golden" "$work/rows" ${run[@]+"${run[@]}"} "$(find "$folder/bin" -name pelagic -o -name pelagic.exe)"
   unset LD_LIBRARY_PATH
 }
 
