@@ -302,7 +302,8 @@ struct CellPlaces {
 /// Places positions on the grid of a cascade.
 struct SplitPositionsJob {
     const double *x, *z;   ///< world positions \pre at most 2^50 texels from the origin
-    double along, across;  ///< texels per unit of x: along the grid's x axis, and across it
+    double texel_m;        ///< of a grid along the world's axes; 0: `along` and `across` are used
+    double along, across;  ///< cosine and sine of the grid's rotation, times N / L
     std::int32_t resolution;
     std::size_t count;  ///< a multiple of W
     CellPlaces out;     ///< u and v are in [0, 1]; aliases no input

@@ -9,19 +9,17 @@
 
 namespace pelagic::kernels {
 
-/// Splits coordinates (a x + b z) into a cell of the cascade and the position in the cell. Uses
-/// only sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between
-/// doubles and floats.
-template <class Arch>
-PELAGIC_INLINE void split_axis(const SplitPositionsJob& job, double a, double b, std::int32_t* __restrict cell,
+/// Splits coordinates, texels(i), into a cell of the cascade and the position in the cell. Uses only
+/// sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between doubles
+/// and floats.
+template <class Arch, class Texels>
+PELAGIC_INLINE void split_axis(const SplitPositionsJob& job, const Texels& texels_at, std::int32_t* __restrict cell,
                                float* __restrict within) {
-    const double* const x = job.x;
-    const double* const z = job.z;
     // So large that a double has no fraction, and that its lowest bits are a whole number.
     constexpr double whole = 0x1.8p52;
     const auto last = static_cast<std::uint64_t>(job.resolution - 1);
     for (std::size_t i = 0; i < job.count; ++i) {
-        const double texels = a * x[i] + b * z[i];
+        const double texels = texels_at(i);
         const double shifted = texels + whole;
         // The difference from the nearest whole number; never -0.
         const double beyond = texels - (shifted - whole) + 0.0;
@@ -34,8 +32,18 @@ PELAGIC_INLINE void split_axis(const SplitPositionsJob& job, double a, double b,
 
 template <class Arch>
 void split_positions(const SplitPositionsJob& job) {
-    split_axis<Arch>(job, job.along, job.across, job.out.cell_x, job.out.u);
-    split_axis<Arch>(job, 0.0 - job.across, job.along, job.out.cell_z, job.out.v);
+    const double *const x = job.x, *const z = job.z;
+    const double texel_m = job.texel_m, along = job.along, across = job.across;
+    const auto split = [&](const auto& texels_x, const auto& texels_z) PELAGIC_INLINE_LAMBDA {
+        split_axis<Arch>(job, texels_x, job.out.cell_x, job.out.u);
+        split_axis<Arch>(job, texels_z, job.out.cell_z, job.out.v);
+    };
+    if (texel_m != 0)
+        split([=](std::size_t i) PELAGIC_INLINE_LAMBDA { return x[i] / texel_m; },
+              [=](std::size_t i) PELAGIC_INLINE_LAMBDA { return z[i] / texel_m; });
+    else
+        split([=](std::size_t i) PELAGIC_INLINE_LAMBDA { return along * x[i] + across * z[i]; },
+              [=](std::size_t i) PELAGIC_INLINE_LAMBDA { return along * z[i] - across * x[i]; });
 }
 
 }  // namespace pelagic::kernels

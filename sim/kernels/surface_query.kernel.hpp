@@ -108,7 +108,14 @@ class SharedCell {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE static bool is_shared(I x, I z) { return xsimd::all((x == I(x.get(0))) & (z == I(z.get(0)))); }
+    /// Always false with four lanes, because the comparison would take 4 to 6 % of the instructions
+    /// of scattered points.
+    PELAGIC_INLINE static bool is_shared(I x, I z) {
+        if constexpr (V::size < 8)
+            return false;
+        else
+            return xsimd::all((x == I(x.get(0))) & (z == I(z.get(0))));
+    }
 
     /// \pre is_shared(x, z)
     PELAGIC_INLINE SharedCell(const TexelPlaces<Arch>& places, I x, I z) {

@@ -78,14 +78,10 @@ OneCascadeQuery::OneCascadeQuery(const Frame& frame, const Kernels& kernels, con
       target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {}
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
-    alignas(64) double x[PointChunk::capacity], z[PointChunk::capacity];
-    for (std::size_t i = 0; i < chunk.padded; ++i) {
-        x[i] = chunk.x[i] / texel_m_;
-        z[i] = chunk.z[i] / texel_m_;
-    }
-    kernels_.split_positions({.x = x,
-                              .z = z,
-                              .along = 1,
+    kernels_.split_positions({.x = chunk.x,
+                              .z = chunk.z,
+                              .texel_m = texel_m_,
+                              .along = 0,
                               .across = 0,
                               .resolution = cascade_.resolution(),
                               .count = chunk.padded,

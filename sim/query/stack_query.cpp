@@ -50,6 +50,7 @@ void StackQuery::place(PointChunk& chunk) const {
         const SearchCascade& cascade = search_cascades_[t];
         kernels_.split_positions({.x = chunk.x,
                                   .z = chunk.z,
+                                  .texel_m = 0,
                                   .along = cascade.along,
                                   .across = cascade.across,
                                   .resolution = cascade.texels.resolution,
