@@ -191,7 +191,7 @@ class Scene {
                                 .true_sun_direction = sky.sun_direction});
         // The C interface has no statistics of foam in pixels wider than its structure.
         block_.foam_filter = {};
-        buffers_.upload(list());
+        buffers_.upload(list().instances, list().skirt);
         bind(0, GL_TEXTURE_2D_ARRAY, textures_.displacement());
         bind(1, GL_TEXTURE_2D_ARRAY, textures_.slopes());
         bind(2, GL_TEXTURE_2D_ARRAY, textures_.snapshots());
@@ -222,7 +222,7 @@ class Scene {
         gl_.UniformBlockBinding(program.name, gl_.GetUniformBlockIndex(program.name, "Scene"), 0);
         const std::array samplers = {"displacement", "slopes", "snapshots", "detail", "foam_structure", "sky"};
         for (int unit = 0; unit < 6; ++unit) program.set_unit(samplers[static_cast<std::size_t>(unit)], unit);
-        return image([&] { buffers_.draw_patches(list(), false); });
+        return image([&] { buffers_.draw_patches(list().batches, false); });
     }
 
     std::vector<float> image_of_unity() {

@@ -45,6 +45,13 @@ namespace UnityEngine
         public Vector3 position { get; set; }
         public Vector3 forward { get; set; }
         public Vector3 up { get; set; }
+        public Quaternion rotation { get; set; }
+
+        public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
+        {
+            this.position = position;
+            this.rotation = rotation;
+        }
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Camera.html</summary>
@@ -70,6 +77,7 @@ namespace UnityEngine
     public static class Time
     {
         public static double timeAsDouble { get; set; }
+        public static float fixedDeltaTime { get; set; } = 0.02f;
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Vector3.html</summary>
@@ -82,6 +90,38 @@ namespace UnityEngine
             this.x = x;
             this.y = y;
             this.z = z;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Quaternion.html</summary>
+    public struct Quaternion
+    {
+        // Columns of the rotation's matrix.
+        private Vector3 right, up, forward;
+
+        public static Quaternion LookRotation(Vector3 forward, Vector3 upwards)
+        {
+            forward = Normalized(forward);
+            var right = Normalized(Cross(upwards, forward));
+            return new Quaternion { right = right, up = Cross(forward, right), forward = forward };
+        }
+
+        public static Vector3 operator *(Quaternion rotation, Vector3 point)
+        {
+            Vector3 x = rotation.right, y = rotation.up, z = rotation.forward;
+            return new Vector3(x.x * point.x + y.x * point.y + z.x * point.z, x.y * point.x + y.y * point.y + z.y * point.z,
+                               x.z * point.x + y.z * point.y + z.z * point.z);
+        }
+
+        private static Vector3 Cross(Vector3 a, Vector3 b)
+        {
+            return new Vector3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+        }
+
+        private static Vector3 Normalized(Vector3 v)
+        {
+            var length = (float)Math.Sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+            return new Vector3(v.x / length, v.y / length, v.z / length);
         }
     }
 
@@ -257,6 +297,7 @@ namespace UnityEngine
     {
         public readonly Dictionary<int, ushort[]> Submeshes = new Dictionary<int, ushort[]>();
         public Vector3[] vertices { get; set; }
+        public int[] triangles { get; set; }
         public int subMeshCount { get; set; }
 
         public void SetIndices(ushort[] indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) => Submeshes[submesh] = indices;

@@ -26,6 +26,8 @@ namespace Pelagic.Unity
         public int Resolution;
         /// <summary>Computes foam.</summary>
         public bool Foam = true;
+        /// <summary>Computes velocities of the surface, which OceanFloating needs.</summary>
+        public bool Velocities;
 
         // An array of this length, because Unity fixes the length of a shader's array at the first call.
         private readonly Vector4[] cascades = new Vector4[MaxCascades];
@@ -33,8 +35,9 @@ namespace Pelagic.Unity
 
         /// <summary>Null while the component is disabled.</summary>
         public Ocean Ocean { get; private set; }
-        /// <summary>The frame that is drawn.</summary>
+        /// <summary>The frame that is drawn, if HasFrame.</summary>
         public Frame Frame { get; private set; }
+        public bool HasFrame { get; private set; }
         public Texture2DArray Displacement { get; private set; }
         public Texture2DArray Slopes { get; private set; }
         public Texture2DArray Moments { get; private set; }
@@ -54,7 +57,7 @@ namespace Pelagic.Unity
             var sea = Sea.Preset(Preset);
             if (Resolution != 0) sea.Resolution = Resolution;
             Sea = sea;
-            Ocean = new Ocean(sea, new OceanOptions { Queries = true, Slopes = true, Foam = Foam });
+            Ocean = new Ocean(sea, new OceanOptions { Queries = true, Velocities = Velocities, Slopes = true, Foam = Foam });
             var info = Ocean.Info;
             Displacement = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBAHalf, false);
             Slopes = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBA32, true);
@@ -67,6 +70,7 @@ namespace Pelagic.Unity
         private void Update()
         {
             Frame = Ocean.Complete();
+            HasFrame = true;
             Ocean.Schedule(Time.timeAsDouble);
             for (var i = 0; i < Frame.CascadeCount; ++i)
             {
@@ -108,6 +112,7 @@ namespace Pelagic.Unity
 
         private void OnDisable()
         {
+            HasFrame = false;
             Ocean?.Dispose();
             Ocean = null;
             Destroy(Displacement);

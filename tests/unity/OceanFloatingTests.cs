@@ -1,0 +1,102 @@
+using System;
+using System.Linq;
+using Pelagic;
+using Pelagic.Unity;
+using UnityEngine;
+
+public static class OceanFloatingTests
+{
+    private const float massKg = 2500, timeStepS = 0.02f;
+
+    /// <summary>The box of BodiesTests, away from the origin, in the hull's axes.</summary>
+    private static double[] HullVertices() => BodiesTests.Vertices.Select((value, i) => value + new[] { 0.75, 0.25, 0.125 }[i % 3]).ToArray();
+
+    private static Mesh Mesh()
+    {
+        var vertices = HullVertices();
+        var mesh = new Mesh { vertices = new Vector3[vertices.Length / 3], triangles = BodiesTests.Triangles.Reverse().Select(number => (int)number).ToArray() };
+        for (var i = 0; i < mesh.vertices.Length; ++i)
+            mesh.vertices[i] = new Vector3((float)vertices[3 * i + 2], (float)vertices[3 * i + 1], (float)vertices[3 * i]);
+        return mesh;
+    }
+
+    /// <summary>A vertex of the hull in the sea's axes.</summary>
+    private static double[] Placed(HullState state, HullInfo info, double[] vertices, int vertex)
+    {
+        double[] q = { state.OrientationX, state.OrientationY, state.OrientationZ };
+        double[] v = { vertices[3 * vertex] - info.CentreOfMassXM, vertices[3 * vertex + 1] - info.CentreOfMassYM, vertices[3 * vertex + 2] - info.CentreOfMassZM };
+        Func<double[], double[], double[]> cross = (a, b) => new[] { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+        double[] t = cross(q, v).Select(x => 2 * x).ToArray(), u = cross(q, t);
+        double[] position = { state.PositionXM, state.PositionYM, state.PositionZM };
+        return Enumerable.Range(0, 3).Select(i => position[i] + v[i] + state.OrientationW * t[i] + u[i]).ToArray();
+    }
+
+    [Test]
+    public static void ATransformFollowsTheHullOfTheCInterface()
+    {
+        var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32, Foam = false, Velocities = true };
+        var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg, Force = new Vector3(1000, 0, 500) };
+        floating.transform.position = new Vector3(3, 0, 4);
+        floating.transform.forward = new Vector3(0.6f, 0, 0.8f);
+        UnityEngine.Time.timeAsDouble = 2;
+        UnityEngine.Time.fixedDeltaTime = timeStepS;
+        BehaviourTests.Send(floating, "FixedUpdate");  // before the ocean: no step
+        BehaviourTests.Send(behaviour, "OnEnable");
+        BehaviourTests.Send(behaviour, "Update");
+        using (var hull = new Hull(HullVertices(), BodiesTests.Triangles, new HullOptions(massKg)))
+        using (var bodies = new Bodies(behaviour.Ocean))
+        {
+            // The sea's z is mirrored: a bow towards +z of the scene points towards -z of the sea.
+            var heading = -Math.Atan2(0.8f, 0.6f);
+            var rest = hull.AtRest(0, 0, heading);
+            var origin = Placed(new HullState { OrientationY = rest.OrientationY, OrientationW = rest.OrientationW }, hull.Info, new double[3], 0);
+            var number = bodies.Add(hull, hull.AtRest(3 - origin[0], -4 - origin[2], heading));
+            bodies.SetInputs(number, new HullInputs { Force = new HullForce { ForceXN = 1000, ForceZN = -500 } });
+            for (var step = 0; step < 200; ++step)
+            {
+                if (step % 2 == 1)
+                {
+                    UnityEngine.Time.timeAsDouble += 0.04;
+                    BehaviourTests.Send(behaviour, "Update");
+                }
+                BehaviourTests.Send(floating, "FixedUpdate");
+                bodies.Step(timeStepS);
+                var state = bodies.State(number);
+                // The positions of the launch differ by rounding.
+                Check.True(Math.Abs(state.PositionXM - floating.State.PositionXM) < 1e-9 && Math.Abs(state.PositionZM - floating.State.PositionZM) < 1e-9, "position");
+                var vertices = HullVertices();
+                for (var i = 0; i < floating.Mesh.vertices.Length; ++i)
+                {
+                    var expected = Placed(state, hull.Info, vertices, i);
+                    var turned = floating.transform.rotation * floating.Mesh.vertices[i];
+                    var place = floating.transform.position;
+                    // Floats of a few metres: rounding of some 1e-6.
+                    Check.True(Math.Abs(place.x + turned.x - expected[0]) < 1e-5 && Math.Abs(place.y + turned.y - expected[1]) < 1e-5 &&
+                                   Math.Abs(-(place.z + turned.z) - expected[2]) < 1e-5,
+                               "a vertex of the mesh");
+                }
+            }
+            Check.True(Math.Abs(floating.State.OrientationX) + Math.Abs(floating.State.OrientationZ) > 1e-3, "the waves rock the hull");
+        }
+        BehaviourTests.Send(floating, "OnDisable");
+        BehaviourTests.Send(behaviour, "OnDisable");
+    }
+
+    [Test]
+    public static void AHullIsLaunchedAgainInANewOcean()
+    {
+        var behaviour = new OceanBehaviour { Preset = "calm", Resolution = 32, Foam = false, Velocities = true };
+        var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
+        floating.transform.forward = new Vector3(1, 0, 0);
+        for (var round = 0; round < 2; ++round)
+        {
+            BehaviourTests.Send(behaviour, "OnEnable");
+            BehaviourTests.Send(behaviour, "Update");
+            BehaviourTests.Send(floating, "FixedUpdate");
+            Check.True(floating.State.OrientationW != 0, "a step");
+            BehaviourTests.Send(behaviour, "OnDisable");
+            BehaviourTests.Send(floating, "FixedUpdate");
+        }
+        BehaviourTests.Send(floating, "OnDisable");
+    }
+}
