@@ -37,28 +37,29 @@ COMPONENTS = {
     "mingw-w64": ("mingw-w64-x86-64-dev", "ZPL-2.1 AND MIT AND LicenseRef-public-domain", "https://www.mingw-w64.org"),
     "libstdc++": ("g++-mingw-w64-x86-64-posix", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
 }
-LIBRARY = ["xsimd", "xxHash"]
-COMMAND = ["GLM", "CLI11", "toml++", "nlohmann-json", "stb"]
+LIBRARY = ["xsimd", "xxHash", "GLM"]
+MODULE = ["xsimd", "xxHash"]
+COMMAND = ["CLI11", "toml++", "nlohmann-json", "stb"]
 IMAGES = ["OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
 WINDOWS = ["mingw-w64", "libstdc++"]
 # Patterns of file names, first match.
 CONTENTS = [
     (r"libpelagic[\d.]+_.*\.deb", [*LIBRARY, "oneTBB"]),
-    (r"libpelagic-dev_.*\.deb", [*LIBRARY, "oneTBB", "GLM"]),
+    (r"libpelagic-dev_.*\.deb", [*LIBRARY, "oneTBB"]),
     (r"pelagic_[\d.]+-.*\.deb", [*LIBRARY, "oneTBB", *COMMAND, *IMAGES]),
     (r"pelagic-[\d.]+-linux-x86_64\.tar\.gz", [*LIBRARY, *COMMAND, *IMAGES]),
     (r"pelagic-[\d.]+-linux-arm64\.tar\.gz", [*LIBRARY, *COMMAND]),
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", [*LIBRARY, "pybind11"]),
-    (r"pelagic-[\d.]+\.tgz", [*LIBRARY, "Emscripten", "musl", "libc++"]),
-    (r"pelagic-godot-.*\.zip", [*LIBRARY, "GLM"]),
+    (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "libc++"]),
+    (r"pelagic-godot-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
 ]
 
 
 def version_of(package):
-    shown = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], capture_output=True, text=True)
-    return shown.stdout or sys.exit(f"bill_of_materials.py: {package} is not installed")
+    shown = subprocess.run(["dpkg-query", "-W", "-f", "${Version}\n", package], capture_output=True, text=True)
+    return next(iter(shown.stdout.split()), None) or sys.exit(f"bill_of_materials.py: {package} is not installed")
 
 
 def identifier(name):
