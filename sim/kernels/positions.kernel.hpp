@@ -9,9 +9,9 @@
 
 namespace pelagic::kernels {
 
-/// Splits coordinates, texels(i), into a cell of the cascade and the position in the cell. Uses only
-/// sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between doubles
-/// and floats.
+/// Splits coordinates, texels(i), into a cell of the cascade and the position in the cell. Uses
+/// only sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between
+/// doubles and floats.
 template <class Arch, class Texels>
 PELAGIC_INLINE void split_axis(const SplitPositionsJob& job, const Texels& texels_at, std::int32_t* __restrict cell,
                                float* __restrict within) {
