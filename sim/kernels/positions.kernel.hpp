@@ -9,41 +9,41 @@
 
 namespace pelagic::kernels {
 
-/// Splits coordinates, texels(i), into a cell of the cascade and the position in the cell. Uses
-/// only sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between
-/// doubles and floats.
-template <class Arch, class Texels>
-PELAGIC_INLINE void split_axis(const SplitPositionsJob& job, const Texels& texels_at, std::int32_t* __restrict cell,
-                               float* __restrict within) {
+/// Splits a coordinate in texels into a cell of the cascade and the position in the cell. Uses only
+/// sums and bit operations, which compilers vectorize. xsimd 8.1 does not convert between doubles
+/// and floats.
+template <class Arch>
+PELAGIC_INLINE void split_coordinate(double texels, std::uint64_t last, std::int32_t& cell, float& within) {
     // So large that a double has no fraction, and that its lowest bits are a whole number.
     constexpr double whole = 0x1.8p52;
-    const auto last = static_cast<std::uint64_t>(job.resolution - 1);
-    for (std::size_t i = 0; i < job.count; ++i) {
-        const double texels = texels_at(i);
-        const double shifted = texels + whole;
-        // The difference from the nearest whole number; never -0.
-        const double beyond = texels - (shifted - whole) + 0.0;
-        const std::uint64_t is_below = std::bit_cast<std::uint64_t>(beyond) >> 63;
-        const double one_if_below = std::bit_cast<double>((0 - is_below) & std::bit_cast<std::uint64_t>(1.0));
-        cell[i] = static_cast<std::int32_t>((std::bit_cast<std::uint64_t>(shifted) - is_below) & last);
-        within[i] = static_cast<float>(beyond + one_if_below);
-    }
+    const double shifted = texels + whole;
+    // The difference from the nearest whole number; never -0.
+    const double beyond = texels - (shifted - whole) + 0.0;
+    const std::uint64_t is_below = std::bit_cast<std::uint64_t>(beyond) >> 63;
+    const double one_if_below = std::bit_cast<double>((0 - is_below) & std::bit_cast<std::uint64_t>(1.0));
+    cell = static_cast<std::int32_t>((std::bit_cast<std::uint64_t>(shifted) - is_below) & last);
+    within = static_cast<float>(beyond + one_if_below);
 }
 
 template <class Arch>
 void split_positions(const SplitPositionsJob& job) {
-    const double *const x = job.x, *const z = job.z;
+    const double* const __restrict x = job.x, * const __restrict z = job.z;
+    std::int32_t* const __restrict cell_x = job.out.cell_x, * const __restrict cell_z = job.out.cell_z;
+    float* const __restrict u = job.out.u, * const __restrict v = job.out.v;
     const double texel_m = job.texel_m, along = job.along, across = job.across;
-    const auto split = [&](const auto& texels_x, const auto& texels_z) PELAGIC_INLINE_LAMBDA {
-        split_axis<Arch>(job, texels_x, job.out.cell_x, job.out.u);
-        split_axis<Arch>(job, texels_z, job.out.cell_z, job.out.v);
-    };
-    if (texel_m != 0)
-        split([=](std::size_t i) PELAGIC_INLINE_LAMBDA { return x[i] / texel_m; },
-              [=](std::size_t i) PELAGIC_INLINE_LAMBDA { return z[i] / texel_m; });
-    else
-        split([=](std::size_t i) PELAGIC_INLINE_LAMBDA { return along * x[i] + across * z[i]; },
-              [=](std::size_t i) PELAGIC_INLINE_LAMBDA { return along * z[i] - across * x[i]; });
+    const auto last = static_cast<std::uint64_t>(job.resolution - 1);
+    const std::size_t count = job.count;
+    if (texel_m != 0) {
+        for (std::size_t i = 0; i < count; ++i) {
+            split_coordinate<Arch>(x[i] / texel_m, last, cell_x[i], u[i]);
+            split_coordinate<Arch>(z[i] / texel_m, last, cell_z[i], v[i]);
+        }
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            split_coordinate<Arch>(along * x[i] + across * z[i], last, cell_x[i], u[i]);
+            split_coordinate<Arch>(along * z[i] - across * x[i], last, cell_z[i], v[i]);
+        }
+    }
 }
 
 }  // namespace pelagic::kernels
