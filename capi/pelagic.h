@@ -34,7 +34,7 @@
  * stated, cannot be detected: the behaviour is undefined.
  *
  * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Sizes
- * from that of this header's struct to 4096 bytes are accepted; any other size gives
+ * from that of the struct's first version 1.x to 4096 bytes are accepted; any other size gives
  * PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with a newer header, the
  * library does not define the last fields. They must be 0 in structs that the library reads, and it
  * sets them to 0 in structs that it writes.

@@ -109,6 +109,18 @@ TEST(CascadeStackQuery, ReturnsTheHighestOfSeveralSheets) {
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
 }
 
+/// Compares samples of a batch with those of each of its points alone, in reverse order.
+void expect_bits_of_lone_points(const SurfaceQuery& query, const Points& points, const Samples& together) {
+    for (std::size_t i = points.x.size(); i-- > 0;) {
+        Samples one(1);
+        query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, one.view());
+        ASSERT_EQ(one.height[0], together.height[i]);
+        ASSERT_EQ(one.normal_x[0], together.normal_x[i]);
+        ASSERT_EQ(one.velocity_y[0], together.velocity_y[i]);
+        ASSERT_EQ(one.error[0], together.error[i]);
+    }
+}
+
 /// Results are bit-identical for each batch size, order, thread and instruction set.
 TEST(CascadeStackQuery, ResultsAreBitIdenticalForEachBatchThreadAndInstructionSet) {
     const std::size_t count = 1000;
@@ -122,14 +134,7 @@ TEST(CascadeStackQuery, ResultsAreBitIdenticalForEachBatchThreadAndInstructionSe
             query.sample(points.view(), together.view());
             of_isas.push_back(together);
 
-            for (std::size_t i = count; i-- > 0;) {
-                Samples one(1);
-                query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, one.view());
-                ASSERT_EQ(one.height[0], together.height[i]);
-                ASSERT_EQ(one.normal_x[0], together.normal_x[i]);
-                ASSERT_EQ(one.velocity_y[0], together.velocity_y[i]);
-                ASSERT_EQ(one.error[0], together.error[i]);
-            }
+            expect_bits_of_lone_points(query, points, together);
 
             Samples of_threads[2] = {Samples(count), Samples(count)};
             std::thread other([&] { query.sample(points.view(), of_threads[1].view()); });
@@ -154,14 +159,7 @@ TEST(CascadeStackQuery, DensePointsHaveTheBitsOfLonePoints) {
                 for (double& x : points.x) x += 777;
                 Samples together(count);
                 query.sample(points.view(), together.view());
-                for (std::size_t i = 0; i < count; ++i) {
-                    Samples one(1);
-                    query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, one.view());
-                    ASSERT_EQ(one.height[0], together.height[i]);
-                    ASSERT_EQ(one.normal_x[0], together.normal_x[i]);
-                    ASSERT_EQ(one.velocity_y[0], together.velocity_y[i]);
-                    ASSERT_EQ(one.error[0], together.error[i]);
-                }
+                expect_bits_of_lone_points(query, points, together);
             }
     }
 }
