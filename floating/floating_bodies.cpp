@@ -24,7 +24,7 @@ struct SavedHeader {
     std::uint64_t checksum;  ///< XXH3 of all that follows it
     std::uint64_t count, next_number, has_wakes;
 };
-constexpr std::uint64_t saved_format = 0x31'594f'4248'4c50;  // "PLHBOY1"
+constexpr std::uint64_t saved_format = 0x32'594f'4248'4c50;  // "PLHBOY2"
 constexpr std::size_t checked_from = offsetof(SavedHeader, count);
 
 /// Before the numbers of each body.
@@ -105,12 +105,16 @@ struct FloatingBodies::Reader {
 
 template <class Use>
 void FloatingBodies::for_each_number(HullWake& wake, Use use) {
-    use(wake.afloat_s_), use(wake.tick_s_);
+    use(wake.afloat_s_);
+    double tick = static_cast<double>(wake.tick_);
+    use(tick);
+    wake.tick_ = static_cast<std::int64_t>(std::clamp(tick, -0x1p52, 0x1p52));
     pelagic::for_each_number(wake.hull_m_, use);
     pelagic::for_each_number(wake.pressure_m_, use);
-    for (PressureFootprint& footprint : wake.footprints_) {
-        use(footprint.x_m), use(footprint.z_m), use(footprint.forward_x), use(footprint.forward_z);
-        for (float& depth : footprint.depth_m) use(depth);
+    for (PressureFootprint* footprint : {&wake.next_, &wake.acted_[0], &wake.acted_[1], &wake.acted_[2]}) {
+        use(footprint->x_m), use(footprint->z_m), use(footprint->forward_x), use(footprint->forward_z);
+        use(footprint->velocity_x_mps), use(footprint->velocity_z_mps);
+        for (float& depth : footprint->depth_m) use(depth);
     }
 }
 
@@ -249,8 +253,8 @@ FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_
     body.wake->source_ = static_cast<std::uint32_t>(saved.source);
     floating.inputs.wake = body.wake.get();
     for_each_number(*body.wake, std::ref(from));
-    for (const PressureFootprint& footprint : body.wake->footprints_)
-        if (const std::string reason = check(footprint); !reason.empty())
+    for (const PressureFootprint* footprint : {&body.wake->next_, &body.wake->acted_[0], &body.wake->acted_[1]})
+        if (const std::string reason = check(*footprint); !reason.empty())
             throw std::invalid_argument(name + ": " + reason);
     return body;
 }

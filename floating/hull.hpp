@@ -215,6 +215,8 @@ class Hull {
    private:
     friend class FloatingHulls;
     friend class HullSpray;
+    friend class HullWake;
+    double floating_m3() const { return floating_volume_m3_; }
     void append_points(const HullState& state, HullWorkspace& workspace) const;
     /// Fills workspace.vertices from its samples.
     void place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,

@@ -73,15 +73,21 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
     return mean;
 }
 
+/// Returns how the vertical velocity of the water changes that the hull meets, less `along`.
+double vertical_change(const MeanWater& mean, const HullState& state, double step_s, double along_mps2 = 0) {
+    if (!state.has_previous_step) return 0;
+    const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along_mps2;
+    // Waves break before the surface falls freely.
+    return std::clamp(change, -gravity_mps2, gravity_mps2);
+}
+
 /// Returns the acceleration of the water at the surface: the vertical one from two steps, at a
 /// fixed position; the horizontal one from the slope, because pressure is constant along the
 /// surface.
 glm::dvec3 water_acceleration(const MeanWater& mean, const HullState& state, double step_s) {
     if (!state.has_previous_step) return {};
     const double along = state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z;
-    const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along;
-    // Waves break before the surface falls freely.
-    const double vertical = std::clamp(change, -gravity_mps2, gravity_mps2);
+    const double vertical = vertical_change(mean, state, step_s, along);
     return {-(gravity_mps2 + vertical) * mean.slope_x, vertical, -(gravity_mps2 + vertical) * mean.slope_z};
 }
 
@@ -219,7 +225,11 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     glm::dvec3 water_spin_change{};
     if (state.has_previous_step)
         water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
-    const Vector6 acceleration = joined(to_hull * loads.water_acceleration_mps2, to_hull * water_spin_change);
+    // A section of a hull under way meets other water, and its momentum changes by what the hull
+    // sees: in a steady wave that moves along with the hull nothing (Newman, chapter 7).
+    const glm::dvec3 change(loads.water_acceleration_mps2.x, vertical_change(mean, state, step_s),
+                            loads.water_acceleration_mps2.z);
+    const Vector6 acceleration = joined(to_hull * change, to_hull * water_spin_change);
     Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);

@@ -16,19 +16,23 @@ int cells(double size_m, double texel_m) {
     return static_cast<int>(std::clamp(std::floor(size_m / texel_m), 1.0, 64.0));
 }
 
+/// Fraction of a tick by which a frame may miss it, as for DynamicWaves.
+constexpr double clock_slack = 0x1p-16;
+constexpr double fastest_mps = 1000;  // of footprints
+
 }  // namespace
 
 HullWake::HullWake(DynamicWaves& waves, const Hull& hull) : waves_(&waves), hull_(&hull) {
     const double texel_m = waves.options().side_m / waves.options().resolution;
     const glm::dvec3 size = hull.mesh().upper_m() - hull.mesh().lower_m();
     plan_ = plan_of(hull.mesh(), cells(size.x, texel_m), cells(size.z, texel_m));
-    for (PressureFootprint& footprint : footprints_) {
-        footprint.columns = plan_.columns;
-        footprint.rows = plan_.rows;
-        footprint.length_m = plan_.length_m;
-        footprint.beam_m = plan_.beam_m;
-        footprint.depth_m.assign(plan_.low_m.size(), 0);
-    }
+    next_.columns = plan_.columns;
+    next_.rows = plan_.rows;
+    next_.length_m = plan_.length_m;
+    next_.beam_m = plan_.beam_m;
+    next_.depth_m.assign(plan_.low_m.size(), 0);
+    depth_before_m_ = next_.depth_m;
+    acted_.fill(next_);
 }
 
 HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state) : HullWake(waves, hull) {
@@ -37,11 +41,9 @@ HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state
 
 void HullWake::launch(const HullState& state) {
     hull_m_ = pressure_m_ = state.position_m;
-    for (PressureFootprint& footprint : footprints_) {
-        footprint.x_m = state.position_m.x;
-        footprint.z_m = state.position_m.z;
-    }
-    source_ = waves_->add_footprint(footprints_[0]);
+    next_.x_m = state.position_m.x;
+    next_.z_m = state.position_m.z;
+    source_ = waves_->add_footprint(next_);
 }
 
 double HullWake::period_s() const { return std::sqrt(two_pi * plan_.length_m / gravity_mps2); }
@@ -50,7 +52,7 @@ double HullWake::launch_s() const { return 4 * period_s(); }
 
 /// Depth of the hull in each cell: from the lowest point to the water's mean surface or the highest
 /// point, along the hull's own vertical, scaled to the displaced volume.
-void HullWake::shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const {
+void HullWake::shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s) {
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     const double across = std::sqrt(axes[0].x * axes[0].x + axes[0].z * axes[0].z);
     if (across > 1e-3) {  // else the hull stands on its bow or stern, and keeps its last heading
@@ -59,9 +61,6 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     }
     const double fraction = std::min(afloat_s_ / launch_s(), 1.0),
                  launched = fraction * fraction * (3 - 2 * fraction);
-    const glm::dvec3 middle = axes * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
-    footprint.x_m = pressure_m_.x + middle.x;
-    footprint.z_m = pressure_m_.z + middle.z;
     const double upright = axes[1].y;
     // A hull on its side has no columns along its own vertical: the limit leaves its volume to the
     // scale below.
@@ -73,57 +72,97 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
                                            plan_.z_m + ((row + 0.5) / plan_.rows - 0.5) * plan_.beam_m) -
                                 hull_->centre_of_mass_m();
         const glm::dvec3 at = axes * foot;
-        const double surface = loads->water_height_m + loads->water_slope_x * at.x + loads->water_slope_z * at.z;
+        const double surface = loads.water_height_m + loads.water_slope_x * at.x + loads.water_slope_z * at.z;
         const double waterline = (surface - state.position_m.y - at.y) / slant;
         const double low = plan_.low_m[cell], high = plan_.high_m[cell];
         const double wet =
             slant > 0 ? std::clamp(waterline - low, 0.0, high - low) : std::clamp(high - waterline, 0.0, high - low);
         return plan_.coverage[cell] * wet;
     };
+    depth_before_m_ = footprint.depth_m;
     for (int row = 0; row < plan_.rows; ++row)
         for (int column = 0; column < plan_.columns; ++column) {
-            const double depth = loads ? depth_of(column, row) : 0;
+            const double depth = depth_of(column, row);
             footprint.depth_m[static_cast<std::size_t>(row * plan_.columns + column)] = static_cast<float>(depth);
             volume += depth;
         }
     volume *= plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
-    const double scale = volume > 0 ? launched * loads->displaced_m3 / volume : 0;
+    // Not more than the weight: a hull that its own wave lowers would make a larger wave, and so on.
+    const double scale = volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / volume : 0;
     // Without a delay the hull would follow the water that its own change of draught moves, whose
     // inertia is already its added mass, and the two would excite each other.
-    const double part = tick_s_ / (tick_s_ + period_s() / 3);
+    const double part = step_s / (step_s + period_s());
     for (std::size_t i = 0; i < footprint.depth_m.size(); ++i) {
-        const double before = footprints_[1].depth_m[i];
+        const double before = depth_before_m_[i];
         footprint.depth_m[i] =
             static_cast<float>(std::clamp(before + part * (scale * footprint.depth_m[i] - before), 0.0, 100.0));
     }
 }
 
-void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s) {
-    afloat_s_ += tick_s;
-    tick_s_ = tick_s;
+HullWake::FrameTick HullWake::tick_of(double time_s) const {
+    const std::int64_t tick = waves_->tick_at(time_s);
+    const double fraction = time_s * waves_->options().ticks_per_s - static_cast<double>(tick);
+    return {tick, fraction < clock_slack ? 0 : fraction};
+}
+
+/// Returns the footprint of a tick, at most two before the last one.
+HullWake::ActingFootprint HullWake::acting_at(std::int64_t tick) const {
+    if (tick > tick_) return {&next_, static_cast<double>(tick - tick_ - 1) / waves_->options().ticks_per_s};
+    return {&acted_[static_cast<std::size_t>(std::min<std::int64_t>(tick_ - tick, 2))], 0};
+}
+
+void HullWake::keep_acted(std::int64_t tick) {
+    const std::int64_t passed = tick - tick_;
+    if (passed <= 0) return;
+    const auto acted = static_cast<std::size_t>(std::min<std::int64_t>(passed, 3));
+    std::rotate(acted_.begin(), acted_.end() - acted, acted_.end());
+    for (std::size_t before = 0; before < acted; ++before)
+        acting_at(tick - static_cast<std::int64_t>(before)).copy_to(acted_[before]);
+}
+
+void HullWake::ActingFootprint::copy_to(PressureFootprint& moved) const {
+    moved = *footprint;
+    moved.x_m += moved_s * moved.velocity_x_mps;
+    moved.z_m += moved_s * moved.velocity_z_mps;
+}
+
+void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s) {
+    const FrameTick now = tick_of(frame.time_s);
+    if (afloat_s_ > 0) keep_acted(now.tick);
+    tick_ = now.tick;
+    afloat_s_ += step_s;
     // the current carries the grid, too
     const glm::dvec3 current(frame.water_frame.current_x_mps, 0, frame.water_frame.current_z_mps);
-    pressure_m_ += state.position_m - hull_m_ - tick_s * (loads.water_velocity_mps - current);
-    pressure_m_ += std::min(tick_s / return_s, 1.0) * (state.position_m - pressure_m_);
+    const glm::dvec3 pressure_before_m = pressure_m_;
+    pressure_m_ += state.position_m - hull_m_ - step_s * (loads.water_velocity_mps - current);
+    pressure_m_ += std::min(step_s / return_s, 1.0) * (state.position_m - pressure_m_);
     hull_m_ = state.position_m;
-    std::rotate(footprints_.begin(), footprints_.begin() + 2, footprints_.end());
-    footprints_[0].forward_x = footprints_[1].forward_x;
-    footprints_[0].forward_z = footprints_[1].forward_z;
-    shape(footprints_[0], state, &loads);
-    waves_->set_footprint(source_, footprints_[0]);
+    const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / step_s;
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    const glm::dvec3 middle = axes * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
+    // The next tick shows the hull as it was at the last one.
+    const double since_tick_s = now.fraction / waves_->options().ticks_per_s;
+    next_.x_m = pressure_m_.x + middle.x - since_tick_s * velocity_mps.x;
+    next_.z_m = pressure_m_.z + middle.z - since_tick_s * velocity_mps.z;
+    next_.velocity_x_mps = std::clamp(velocity_mps.x, -fastest_mps, fastest_mps);
+    next_.velocity_z_mps = std::clamp(velocity_mps.z, -fastest_mps, fastest_mps);
+    shape(next_, state, loads, step_s);
+    waves_->set_footprint(source_, next_);
 }
 
 /// Returns the depth that the grid shows: bilinear between its texels.
-/// \param place_s  time at which the footprint acted
+/// \param place_s  time of the footprint's tick
 /// \param x_m, z_m  in the water's frame
-double HullWake::hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double place_s, double x_m,
+double HullWake::hollow_m(const ActingFootprint& of, const WaterFrame& water, double place_s, double x_m,
                           double z_m) const {
     const double texel = waves_->options().side_m / waves_->options().resolution;
-    const WaterFrame::Origin origin = water.origin_at(place_s);
+    WaterFrame::Origin origin = water.origin_at(place_s);
+    origin.x_m -= of.moved_s * of.footprint->velocity_x_mps;
+    origin.z_m -= of.moved_s * of.footprint->velocity_z_mps;
     const double i = std::floor(x_m / texel), j = std::floor(z_m / texel);
     const double right = x_m / texel - i, bottom = z_m / texel - j;
     const auto at = [&](double column, double row) {
-        return depth_at(footprint, column * texel + origin.x_m, row * texel + origin.z_m);
+        return depth_at(*of.footprint, column * texel + origin.x_m, row * texel + origin.z_m);
     };
     return (1 - bottom) * ((1 - right) * at(i, j) + right * at(i + 1, j)) +
            bottom * ((1 - right) * at(i, j + 1) + right * at(i + 1, j + 1));
@@ -133,12 +172,19 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
                          std::span<float> height_m, std::span<float> velocity_y_mps) const {
     const WaterFrame& water = frame.water_frame;
     const WaterFrame::Origin origin = water.origin_at(frame.time_s);
+    const FrameTick now = tick_of(frame.time_s);
+    const ActingFootprint last[] = {acting_at(now.tick), acting_at(now.tick - 1), acting_at(now.tick - 2)};
+    const double tick_s = 1.0 / waves_->options().ticks_per_s, now_s = frame.time_s - now.fraction * tick_s;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double in_x = x[i] - origin.x_m, in_z = z[i] - origin.z_m;
-        const double before = hollow_m(footprints_[2], water, frame.time_s - tick_s_, in_x, in_z);
-        const double after = hollow_m(footprints_[1], water, frame.time_s, in_x, in_z);
-        height_m[i] = static_cast<float>(height_m[i] + before);
-        if (tick_s_ > 0) velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + (after - before) / tick_s_);
+        double hollow[3];
+        for (std::size_t tick = 0; tick < 3; ++tick)
+            hollow[tick] = hollow_m(last[tick], water, now_s - static_cast<double>(tick) * tick_s, in_x, in_z);
+        // as DynamicWavesView interpolates ticks
+        const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
+        height_m[i] = static_cast<float>(height_m[i] + hollow[1] + now.fraction * change);
+        velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] +
+                                               (change + (now.fraction - 0.5) * (change - change_before)) / tick_s);
     }
 }
 

@@ -3,9 +3,9 @@
 //
 //   HullWake wake(waves, hull, state);                       // waves: ocean.dynamic_waves()
 //   const Frame& frame = ocean.complete();
-//   wake.press(frame, state, loads, tick_s);
-//   ocean.schedule(next_s);                                  // a tick later
-//   hulls.step(SurfaceQuery(frame), ..., tick_s);            // with HullInputs::wake = &wake
+//   wake.press(frame, state, loads, step_s);
+//   ocean.schedule(frame.time_s + step_s);
+//   hulls.step(SurfaceQuery(frame), ..., step_s);            // with HullInputs::wake = &wake
 //
 // The loads of a hull leave out the hollow that its own pressure makes at rest, because that
 // pressure is its buoyancy. Waves that it radiated earlier stay, for itself and for others.
@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/floating/hull_plan.hpp"
@@ -36,12 +37,14 @@ class HullWake {
     /// \pre both outlive this object
     HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state);
 
-    /// Moves the pressure to the hull. Its shape follows the submerged hull within a third of the
-    /// period of waves of the hull's length. Call it between
-    /// complete() and schedule(), whose frames are a tick apart.
-    /// \param frame  the frame completed last
-    /// \param loads  of the hull's last step
-    void press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s);
+    /// Moves the pressure to the hull. Its shape follows the submerged hull within the period of
+    /// waves of the hull's length. Call it once a frame, between complete() and
+    /// schedule(), before or after the hull's step. Until the next call the pressure moves on.
+    /// \param frame   the frame completed last; frames may be any time apart
+    /// \param state   of the hull at the frame's time
+    /// \param loads   of the hull's last step
+    /// \param step_s  time since the last call, above 0
+    void press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s);
 
     /// Returns four periods of waves with the hull's length. A change of this duration makes hardly
     /// any waves.
@@ -52,7 +55,7 @@ class HullWake {
                    std::span<float> height_m, std::span<float> velocity_y_mps) const;
 
     /// Returns the pressure of the next tick.
-    const PressureFootprint& footprint() const { return footprints_[0]; }
+    const PressureFootprint& footprint() const { return next_; }
 
    private:
     friend class FloatingBodies;
@@ -60,20 +63,33 @@ class HullWake {
     HullWake(DynamicWaves& waves, const Hull& hull);
     void launch(const HullState& state);
     double period_s() const;  // of waves of the hull's length
-    void shape(PressureFootprint& footprint, const HullState& state, const HullLoads* loads) const;
-    double hollow_m(const PressureFootprint& footprint, const WaterFrame& water, double place_s, double x_m,
-                    double z_m) const;
+
+    struct FrameTick {
+        std::int64_t tick;  ///< the last one at a frame's time
+        double fraction;    ///< of a tick, since then
+    };
+    FrameTick tick_of(double time_s) const;
+    struct ActingFootprint {
+        const PressureFootprint* footprint;
+        double moved_s;  ///< for which it has moved at its velocity
+        void copy_to(PressureFootprint& moved) const;
+    };
+    ActingFootprint acting_at(std::int64_t tick) const;
+    void keep_acted(std::int64_t tick);
+    void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s);
+    double hollow_m(const ActingFootprint& of, const WaterFrame& water, double place_s, double x_m, double z_m) const;
 
     DynamicWaves* waves_;
     const Hull* hull_;
     HullPlan plan_;
     std::uint32_t source_ = 0;
-    double afloat_s_ = 0, tick_s_ = 0;
-    glm::dvec3 hull_m_{};      // position of the hull at the previous press()
-    glm::dvec3 pressure_m_{};  // position of the pressure
-    // Of the next frame, of the last completed frame, which shows the tick before it, and of that
-    // tick.
-    std::array<PressureFootprint, 3> footprints_;
+    double afloat_s_ = 0;
+    glm::dvec3 hull_m_{};                     // position of the hull at the previous press()
+    glm::dvec3 pressure_m_{};                 // position of the pressure
+    std::int64_t tick_ = 0;                   // of the frame of the last press()
+    PressureFootprint next_;                  // of the ticks after it
+    std::array<PressureFootprint, 3> acted_;  // of its tick, and of the two before it
+    std::vector<float> depth_before_m_;       // scratch memory
 };
 
 }  // namespace pelagic

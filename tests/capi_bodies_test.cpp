@@ -321,16 +321,18 @@ TEST_F(CInterfaceBodies, RemovedBodiesPressNoMore) {
         CBodies bodies = bodies_of(ocean);
         const std::uint32_t number = add(bodies, launch, at_rest(launch, 0, 0));
         int tick = 0;
-        while (tick < 120) advance(ocean, bodies, tick++);
-        if (remove) EXPECT_EQ(pelagic_bodies_remove(bodies.get(), number), PELAGIC_OK);
+        while (tick < 180) advance(ocean, bodies, tick++);
+        if (remove) {
+            EXPECT_EQ(pelagic_bodies_remove(bodies.get(), number), PELAGIC_OK);
+        }
         if (destroy) bodies.reset();
-        while (tick < 360) complete(ocean, tick++);
+        while (tick < 420) complete(ocean, tick++);
         auto view = sized<pelagic_dynamic_waves_view>();
         EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean.get()), &view), PELAGIC_OK);
         return -view.height_min_m;
     };
     const float pressed = depth_after(false, false);
-    // The pressure has grown for 2 s of its 8 s, to a sixth of the draught of 0.4 m.
+    // The pressure has grown for 3 s of its 8 s, to a sixth of the draught of 0.4 m.
     EXPECT_GT(pressed, 0.03f);
     EXPECT_LT(depth_after(true, false), 0.3f * pressed);
     EXPECT_LT(depth_after(false, true), 0.3f * pressed);

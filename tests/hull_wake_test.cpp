@@ -42,6 +42,7 @@ struct Towed {
     std::vector<FloatingHull> hulls;
     HullWake wake;
     int tick = 0;
+    double time_s = 0, passed_s = 0;  ///< of the frame in flight, for advance_by()
 
     Towed(const DynamicWavesOptions& waves, HullMesh mesh, const HullOptions& options, const WaterFrame& water = {})
         : ocean(still,
@@ -56,20 +57,91 @@ struct Towed {
         ocean.schedule(0);
     }
 
-    /// Advances by a tick. The tow keeps the speed, the course and the trim.
+    /// Advances by any time, with the step after the frame that it leads to.
+    void advance_by(double frame_s, double speed_mps, double across_mps) {
+        const Frame& frame = ocean.complete();
+        if (time_s > 0) {
+            hold(speed_mps, across_mps);
+            jobs.step(SurfaceQuery(frame), hulls, passed_s);
+            wake.press(frame, hulls[0].state, hulls[0].loads, passed_s);
+        }
+        ocean.dynamic_waves().set_center(hulls[0].state.position_m.x, hulls[0].state.position_m.z);
+        passed_s = frame_s;
+        ocean.schedule(time_s += frame_s);
+    }
+
+    /// Keeps the speed, the course and the trim.
+    void hold(double speed_mps, double across_mps) {
+        hulls[0].state.velocity_mps.x = speed_mps;
+        hulls[0].state.velocity_mps.z = across_mps;
+        hulls[0].state.angular_velocity_radps = {};
+        hulls[0].state.orientation = glm::dquat(1, 0, 0, 0);
+    }
+
+    /// Advances by a tick under a tow that leaves heave and pitch free.
+    void tow(double speed_mps) {
+        const double tick_s = 1.0 / ocean.dynamic_waves().options().ticks_per_s;
+        const Frame& frame = ocean.complete();
+        wake.press(frame, hulls[0].state, hulls[0].loads, tick_s);
+        HullState& state = hulls[0].state;
+        ocean.dynamic_waves().set_center(state.position_m.x, state.position_m.z);
+        ocean.schedule(++tick * tick_s);
+        state.velocity_mps = {speed_mps, state.velocity_mps.y, 0};
+        state.angular_velocity_radps = {0, 0, state.angular_velocity_radps.z};
+        state.orientation = glm::angleAxis(trim_rad(), glm::dvec3(0, 0, 1));
+        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+    }
+    double trim_rad() const { return std::asin(glm::mat3_cast(hulls[0].state.orientation)[0].y); }  ///< bow up
+
+    /// Advances by a tick.
     void advance(double speed_mps, double across_mps = 0) {
         const double tick_s = 1.0 / ocean.dynamic_waves().options().ticks_per_s;
         const Frame& frame = ocean.complete();
         wake.press(frame, hulls[0].state, hulls[0].loads, tick_s);
         ocean.dynamic_waves().set_center(hulls[0].state.position_m.x, hulls[0].state.position_m.z);
         ocean.schedule(++tick * tick_s);
-        hulls[0].state.velocity_mps.x = speed_mps;
-        hulls[0].state.velocity_mps.z = across_mps;
-        hulls[0].state.angular_velocity_radps = {};
-        hulls[0].state.orientation = glm::dquat(1, 0, 0, 0);
+        hold(speed_mps, across_mps);
         jobs.step(SurfaceQuery(frame), hulls, tick_s);
     }
 };
+
+// Frames of displays that do not follow the ticks of 60 a second, and frames of changing length.
+TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
+    if (is_sanitized) GTEST_SKIP() << "the next test runs the same code";
+    const DynamicWavesOptions waves{.resolution = 128, .side_m = 64, .border_m = 12};
+    const WaterFrame water{.current_x_mps = 1.5, .current_z_mps = -0.7};
+    // Lengths of frames, s; the last ones change at each frame.
+    const std::vector<std::vector<double>> rates = {{1 / 60.},  {1 / 90.}, {1 / 72.},
+                                                    {1 / 144.}, {1 / 24.}, {1 / 60., 1 / 20., 1 / 200., 1 / 35.}};
+    for (const bool is_towed : {false, true}) {
+        double sinkage_of_ticks = 0;
+        for (const std::vector<double>& lengths : rates) {
+            SCOPED_TRACE("frames of " + std::to_string(lengths[0]) + " s" + (is_towed ? ", towed" : ""));
+            Towed boat(waves, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000}, water);
+            const double speed_mps = is_towed ? 2.6 : water.current_x_mps, draught = boat.hull.afloat().draught_m;
+            double largest = 0, sum = 0, seconds = 0;
+            for (std::size_t i = 0; boat.time_s < 30; ++i) {
+                const double frame_s = lengths[i % lengths.size()];
+                boat.advance_by(frame_s, speed_mps, water.current_z_mps);
+                if (boat.time_s < 24) continue;
+                const double sinkage = boat.hull.afloat().height_m - boat.hulls[0].state.position_m.y;
+                largest = std::max(largest, std::fabs(sinkage));
+                sum += frame_s * sinkage;
+                seconds += frame_s;
+            }
+            const double mean = sum / seconds;
+            RecordProperty(
+                (is_towed ? "towed_" : "rests_") + std::to_string(lengths[0]) + "_" + std::to_string(lengths.size()),
+                std::to_string(mean) + " " + std::to_string(largest));
+            if (!is_towed) {
+                EXPECT_LT(largest, 0.005 * draught);
+            }
+            if (lengths == rates[0]) sinkage_of_ticks = mean;
+            // 0.5 % of the draught, as at rest
+            EXPECT_NEAR(mean, sinkage_of_ticks, 0.005 * draught);
+        }
+    }
+}
 
 // At rest, and carried by a current on a high tide.
 TEST(HullWake, AHullAtRestKeepsItsDraught) {
@@ -169,6 +241,49 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
         RecordProperty("sinkage_m" + std::to_string(froude), std::to_string(sinkage));
         EXPECT_GT(sinkage, 0) << "a hull sinks into the trough that it makes";
         EXPECT_LT(sinkage, speed * speed / (2 * 9.80665)) << "and by less than the head of its speed";
+    }
+}
+
+// The lift of a planing flat bottom is C = t^1.1 (0.012 sqrt(l) + 0.0055 l^2.5 / c^2), with the trim t
+// in degrees, the wetted length l in beams and the speed coefficient c = v / sqrt(g b) (D. Savitsky,
+// "Hydrodynamic design of planing hulls", Marine Technology 1, 1964). A hull that rides on its own
+// wave must come near it: its lift is the wave's. At lower speeds the trim is less.
+TEST(HullWake, ATowedHullTrimsLikeAPlaningBoat) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    constexpr double length = 7, beam = 2.4, mass = 3000, degree = pi / 180;
+    for (const double froude : {0.3, 0.45, 0.6, 0.8, 1.0}) {
+        SCOPED_TRACE(froude);
+        Towed boat({.resolution = 256, .side_m = 128, .border_m = 16}, boat_mesh(length, beam, 1.4),
+                   {.mass_kg = mass,
+                    .centre_of_mass_m = glm::dvec3(-0.8, 0.6, 0),
+                    .pressure_coefficient = 0.2,
+                    .suction_coefficient = 0.1});
+        const double speed = froude * std::sqrt(9.80665 * length);
+        double lowest = 90, highest = -90, sum = 0, deepest = 0;
+        int count = 0;
+        for (int i = 0; i < 60 * 60; ++i) {
+            // launched for 9 s, and then faster for 10 s
+            boat.tow(speed * std::clamp((i / 60.0 - 9) / 10, 0.0, 1.0));
+            if (i < 45 * 60) continue;
+            const double trim = boat.trim_rad() / degree;
+            lowest = std::min(lowest, trim);
+            highest = std::max(highest, trim);
+            sum += trim;
+            ++count;
+            deepest = std::max(deepest, boat.hull.afloat().height_m - boat.hulls[0].state.position_m.y);
+        }
+        const double c = speed / std::sqrt(9.80665 * beam), l = 0.8 * length / beam,
+                     lift = mass * 9.80665 / (0.5 * 1025 * speed * speed * beam * beam),
+                     planing = std::pow(lift / (0.012 * std::sqrt(l) + 0.0055 * std::pow(l, 2.5) / (c * c)), 1 / 1.1);
+        RecordProperty("trim_" + std::to_string(froude),
+                       std::to_string(lowest) + " " + std::to_string(sum / count) + " " + std::to_string(highest) +
+                           " planing " + std::to_string(planing) + " sinks " + std::to_string(deepest));
+        EXPECT_LT(highest - lowest, 2) << "it does not porpoise";
+        EXPECT_LT(highest, planing + 2);
+        if (froude >= 0.6) {
+            EXPECT_NEAR(sum / count, planing, 1.5);
+        }
+        EXPECT_LT(deepest, 0.3 * boat.hull.afloat().draught_m);
     }
 }
 

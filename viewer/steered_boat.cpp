@@ -4,108 +4,120 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
+#include <glm/gtc/quaternion.hpp>
+
+#include "pelagic/gl/meshes/boat.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic::viewer {
 namespace {
 
-constexpr double thrust_mps2 = 1.6, astern_fraction = 0.4;
-constexpr double longest_step_s = 1.0 / 120;
-/// Radius of the turning circle with the rudder hard over; the diameter is about three lengths.
-constexpr double turning_radius_m = 11;
-constexpr double rudder_s = 0.5;
-/// Time constants with which heave, and pitch and roll, follow the water.
-constexpr double heave_s = 0.25, tilt_s = 0.35;
-/// Depth of the half ellipsoid that represents the hull's pressure. It is less than the keel's, for
-/// a displacement of four tons.
-constexpr double draught_m = 0.45;
-constexpr int rows = 5, columns = 3;
-/// Fraction of length and beam over which the water height is sampled.
-constexpr double sampled_fraction = 0.8;
+constexpr double mass_kg = 4400;
+/// Below the middle of the waterplane, so that the boat floats level.
+constexpr glm::dvec3 centre_of_mass_m(-0.62, 0.15, 0);
+/// Half of those of a box, for a hull with a sharp bow.
+constexpr double pressure_coefficient = 0.35, suction_coefficient = 0.17;
+constexpr double longest_step_s = 0.1;
 
-/// Returns the fraction by which a first-order lag approaches its target.
-/// \param of_s  time constant, s
-double response(double passed_s, double of_s) { return 1 - std::exp(-passed_s / of_s); }
+/// Enough to plane: a quarter of the weight takes it over its bow wave at 4 m/s.
+constexpr double thrust_n = 11e3, astern_fraction = 0.4;
+constexpr glm::dvec3 propeller_m(-3.4, -0.4, 0);
+constexpr double largest_rudder_rad = 0.35;
+/// Rudder and skeg. The lift of a flat plate at a small angle of attack, at half the slope of an
+/// endless one.
+constexpr double rudder_m2 = 0.5, lift_slope = 3;
+constexpr double water_kgpm3 = 1025;
+
+std::shared_ptr<const Hull> boat_hull() {
+    const gl::Boat::Surface surface = gl::Boat::hull();
+    return std::make_shared<const Hull>(HullMesh(surface.vertices, surface.triangles),
+                                        HullOptions{.mass_kg = mass_kg,
+                                                    .centre_of_mass_m = centre_of_mass_m,
+                                                    .pressure_coefficient = pressure_coefficient,
+                                                    .suction_coefficient = suction_coefficient});
+}
+
+/// Returns a hull at rest on the surface of a frame, with the velocity of the water.
+HullState launched(const Hull& hull, const Frame& frame, glm::dvec2 place_m, double heading_rad) {
+    HullState state = hull.at_rest(place_m.x, place_m.y, heading_rad);
+    float height = 0, vx = 0, vy = 0, vz = 0;
+    SurfaceQuery(frame).sample({{&place_m.x, 1}, {&place_m.y, 1}}, {.height_m = {&height, 1},
+                                                                    .velocity_x_mps = {&vx, 1},
+                                                                    .velocity_y_mps = {&vy, 1},
+                                                                    .velocity_z_mps = {&vz, 1}});
+    state.position_m.y += static_cast<double>(height);
+    state.velocity_mps = glm::dvec3(vx, vy, vz);
+    return state;
+}
 
 }  // namespace
 
-glm::dvec2 SteeredBoat::ahead() const { return {std::cos(heading_), std::sin(heading_)}; }
+SteeredBoat::SteeredBoat(const Frame& frame, glm::dvec2 place_m, double heading_rad)
+    : hull_(boat_hull()),
+      bodies_(std::make_unique<FloatingBodies>(make_serial_executor())),
+      body_(bodies_->add(hull_, launched(*hull_, frame, place_m, heading_rad))),
+      thrown_(*hull_) {}
 
-void SteeredBoat::step(double passed_s, const Helm& helm, const WaterHeight& water, double frame_s) {
-    drive(passed_s, helm);
-    float_on(passed_s, [&](double x, double z) { return water(x, z) - own_depression_m(frame_s, {x, z}); });
+void SteeredBoat::float_on(DynamicWaves& waves) {
+    const HullState state = bodies_->state(body_);
+    bodies_ = std::make_unique<FloatingBodies>(make_serial_executor(), &waves);
+    body_ = bodies_->add(hull_, state);
 }
 
-void SteeredBoat::drive(double passed_s, const Helm& helm) {
-    const double thrust = thrust_mps2 * (helm.thrust < 0 ? astern_fraction : 1) * std::clamp(helm.thrust, -1., 1.);
-    const double rudder = std::clamp(helm.rudder, -1., 1.);
+void SteeredBoat::leave_water() { bodies_->clear(); }
+
+HullForce SteeredBoat::engine_and_rudder(const Helm& helm) const {
+    const glm::dmat3 axes = glm::mat3_cast(state().orientation);
+    const glm::dvec3 arm = axes * (propeller_m - hull_->centre_of_mass_m());
+    const double thrust = std::clamp(helm.thrust, -1., 1.) * thrust_n * (helm.thrust < 0 ? astern_fraction : 1);
+    const double angle = std::clamp(helm.rudder, -1., 1.) * largest_rudder_rad;
+    const glm::dvec3 water = bodies_->loads(body_).water_velocity_mps;
+    const glm::dvec3 flow = state().velocity_mps + glm::cross(state().angular_velocity_radps, arm) - water;
+    const double ahead_mps = glm::dot(axes[0], flow), aside_mps = glm::dot(axes[2], flow);
+    // The rudder turns the propeller's wash with it, and lifts in the water that passes.
+    const double lift =
+        0.5 * water_kgpm3 * rudder_m2 * lift_slope * std::fabs(ahead_mps) * (angle * ahead_mps + aside_mps);
+    const glm::dvec3 force =
+        thrust * std::cos(angle) * axes[0] - (std::max(thrust, 0.) * std::sin(angle) + lift) * axes[2];
+    const HullLoads& loads = bodies_->loads(body_);
+    const double surface_m = loads.water_height_m + loads.water_slope_x * arm.x + loads.water_slope_z * arm.z;
+    return state().position_m.y + arm.y < surface_m ? HullForce{force, glm::cross(arm, force)} : HullForce{};
+}
+
+void SteeredBoat::advance(const Frame& frame, double passed_s, const Helm& helm) {
+    if (!(passed_s > 0)) return;
+    const SurfaceQuery water(frame);
     const int steps = std::max(1, static_cast<int>(std::ceil(passed_s / longest_step_s)));
     const double step_s = passed_s / steps;
     for (int i = 0; i < steps; ++i) {
-        // Drag is mostly quadratic in the speed. A small linear term brings the boat to rest.
-        const double drag = 0.9 * speed_ * std::fabs(speed_) / top_speed_mps + 0.1 * speed_;
-        speed_ += step_s * (thrust - thrust_mps2 / top_speed_mps * drag);
-        turn_rad_ps_ += (rudder * speed_ / turning_radius_m - turn_rad_ps_) * response(step_s, rudder_s);
-        heading_ += step_s * turn_rad_ps_;
-        place_ += step_s * speed_ * ahead();
-    }
-}
-
-/// Fits a plane to the sampled water heights by least squares. The boat's pose follows that plane.
-void SteeredBoat::float_on(double passed_s, const WaterHeight& water) {
-    const glm::dvec2 forward = ahead(), starboard(-forward.y, forward.x);
-    double height = 0, along = 0, across = 0, squares_along = 0, squares_across = 0;
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j) {
-            const double x = (static_cast<double>(i) / (rows - 1) - 0.5) * sampled_fraction * length_m;
-            const double z = (static_cast<double>(j) / (columns - 1) - 0.5) * sampled_fraction * beam_m;
-            const glm::dvec2 at = place_ + x * forward + z * starboard;
-            const double sample_m = water(at.x, at.y);
-            height += sample_m / (rows * columns);
-            along += x * sample_m;
-            across += z * sample_m;
-            squares_along += x * x;
-            squares_across += z * z;
+        if (steps > 1) {  // the frame does not show how the water moves between them
+            HullState state = bodies_->state(body_);
+            state.has_previous_step = false;
+            bodies_->set_state(body_, state);
         }
-    const double heaves = floats_ ? response(passed_s, heave_s) : 1, tilts = floats_ ? response(passed_s, tilt_s) : 1;
-    floats_ = true;
-    height_ += (height - height_) * heaves;
-    pitch_ += (std::atan(along / squares_along) - pitch_) * tilts;
-    roll_ += (std::atan(-across / squares_across) - roll_) * tilts;
+        bodies_->set_inputs(body_, {.force = engine_and_rudder(helm)});
+        bodies_->step(water, step_s);
+        bodies_->press(frame, step_s);
+    }
+    thrown_.update(water, state(), bodies_->loads(body_), step_s, workspace_, bodies_->inputs(body_).wake);
 }
 
-Disturbance SteeredBoat::hull() const {
-    const glm::dvec2 velocity = speed_ * ahead();
-    return {.shape = Disturbance::Shape::hull,
-            .x_m = place_.x,
-            .z_m = place_.y,
-            .radius_m = beam_m / 2,
-            .length_m = length_m / 2,
-            .heading_rad = std::remainder(heading_, 2 * std::numbers::pi),
-            .height_m = -draught_m,
-            .velocity_x_mps = velocity.x,
-            .velocity_z_mps = velocity.y};
+glm::dvec2 SteeredBoat::place_m() const {
+    const glm::dvec3 at = hull_->mesh_origin_m(state());
+    return {at.x, at.z};
 }
 
-Disturbance SteeredBoat::press(double frame_s, double tick_s) {
-    has_pressure_ = true;
-    pressure_ = hull();
-    // The pressure takes effect with the next tick, and a frame shows the water one tick late.
-    pressure_shown_s_ = frame_s + 2 * tick_s;
-    return pressure_;
+double SteeredBoat::heading_rad() const {
+    const glm::dvec3 ahead = glm::mat3_cast(state().orientation)[0];
+    return std::atan2(ahead.z, ahead.x);
 }
 
-double SteeredBoat::own_depression_m(double frame_s, glm::dvec2 at) const {
-    if (!has_pressure_) return 0;
-    const double since_s = frame_s - pressure_shown_s_;
-    return shape_at(pressure_, at.x - since_s * pressure_.velocity_x_mps, at.y - since_s * pressure_.velocity_z_mps);
+double SteeredBoat::speed_mps() const {
+    return glm::dot(glm::mat3_cast(state().orientation)[0], state().velocity_mps);
 }
 
 glm::dmat4 SteeredBoat::world_from_boat() const {
-    glm::dmat4 pose = glm::translate(glm::dmat4(1), glm::dvec3(place_.x, height_, place_.y));
-    pose = glm::rotate(pose, -heading_, glm::dvec3(0, 1, 0));
-    pose = glm::rotate(pose, pitch_, glm::dvec3(0, 0, 1));
-    return glm::rotate(pose, roll_, glm::dvec3(1, 0, 0));
+    return glm::translate(glm::dmat4(1), hull_->mesh_origin_m(state())) * glm::mat4_cast(state().orientation);
 }
 
 }  // namespace pelagic::viewer

@@ -19,6 +19,8 @@ class ViewSpray {
     Ocean& ocean() { return ocean_; }
     /// Waits for the sea of ocean().schedule_sea(sea).
     void complete_sea();
+    /// Adds droplets of emitters.
+    void emit(std::span<const SprayEmitter> emitters) { spray_.emit(emitters); }
     /// Returns the droplets at a time.
     /// \param schedules_next  starts the frame of the next tick, for a time that advances
     std::span<const SprayDroplet> at(double time_s, const glm::dvec3& viewer_m, bool schedules_next);

@@ -13,9 +13,11 @@
 #include <string_view>
 #include <vector>
 
+#include "pelagic/floating/hull_plan.hpp"
 #include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water/exclusions.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -64,6 +66,10 @@ constexpr double splash_reach_m = 400;
 constexpr Disturbance splash{.mode = Disturbance::Mode::impulse, .radius_m = 1.2, .height_m = 1};
 /// Distance ahead of the camera at which a boat is placed.
 constexpr double boat_ahead_m = 22;
+/// Cells of the dry space of the boat along it and across it, 5 cm each.
+constexpr int dry_columns = 144, dry_rows = 50;
+/// Waves of a millimetre, for a boat on small water, whose waves are only drawn.
+const SeaState still_water{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
 
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.waves != b.waves || a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
@@ -266,6 +272,7 @@ class Viewer {
                        OceanOptions{.executor = make_default_executor(options_.threads),
                                     .trace = stage_times_,
                                     .queries = true,
+                                    .velocities = true,
                                     .slopes = true,
                                     .foam = true,
                                     .dynamic_waves = dynamic_waves,
@@ -277,7 +284,7 @@ class Viewer {
                                                  OceanOptions{.executor = make_default_executor(options_.threads),
                                                               .shore = has_shore ? options_.shore : std::nullopt});
         if (spray_) spray_->ocean().set_water_frame(options_.water_frame);
-        boat_source_.reset();
+        if (boat_) boat_->float_on(ocean_->dynamic_waves());
         ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
@@ -326,6 +333,7 @@ class Viewer {
             renderer->set_water(settings_.water);
             renderer->set_floor(options_.floor);
             if (settings_.flow) renderer->set_flow(*settings_.flow);
+            if (boat_interior_) renderer->set_exclusion_maps({&*boat_interior_, 1});
         }
         renderer_ = renderer.get();
         renderer_->set_patch_vertices(selection_->options().vertices);
@@ -355,7 +363,7 @@ class Viewer {
 
     /// Completes the frame that was scheduled during the last image, and schedules the next one,
     /// which is computed while this one is drawn.
-    const Frame& next_frame(double passed_s) {
+    const Frame& next_frame() {
         const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
         if (statistics_.sea_is_baking && ocean_->sea_is_ready()) {
@@ -367,28 +375,41 @@ class Viewer {
         statistics_.sea_is_changing = ocean_->forecast().at(time_s_).weight > 0;
         // The caustics jobs read the previous frame, whose views the next schedule() invalidates.
         complete_caustics();
-        if (!settings_.frozen) disturb_water(frame, passed_s);
+        if (!settings_.frozen) disturb_water(frame);
         ocean_->schedule(time_s_);
         return frame;
     }
 
     /// Enqueues splashes and the boat's pressure for the next ticks, and keeps the grid at its
     /// place, from which a current carries it.
-    void disturb_water(const Frame& frame, double passed_s) {
+    void disturb_water(const Frame& frame) {
         const SurfaceQuery query(frame);
         if (clicked_) make_splash(query);
         clicked_.reset();
-        if (boat_is_requested_ != boat_.has_value()) boat_is_requested_ ? place_boat() : remove_boat();
+        if (boat_is_requested_ != boat_.has_value()) boat_is_requested_ ? place_boat(frame) : remove_boat();
         if (!boat_) return ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
         const glm::dvec2 before = boat_->place_m();
-        boat_->step(
-            passed_s, helm_, [&](double x, double z) { return drawn_height(query, x, z); }, frame.time_s);
+        boat_->advance(boat_water(frame), frame.time_s - boat_time_s_, helm_);
+        boat_time_s_ = frame.time_s;
         if (settings_.follows_boat) camera_.go_along(boat_->place_m() - before);
-        const Disturbance press = boat_->press(frame.time_s, tick_s);
-        if (!boat_source_) boat_source_ = ocean_->dynamic_waves().add_source(press);
-        ocean_->dynamic_waves().set_source(*boat_source_, press);
+        if (draws_spray()) spray_->emit(boat_->thrown().emitters());
+        for (const Disturbance& foam : boat_->thrown().foam()) ocean_->dynamic_waves().add_impulse(foam);
         ocean_->dynamic_waves().set_center(boat_->place_m().x, boat_->place_m().y);
         statistics_.boat_mps = boat_->speed_mps();
+    }
+
+    /// Returns the drawn water. Small water (gl::Surface) replaces the cascades, so their heights
+    /// are left out.
+    Frame boat_water(const Frame& frame) {
+        if (surface_ == gl::Surface::open) return frame;
+        if (!still_ocean_)
+            still_ocean_.emplace(
+                still_water, OceanOptions{.executor = make_serial_executor(), .queries = true, .velocities = true});
+        Frame still = still_ocean_->frame_at(0);
+        still.time_s = frame.time_s;
+        still.water_frame = frame.water_frame;
+        still.dynamic_waves = frame.dynamic_waves;
+        return still;
     }
 
     void make_splash(const SurfaceQuery& query) {
@@ -406,36 +427,31 @@ class Viewer {
         ocean_->dynamic_waves().add_impulse(here);
     }
 
-    void place_boat() {
+    void place_boat(const Frame& frame) {
         const Camera camera = camera_.camera();
         const glm::dvec2 ahead(camera.target_m.x - camera.position_m.x, camera.target_m.z - camera.position_m.z);
         const double heading = std::atan2(ahead.y, ahead.x);
-        boat_.emplace(glm::dvec2(camera.position_m.x, camera.position_m.z) +
+        boat_.emplace(boat_water(frame),
+                      glm::dvec2(camera.position_m.x, camera.position_m.z) +
                           boat_ahead_m * glm::dvec2(std::cos(heading), std::sin(heading)),
                       heading);
+        boat_->float_on(ocean_->dynamic_waves());
+        boat_time_s_ = frame.time_s;
         if (settings_.follows_boat) camera_.look_at({boat_->place_m().x, 1, boat_->place_m().y});
         if (boat_model_) return;
         boat_model_.emplace(window_.functions());
         if (!statistics_.sky_is_baking) boat_model_->set_light(baker_.complete());
+        const gl::Boat::Surface interior = gl::Boat::interior();
+        boat_interior_.emplace(plan_of(HullMesh(interior.vertices, interior.triangles), dry_columns, dry_rows));
+        for (auto& renderer : renderers_)
+            if (renderer) renderer->set_exclusion_maps({&*boat_interior_, 1});
     }
 
     void remove_boat() {
         grid_centre_ = boat_->place_m();
+        boat_->leave_water();
         boat_.reset();
         statistics_.boat_mps.reset();
-        if (boat_source_) ocean_->dynamic_waves().remove_source(*boat_source_);
-        boat_source_.reset();
-    }
-
-    /// Returns the height of the drawn water. Small water (gl::Surface) replaces the cascades and
-    /// excludes their heights.
-    double drawn_height(const SurfaceQuery& query, double x, double z) const {
-        const WaterFrame::Origin origin = query.frame().water_frame.origin_at(query.frame().time_s);
-        if (surface_ != gl::Surface::open)
-            return origin.y_m + sample(query.frame().dynamic_waves, x - origin.x_m, z - origin.z_m).height_m;
-        float height_m = 0;
-        query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
-        return static_cast<double>(height_m);
     }
 
     void complete_caustics() {
@@ -462,7 +478,7 @@ class Viewer {
     }
 
     void draw_frame(double passed_s) {
-        const Frame& frame = next_frame(passed_s);
+        const Frame& frame = next_frame();
         start_caustics(frame);
         shown_time_s_ = frame.time_s;
         statistics_.cascade_sides_m.clear();
@@ -529,6 +545,10 @@ class Viewer {
         statistics_.patches = list.instances.size();
         renderer_->upload(frame);
         const float exposure = gl::exposure_of_ev(image_.ev(), luminance_of_unit_);
+        gl::Exclusion dry;
+        if (boat_)
+            dry = {.position_m = boat_->hull().mesh_origin_m(boat_->state()),
+                   .orientation = boat_->state().orientation};
         const gl::DrawStatistics& drawn =
             renderer_->draw({.eyes = {&eye, 1},
                              .viewer_m = camera.position_m,
@@ -539,7 +559,8 @@ class Viewer {
                              .crest_glow = settings_.crest_glow,
                              .weighs_samples = true,
                              .camera_water_plane = camera_water_plane(frame),
-                             .application_scene = draw_boat(eye, exposure)});
+                             .application_scene = draw_boat(eye, exposure),
+                             .exclusions = {&dry, boat_ ? 1u : 0u}});
         if (draws_spray())
             renderer_->draw_spray({.droplets = spray_->at(frame.time_s, camera.position_m, !settings_.frozen)});
         statistics_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
@@ -633,8 +654,10 @@ class Viewer {
     Helm helm_;
     bool boat_is_requested_ = false;
     std::optional<SteeredBoat> boat_;
-    std::optional<std::uint32_t> boat_source_;  ///< the boat's pressure source in the ocean
+    double boat_time_s_ = 0;            ///< time of the boat's pose
+    std::optional<Ocean> still_ocean_;  ///< of boat_water()
     std::optional<gl::Boat> boat_model_;
+    std::optional<gl::ExclusionMap> boat_interior_;
     double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;
 };

@@ -155,7 +155,38 @@ LitMesh boat_mesh(const Functions& gl) {
     return {gl, vertices, one_after_the_other(vertices.size()), "boat.frag.glsl"};
 }
 
+/// Returns a closed surface with a point for each station and strake.
+template <class Place>
+Boat::Surface closed_surface(const std::vector<float>& stations, const std::vector<float>& strakes,
+                             const Place& place) {
+    Boat::Surface surface;
+    for (const float s : stations)
+        for (const float v : strakes) surface.vertices.emplace_back(place(s, v));
+    const auto ring = static_cast<std::uint32_t>(strakes.size());
+    const auto last = static_cast<std::uint32_t>(surface.vertices.size()) - ring;
+    for (std::uint32_t first = 0; first < last; first += ring)
+        for (std::uint32_t j = 0; j < ring; ++j) {  // the last one is the lid
+            const std::uint32_t a = first + j, b = first + (j + 1) % ring;
+            surface.triangles.insert(surface.triangles.end(), {{a, a + ring, b}, {b, a + ring, b + ring}});
+        }
+    for (std::uint32_t j = 1; j + 1 < ring; ++j)
+        surface.triangles.insert(surface.triangles.end(), {{0, j, j + 1}, {last, last + j + 1, last + j}});
+    return surface;
+}
+
 }  // namespace
+
+Boat::Surface Boat::hull() { return closed_surface(steps(0, 1, 16), steps(-1, 1, 12), hull_at); }
+
+Boat::Surface Boat::interior() {
+    constexpr float planking_m = 0.05f;
+    return closed_surface(steps(0.01f, 0.98f, 32), steps(-1, 1, 24), [](float s, float v) {
+        glm::vec3 at = hull_at(s, v);
+        at.y += planking_m * (1 - std::abs(v));
+        at.z *= 1 - 2 * planking_m / beam;
+        return at;
+    });
+}
 
 Boat::Boat(const Functions& gl) : mesh_(boat_mesh(gl)) {}
 
