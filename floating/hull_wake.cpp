@@ -50,6 +50,17 @@ double HullWake::period_s() const { return std::sqrt(two_pi * plan_.length_m / g
 
 double HullWake::launch_s() const { return 4 * period_s(); }
 
+/// Time constant with which the pressure follows the submerged hull. A short one would let the hull
+/// follow the water that its own change of draught moves, whose inertia is already its added mass,
+/// and the two would excite each other.
+double HullWake::shape_s() const { return 4 * period_s(); }
+
+/// Fraction of the pressure.
+double HullWake::launched_at(double afloat_s) const {
+    const double fraction = std::clamp(afloat_s / launch_s(), 0.0, 1.0);
+    return fraction * fraction * (3 - 2 * fraction);
+}
+
 /// Depth of the hull in each cell: from the lowest point to the water's mean surface or the highest
 /// point, along the hull's own vertical, scaled to the displaced volume.
 void HullWake::shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s) {
@@ -59,8 +70,7 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
         footprint.forward_x = axes[0].x / across;
         footprint.forward_z = axes[0].z / across;
     }
-    const double fraction = std::min(afloat_s_ / launch_s(), 1.0),
-                 launched = fraction * fraction * (3 - 2 * fraction);
+    const double launched_before = launched_at(afloat_s_ - step_s), launched = launched_at(afloat_s_);
     const double upright = axes[1].y;
     // A hull on its side has no columns along its own vertical: the limit leaves its volume to the
     // scale below.
@@ -86,17 +96,22 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
             footprint.depth_m[static_cast<std::size_t>(row * plan_.columns + column)] = static_cast<float>(depth);
             volume += depth;
         }
-    volume *= plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
+    const double cell_m2 = plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
     // Not more than the weight: a hull that its own wave lowers would make a larger wave, and so on.
-    const double scale = volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / volume : 0;
-    // Without a delay the hull would follow the water that its own change of draught moves, whose
-    // inertia is already its added mass, and the two would excite each other.
-    const double part = step_s / (step_s + period_s());
+    const double scale =
+        volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
+    const bool is_first = launched_before == 0;
+    const double growth = is_first ? 0 : launched / launched_before;
+    const double part = is_first ? 1 : step_s / (step_s + shape_s());
+    double pressed = 0;
     for (std::size_t i = 0; i < footprint.depth_m.size(); ++i) {
-        const double before = depth_before_m_[i];
-        footprint.depth_m[i] =
-            static_cast<float>(std::clamp(before + part * (scale * footprint.depth_m[i] - before), 0.0, 100.0));
+        const double before = growth * depth_before_m_[i], now = scale * footprint.depth_m[i];
+        footprint.depth_m[i] = static_cast<float>(std::clamp(before + part * (now - before), 0.0, 100.0));
+        pressed += footprint.depth_m[i] * cell_m2;
     }
+    // A hull in the air presses on nothing.
+    if (pressed > loads.displaced_m3)
+        for (float& depth : footprint.depth_m) depth = static_cast<float>(depth * (loads.displaced_m3 / pressed));
 }
 
 HullWake::FrameTick HullWake::tick_of(double time_s) const {

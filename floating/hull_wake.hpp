@@ -37,9 +37,10 @@ class HullWake {
     /// \pre both outlive this object
     HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state);
 
-    /// Moves the pressure to the hull. Its shape follows the submerged hull within the period of
-    /// waves of the hull's length. Call it once a frame, between complete() and
-    /// schedule(), before or after the hull's step. Until the next call the pressure moves on.
+    /// Moves the pressure to the hull. Its shape follows the submerged hull within four periods of
+    /// waves of the hull's length. Its weight is at most that of the displaced water and of the
+    /// hull. Call it once a frame, between complete() and schedule(), before or after the hull's
+    /// step. Until the next call the pressure moves on.
     /// \param frame   the frame completed last; frames may be any time apart
     /// \param state   of the hull at the frame's time
     /// \param loads   of the hull's last step
@@ -63,6 +64,8 @@ class HullWake {
     HullWake(DynamicWaves& waves, const Hull& hull);
     void launch(const HullState& state);
     double period_s() const;  // of waves of the hull's length
+    double shape_s() const;
+    double launched_at(double afloat_s) const;
 
     struct FrameTick {
         std::int64_t tick;  ///< the last one at a frame's time

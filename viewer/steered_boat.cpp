@@ -14,9 +14,10 @@ namespace {
 
 constexpr double mass_kg = 4400;
 /// Below the middle of the waterplane, so that the boat floats level.
-constexpr glm::dvec3 centre_of_mass_m(-0.62, 0.15, 0);
+constexpr glm::dvec3 centre_of_mass_m(-0.62, -0.1, 0);
 /// Half of those of a box, for a hull with a sharp bow.
 constexpr double pressure_coefficient = 0.35, suction_coefficient = 0.17;
+constexpr double roll_damping = 0.3;  // with bilge keels
 constexpr double longest_step_s = 0.1;
 
 /// Enough to plane: a quarter of the weight takes it over its bow wave at 4 m/s.
@@ -33,6 +34,7 @@ std::shared_ptr<const Hull> boat_hull() {
     return std::make_shared<const Hull>(HullMesh(surface.vertices, surface.triangles),
                                         HullOptions{.mass_kg = mass_kg,
                                                     .centre_of_mass_m = centre_of_mass_m,
+                                                    .roll_damping = roll_damping,
                                                     .pressure_coefficient = pressure_coefficient,
                                                     .suction_coefficient = suction_coefficient});
 }
