@@ -49,14 +49,15 @@ build_clone() {
   "$1/packaging/build.sh" "$1" "$2" "${parts[@]}" >"$1/build/log" 2>&1 || { tail -n 40 "$1/build/log"; exit 1; }
 }
 
-rm -rf dist
+rm -rf dist build/second-dist
 clone=$PWD/build/release-clone
 echo "Building ${parts[*]} in $clone ..."
 build_clone "$clone" dist
 "$clone/packaging/test.sh" "$clone" dist "${parts[@]}"
 if [ -n "$twice" ]; then
   echo "Building again ..."
-  build_clone "$PWD/build/second-release-clone" build/second-dist
+  # Without ccache, which would return the first build's objects.
+  CCACHE_DISABLE=1 build_clone "$PWD/build/second-release-clone" build/second-dist
   diff -r dist build/second-dist
   echo "Both builds have the same bytes."
 fi
