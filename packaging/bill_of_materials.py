@@ -66,9 +66,24 @@ def identifier(name):
     return "SPDXRef-" + re.sub(r"[^A-Za-z0-9.-]", "-", name)
 
 
-def package(name, version, licence, location, **more):
-    return {"SPDXID": identifier(name), "name": name, "versionInfo": version, "downloadLocation": location, "filesAnalyzed": False,
-            "licenseConcluded": licence, "licenseDeclared": licence, "copyrightText": "NOASSERTION", **more}
+def package(name, version, supplier, declared, concluded, **more):
+    return {"SPDXID": identifier(name), "name": name, "versionInfo": version, "supplier": f"Organization: {supplier}",
+            "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "licenseConcluded": concluded, "licenseDeclared": declared,
+            "copyrightText": "NOASSERTION", **more}
+
+
+def component(name):
+    debian, licence, page = COMPONENTS[name]
+    version = version_of(debian)
+    locator = f"pkg:deb/debian/{debian}@{version}?distro=bookworm".replace("+", "%2B")
+    return package(name, version, "Debian", licence, licence, homepage=page, sourceInfo=f"Code and version of Debian's package {debian}",
+                   externalRefs=[{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": locator}])
+
+
+def all_licences(components):
+    """The expression for a file that contains Pelagic and these components."""
+    licences = sorted({COMPONENTS[name][1] for name in components} - {"MIT"})
+    return " AND ".join(["MIT", *(f"({licence})" if " OR " in licence else licence for licence in licences)])
 
 
 def main():
@@ -83,18 +98,18 @@ def main():
         if found is None:
             sys.exit(f"bill_of_materials.py: {file.name} is in no list of components")
         digest = hashlib.sha256(file.read_bytes()).hexdigest()
-        packages.append(package(file.name, version, "MIT", "NOASSERTION", packageFileName=file.name,
+        packages.append(package(file.name, version, "The Pelagic authors", "MIT", all_licences(found), packageFileName=file.name,
                                 checksums=[{"algorithm": "SHA256", "checksumValue": digest}]))
         relationships.append(("SPDXRef-DOCUMENT", "DESCRIBES", identifier(file.name)))
         relationships += [(identifier(file.name), "CONTAINS", identifier(name)) for name in found]
         used.update(found)
-    packages += [package(name, version_of(debian), licence, page) for name, (debian, licence, page) in COMPONENTS.items() if name in used]
+    packages += [component(name) for name in COMPONENTS if name in used]
     commit = subprocess.run(["git", "-C", SOURCE, "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
     created = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     document = {
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"pelagic-{version}",
         "documentNamespace": f"https://spdx.org/spdxdocs/pelagic-{version}-{commit}",
-        "creationInfo": {"created": created, "creators": ["Tool: packaging/bill_of_materials.py"]},
+        "creationInfo": {"created": created, "creators": [f"Tool: bill_of_materials.py-{version}"]},
         "packages": packages,
         "relationships": [{"spdxElementId": a, "relationshipType": kind, "relatedSpdxElement": b} for a, kind, b in relationships]}
     if "mingw-w64" in used:
