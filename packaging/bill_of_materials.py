@@ -25,7 +25,7 @@ COMPONENTS = {
     "CLI11": ("libcli11-dev", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
     "toml++": ("libtomlplusplus-dev", "MIT", "https://github.com/marzer/tomlplusplus"),
     "nlohmann-json": ("nlohmann-json3-dev", "MIT", "https://github.com/nlohmann/json"),
-    "OpenImageIO": ("libopenimageio-dev", "BSD-3-Clause AND Apache-2.0", "https://github.com/OpenImageIO/oiio"),
+    "OpenImageIO": ("libopenimageio-dev", "BSD-3-Clause AND Apache-2.0 AND MIT", "https://github.com/OpenImageIO/oiio"),
     "Imath": ("libimath-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/Imath"),
     "OpenEXR": ("libopenexr-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/openexr"),
     "Dear ImGui": ("libimgui-dev", "MIT", "https://github.com/ocornut/imgui"),
@@ -33,14 +33,15 @@ COMPONENTS = {
     "pybind11": ("pybind11-dev", "BSD-3-Clause", "https://github.com/pybind/pybind11"),
     "Emscripten": ("emscripten", "MIT OR NCSA", "https://github.com/emscripten-core/emscripten"),
     "musl": ("emscripten", "MIT", "https://musl.libc.org"),
+    "dlmalloc": ("emscripten", "CC0-1.0", "https://gee.cs.oswego.edu/dl/html/malloc.html"),
     "libc++": ("emscripten", "Apache-2.0 WITH LLVM-exception", "https://llvm.org"),
     "mingw-w64": ("mingw-w64-x86-64-dev", "ZPL-2.1 AND MIT AND LicenseRef-public-domain", "https://www.mingw-w64.org"),
     "libstdc++": ("g++-mingw-w64-x86-64-posix", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
 }
 LIBRARY = ["xsimd", "xxHash", "GLM"]
 MODULE = ["xsimd", "xxHash"]
-COMMAND = ["CLI11", "toml++", "nlohmann-json", "stb"]
-IMAGES = ["OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
+COMMAND = ["CLI11", "toml++", "nlohmann-json"]
+IMAGES = ["stb", "OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
 WINDOWS = ["mingw-w64", "libstdc++"]
 # Patterns of file names, first match.
 CONTENTS = [
@@ -51,7 +52,7 @@ CONTENTS = [
     (r"pelagic-[\d.]+-linux-arm64\.tar\.gz", [*LIBRARY, *COMMAND]),
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", [*LIBRARY, "pybind11"]),
-    (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "libc++"]),
+    (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
     (r"pelagic-godot-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
 ]
@@ -82,7 +83,7 @@ def component(name):
 
 def all_licences(components):
     """The expression for a file that contains Pelagic and these components."""
-    licences = sorted({COMPONENTS[name][1] for name in components} - {"MIT"})
+    licences = sorted({licence for name in components for licence in COMPONENTS[name][1].split(" AND ")} - {"MIT"})
     return " AND ".join(["MIT", *(f"({licence})" if " OR " in licence else licence for licence in licences)])
 
 
