@@ -6,8 +6,8 @@
 #   ./release.sh --twice ...  builds them again in another folder, and compares the bytes
 #
 # Needs Debian 12, and root, because some packages are tested in fresh systems. Installs missing
-# packages, like test.sh. The part unity needs the archives of linux and windows. docs/packages.md
-# describes each package.
+# packages, like test.sh. The part unity packs the libraries of linux and windows, which come before
+# it. docs/packages.md describes each package.
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
@@ -18,6 +18,7 @@ parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot unity)
 
 packages=(git python3)
+earlier=
 for part in "${parts[@]}"; do
   case $part in
     debian) packages+=(lintian debootstrap) ;;
@@ -31,9 +32,13 @@ for part in "${parts[@]}"; do
       command -v npm >/dev/null || packages+=(npm)
       ;;
     godot) packages+=(godot3-server unzip) ;;
-    unity) packages+=(mono-mcs mono-runtime unzip) ;;
-    *) echo "release.sh: what is $part? Accepted: debian linux arm64 windows python blender npm godot unity" && exit 2 ;;
+    unity)
+      packages+=(mono-mcs mono-runtime unzip)
+      [[ $earlier == *" linux "* && $earlier == *" windows "* ]] || { echo "release.sh: unity needs the parts linux and windows before it" >&2 && exit 2; }
+      ;;
+    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot unity" >&2 && exit 2 ;;
   esac
+  earlier+=" $part "
 done
 pelagic_install_dependencies "${packages[@]}"
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "Changes that are not committed are left out."
@@ -49,14 +54,15 @@ build_clone() {
   "$1/packaging/build.sh" "$1" "$2" "${parts[@]}" >"$1/build/log" 2>&1 || { tail -n 40 "$1/build/log"; exit 1; }
 }
 
-rm -rf dist
+rm -rf dist build/second-dist
 clone=$PWD/build/release-clone
 echo "Building ${parts[*]} in $clone ..."
 build_clone "$clone" dist
 "$clone/packaging/test.sh" "$clone" dist "${parts[@]}"
 if [ -n "$twice" ]; then
   echo "Building again ..."
-  build_clone "$PWD/build/second-release-clone" build/second-dist
+  # Without ccache, which would return the first build's objects.
+  CCACHE_DISABLE=1 build_clone "$PWD/build/second-release-clone" build/second-dist
   diff -r dist build/second-dist
   echo "Both builds have the same bytes."
 fi

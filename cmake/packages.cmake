@@ -1,6 +1,6 @@
 # CPack: packages for Debian (a build with -DPELAGIC_DEBIAN=ON and the prefix /usr), and archives.
 # release.sh builds and tests them. Equal sources give equal bytes if SOURCE_DATE_EPOCH is set.
-set(PELAGIC_MAINTAINER "The Pelagic authors <pelagic@packages.invalid>" CACHE STRING "Maintainer of Debian's packages")
+set(PELAGIC_MAINTAINER "The Pelagic authors <pelagic@packages.invalid>" CACHE STRING "Maintainer of Debian's packages; the default's address is a placeholder")
 
 set(CPACK_PACKAGE_CONTACT ${PELAGIC_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "FFT ocean waves on the CPU")

@@ -25,7 +25,7 @@ COMPONENTS = {
     "CLI11": ("libcli11-dev", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
     "toml++": ("libtomlplusplus-dev", "MIT", "https://github.com/marzer/tomlplusplus"),
     "nlohmann-json": ("nlohmann-json3-dev", "MIT", "https://github.com/nlohmann/json"),
-    "OpenImageIO": ("libopenimageio-dev", "BSD-3-Clause AND Apache-2.0", "https://github.com/OpenImageIO/oiio"),
+    "OpenImageIO": ("libopenimageio-dev", "BSD-3-Clause AND Apache-2.0 AND MIT", "https://github.com/OpenImageIO/oiio"),
     "Imath": ("libimath-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/Imath"),
     "OpenEXR": ("libopenexr-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/openexr"),
     "Dear ImGui": ("libimgui-dev", "MIT", "https://github.com/ocornut/imgui"),
@@ -33,14 +33,15 @@ COMPONENTS = {
     "pybind11": ("pybind11-dev", "BSD-3-Clause", "https://github.com/pybind/pybind11"),
     "Emscripten": ("emscripten", "MIT OR NCSA", "https://github.com/emscripten-core/emscripten"),
     "musl": ("emscripten", "MIT", "https://musl.libc.org"),
+    "dlmalloc": ("emscripten", "CC0-1.0", "https://gee.cs.oswego.edu/dl/html/malloc.html"),
     "libc++": ("emscripten", "Apache-2.0 WITH LLVM-exception", "https://llvm.org"),
     "mingw-w64": ("mingw-w64-x86-64-dev", "ZPL-2.1 AND MIT AND LicenseRef-public-domain", "https://www.mingw-w64.org"),
     "libstdc++": ("g++-mingw-w64-x86-64-posix", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
 }
 LIBRARY = ["xsimd", "xxHash", "GLM"]
 MODULE = ["xsimd", "xxHash"]
-COMMAND = ["CLI11", "toml++", "nlohmann-json", "stb"]
-IMAGES = ["OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
+COMMAND = ["CLI11", "toml++", "nlohmann-json"]
+IMAGES = ["stb", "OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
 WINDOWS = ["mingw-w64", "libstdc++"]
 # Patterns of file names, first match.
 CONTENTS = [
@@ -51,7 +52,7 @@ CONTENTS = [
     (r"pelagic-[\d.]+-linux-arm64\.tar\.gz", [*LIBRARY, *COMMAND]),
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", [*LIBRARY, "pybind11"]),
-    (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "libc++"]),
+    (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
     (r"pelagic-godot-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
 ]
@@ -66,9 +67,24 @@ def identifier(name):
     return "SPDXRef-" + re.sub(r"[^A-Za-z0-9.-]", "-", name)
 
 
-def package(name, version, licence, location, **more):
-    return {"SPDXID": identifier(name), "name": name, "versionInfo": version, "downloadLocation": location, "filesAnalyzed": False,
-            "licenseConcluded": licence, "licenseDeclared": licence, "copyrightText": "NOASSERTION", **more}
+def package(name, version, supplier, declared, concluded, **more):
+    return {"SPDXID": identifier(name), "name": name, "versionInfo": version, "supplier": f"Organization: {supplier}",
+            "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "licenseConcluded": concluded, "licenseDeclared": declared,
+            "copyrightText": "NOASSERTION", **more}
+
+
+def component(name):
+    debian, licence, page = COMPONENTS[name]
+    version = version_of(debian)
+    locator = f"pkg:deb/debian/{debian}@{version}?distro=bookworm".replace("+", "%2B")
+    return package(name, version, "Debian", licence, licence, homepage=page, sourceInfo=f"Code and version of Debian's package {debian}",
+                   externalRefs=[{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": locator}])
+
+
+def all_licences(components):
+    """The expression for a file that contains Pelagic and these components."""
+    licences = sorted({licence for name in components for licence in COMPONENTS[name][1].split(" AND ")} - {"MIT"})
+    return " AND ".join(["MIT", *(f"({licence})" if " OR " in licence else licence for licence in licences)])
 
 
 def main():
@@ -83,18 +99,18 @@ def main():
         if found is None:
             sys.exit(f"bill_of_materials.py: {file.name} is in no list of components")
         digest = hashlib.sha256(file.read_bytes()).hexdigest()
-        packages.append(package(file.name, version, "MIT", "NOASSERTION", packageFileName=file.name,
+        packages.append(package(file.name, version, "The Pelagic authors", "MIT", all_licences(found), packageFileName=file.name,
                                 checksums=[{"algorithm": "SHA256", "checksumValue": digest}]))
         relationships.append(("SPDXRef-DOCUMENT", "DESCRIBES", identifier(file.name)))
         relationships += [(identifier(file.name), "CONTAINS", identifier(name)) for name in found]
         used.update(found)
-    packages += [package(name, version_of(debian), licence, page) for name, (debian, licence, page) in COMPONENTS.items() if name in used]
+    packages += [component(name) for name in COMPONENTS if name in used]
     commit = subprocess.run(["git", "-C", SOURCE, "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
     created = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     document = {
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"pelagic-{version}",
         "documentNamespace": f"https://spdx.org/spdxdocs/pelagic-{version}-{commit}",
-        "creationInfo": {"created": created, "creators": ["Tool: packaging/bill_of_materials.py"]},
+        "creationInfo": {"created": created, "creators": [f"Tool: bill_of_materials.py-{version}"]},
         "packages": packages,
         "relationships": [{"spdxElementId": a, "relationshipType": kind, "relatedSpdxElement": b} for a, kind, b in relationships]}
     if "mingw-w64" in used:

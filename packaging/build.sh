@@ -2,6 +2,9 @@
 # Builds packages from a folder with the sources, in its build/, with the steps of each page.
 #
 # usage: build.sh SOURCE_FOLDER OUT_FOLDER PART...
+#
+# PELAGIC_MAINTAINER, "NAME <ADDRESS>", is the maintainer of Debian's packages, instead of a
+# placeholder.
 set -euo pipefail
 source=$(realpath "$1") out=$(realpath -m "$2")
 packaging=$source/packaging
@@ -19,7 +22,8 @@ pack() {
 }
 
 build_debian() {
-  cmake --preset release -B build/debian -DCMAKE_INSTALL_PREFIX=/usr -DPELAGIC_DEBIAN=ON "${without_extras[@]}"
+  cmake --preset release -B build/debian -DCMAKE_INSTALL_PREFIX=/usr -DPELAGIC_DEBIAN=ON "${without_extras[@]}" \
+    ${PELAGIC_MAINTAINER:+"-DPELAGIC_MAINTAINER=$PELAGIC_MAINTAINER"}
   cmake --build build/debian
   pack build/debian
 }
