@@ -23,7 +23,7 @@ const MethodOf<HullNode> methods[] = {
     {"launch", {}, "()", [](HullNode& hull, Arguments) { return hull.launch(), Value(); }},
     {"step",
      {type_real},
-     "(seconds)",
+     "(step_s)",
      [](HullNode& hull, Arguments arguments) {
          return hull.step(call(core::variant_as_real, arguments[0])), Value();
      }},

@@ -249,7 +249,11 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
     if (restored.bodies->size() != 1)
         throw std::invalid_argument(
             invalid_value_message("the number of saved bodies", restored.bodies->size(), "1"));
-    inputs_ = restored.bodies->inputs(number);  // throws for a body of another number
+    try {
+        inputs_ = restored.bodies->inputs(number);
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("the saved body is not the first of its set, as that of a PelagicHull is");
+    }
     afloat_ = std::move(restored);
     place();
 }
