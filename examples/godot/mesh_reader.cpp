@@ -1,8 +1,11 @@
 #include "pelagic/examples/godot/mesh_reader.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,6 +71,32 @@ void append(const Surface& surface, Corners& corners) {
     }
 }
 
+/// Moves vertices that are apart by rounding to one position. The engine's round meshes end at the
+/// angle 2 pi, whose sine is not 0.
+void close_seams(std::vector<glm::dvec3>& vertices_m) {
+    double size_m = 0;
+    for (const glm::dvec3& v : vertices_m)
+        size_m = std::max({size_m, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    const auto is_finite = [](const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); };
+    if (!std::all_of(vertices_m.begin(), vertices_m.end(), is_finite)) return;  // which HullMesh reports
+    const double near_m = 1e-6 * size_m;
+    std::vector<std::size_t> order(vertices_m.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return vertices_m[a].x < vertices_m[b].x; });
+    std::vector<bool> is_placed(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (is_placed[order[i]]) continue;
+        const glm::dvec3 at = vertices_m[order[i]];
+        for (std::size_t j = i + 1; j < order.size() && vertices_m[order[j]].x - at.x <= near_m; ++j) {
+            glm::dvec3& other = vertices_m[order[j]];
+            if (std::fabs(other.y - at.y) > near_m || std::fabs(other.z - at.z) > near_m) continue;
+            is_placed[order[j]] = true;
+            other = at;
+        }
+    }
+}
+
 }  // namespace
 
 HullMesh hull_mesh_of(const Variant& mesh) {
@@ -91,6 +120,7 @@ HullMesh hull_mesh_of(const Variant& mesh) {
     std::vector<HullMesh::Triangle> triangles;
     for (std::size_t i = 0; i < numbers.size(); i += 3)
         triangles.push_back({numbers[i], numbers[i + 2], numbers[i + 1]});
+    close_seams(corners.vertices_m);
     return HullMesh(corners.vertices_m, triangles);
 }
 

@@ -7,7 +7,7 @@
 namespace pelagic::godot {
 
 /// Joins all surfaces of a Mesh. Vertices have the numbers of the surfaces' arrays, one after the
-/// other. Axes are those of the mesh; the winding is reversed, because the engine's front faces are
+/// other; those that are apart by rounding get one position. Axes are those of the mesh; the winding is reversed, because the engine's front faces are
 /// clockwise.
 /// \throws std::invalid_argument  for another object, for surfaces that are not of
 ///                                PRIMITIVE_TRIANGLES, and what HullMesh throws
