@@ -78,7 +78,8 @@ void close_seams(std::vector<glm::dvec3>& vertices_m) {
     for (const glm::dvec3& v : vertices_m)
         size_m = std::max({size_m, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     const auto is_finite = [](const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); };
-    if (!std::all_of(vertices_m.begin(), vertices_m.end(), is_finite)) return;  // which HullMesh reports
+    // HullMesh reports a number that is not finite.
+    if (!std::all_of(vertices_m.begin(), vertices_m.end(), is_finite)) return;
     const double near_m = 1e-6 * size_m;
     std::vector<std::size_t> order(vertices_m.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

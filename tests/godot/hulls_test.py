@@ -1,6 +1,6 @@
-# The node PelagicHull in Godot: draughts of a box beside Archimedes, and states of 200 steps in waves
-# that equal those of the C interface bit for bit. Invalid values and freed nodes are reported in one
-# line and change nothing.
+# The node PelagicHull in Godot: draughts of a box beside Archimedes, and states of 200 steps in
+# waves that equal those of the C interface bit for bit. Invalid values and freed nodes are reported
+# in one line and change nothing.
 # usage: hulls_test.py PROJECT LIBRARY
 import ctypes
 import json
@@ -187,7 +187,7 @@ class CInterface:
 
 
 def pose_in(saved):
-    """Position of the centre of mass, and x, y and z axis of the hull, in a saved state of one body."""
+    """The position of the centre of mass, and the hull's axes, in a saved state of one body."""
     x, y, z, qw, qx, qy, qz = struct.unpack_from("<7d", saved, 40 + 32)
     axes = [(1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy + qz * qw), 2 * (qx * qz - qy * qw)),
             (2 * (qx * qy - qz * qw), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz + qx * qw)),
