@@ -16,6 +16,8 @@ func _init():
 	var demo = load("res://demo.tscn").instance()
 	root.add_child(demo)
 	ocean = demo.get_node("ocean")
+	ocean.velocities = false
+	demo.get_node("boat").playing = false
 	ocean.threads = int(OS.get_environment("THREADS"))
 	for i in range(POINTS):
 		places.append(Vector3(i * 0.37, 0, i * 0.11))

@@ -53,10 +53,11 @@ std::vector<Edge> directed_edges(const std::vector<HullMesh::Triangle>& triangle
     return edges;
 }
 
-std::string check_edges(const Merged& mesh) {
+std::string check_edges(const Merged& mesh, std::size_t first_number) {
     const std::vector<Edge> edges = directed_edges(mesh.triangles);
     const auto ends = [&](Edge edge) {
-        return std::to_string(mesh.original[edge.first]) + " and " + std::to_string(mesh.original[edge.second]);
+        return std::to_string(first_number + mesh.original[edge.first]) + " and " +
+               std::to_string(first_number + mesh.original[edge.second]);
     };
     const auto twice = std::adjacent_find(edges.begin(), edges.end());
     if (twice != edges.end())
@@ -98,20 +99,22 @@ std::string HullMesh::check_counts(std::size_t vertices, std::size_t triangles) 
     return {};
 }
 
-std::string HullMesh::check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles) {
+std::string HullMesh::check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles,
+                            std::size_t first_number) {
     if (std::string reason = check_counts(vertices.size(), triangles.size()); !reason.empty()) return reason;
     for (std::size_t i = 0; i < vertices.size(); ++i)
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::fabs(vertices[i][axis]) <= max_coordinate_m))
-                return invalid_value_message("vertex " + std::to_string(i) + ": " + "xyz"[axis], vertices[i][axis],
-                                             "[-1000, 1000] m");
+                return invalid_value_message("vertex " + std::to_string(first_number + i) + ": " + "xyz"[axis],
+                                             vertices[i][axis], "[-1000, 1000] m");
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (const std::uint32_t vertex : triangles[i])
             if (vertex >= vertices.size())
-                return "triangle " + std::to_string(i) + " of the hull has vertex " + std::to_string(vertex) +
-                       ", expected less than " + std::to_string(vertices.size());
+                return "triangle " + std::to_string(i) + " of the hull has vertex " +
+                       std::to_string(first_number + vertex) + ", expected less than " +
+                       std::to_string(first_number + vertices.size());
     const Merged mesh = merged(vertices, triangles);
-    if (std::string reason = check_edges(mesh); !reason.empty()) return reason;
+    if (std::string reason = check_edges(mesh, first_number); !reason.empty()) return reason;
     const double volume_m3 = Volume(mesh).m3;
     if (volume_m3 < 0)
         return "the hull's volume is " + number_text(volume_m3) + " m^3: its triangles are wound inwards";

@@ -30,7 +30,9 @@ class HullMesh {
     /// Returns an empty string for a usable mesh, else what is wrong: "the hull is open at the edge
     /// between vertices 3 and 7". A mesh has 4 to 4096 triangles, coordinates in [-1000, 1000] m,
     /// for each edge exactly one triangle on both sides, and a positive volume.
-    static std::string check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles);
+    /// \param first_number  of the first vertex, in messages
+    static std::string check(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles,
+                             std::size_t first_number = 0);
     /// Returns what check() returns for these numbers, without reading a mesh.
     static std::string check_counts(std::size_t vertices, std::size_t triangles);
 

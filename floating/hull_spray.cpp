@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <stdexcept>
 
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
 
@@ -186,6 +189,19 @@ void HullSpray::add_foam(const HullLoads& loads, const HullState& state, double 
                          .radius_m = radius_m,
                          .height_m = std::min(bore_m, 100.0)});
     });
+}
+
+std::vector<std::uint8_t> HullSpray::save_state() const {
+    std::vector<std::uint8_t> saved(sizeof sequences_);
+    std::memcpy(saved.data(), sequences_.data(), sizeof sequences_);
+    return saved;
+}
+
+void HullSpray::restore_state(std::span<const std::uint8_t> saved) {
+    if (saved.size() != sizeof sequences_)
+        throw std::invalid_argument(
+            invalid_value_message("the saved spray's number of bytes", saved.size(), number_text(sizeof sequences_)));
+    std::memcpy(sequences_.data(), saved.data(), sizeof sequences_);
 }
 
 }  // namespace pelagic

@@ -55,8 +55,8 @@ std::span<const NumericField<HullSprayOptions>> hull_spray_fields();
 std::string check(const HullSprayOptions& options);
 
 /// Spray and foam of one hull. Results are bit-identical on every machine. A copy keeps the state
-/// for a rollback. Spray has no rollback: emit each tick's droplets once. One thread at a time uses
-/// an object.
+/// for a rollback, and save_state() for another process. Spray has no rollback: emit each tick's
+/// droplets once. One thread at a time uses an object.
 class HullSpray {
    public:
     static constexpr int max_foam = 8;  ///< disturbances of an update
@@ -82,6 +82,14 @@ class HullSpray {
     std::span<const double> masses_kg() const { return masses_kg_; }
     /// Returns impulses of foam for DynamicWaves::add_impulse().
     std::span<const Disturbance> foam() const { return foam_; }
+
+    /// Returns all that later updates depend on, 8 bytes. FloatingBodies::save_state() leaves it
+    /// out, because a set has no spray.
+    std::vector<std::uint8_t> save_state() const;
+    /// Restores a saved state, on any machine of equal byte order. The results of the last update
+    /// stay until the next.
+    /// \throws std::invalid_argument  for another number of bytes; nothing is changed then
+    void restore_state(std::span<const std::uint8_t> saved);
 
    private:
     /// The jet along a piece of the waterline.

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
@@ -19,23 +20,28 @@ namespace {
 /// destroys the group.
 class ArenaWorkers final : public WorkerGroup {
    public:
-    explicit ArenaWorkers(int threads) : WorkerGroup(threads), arena_(threads, 1) {}
+    explicit ArenaWorkers(int threads) : WorkerGroup(threads), arena_(threads, 1) {
+        // A graph waits in the arena of its constructor. In another arena that is full, such as
+        // that of an application's loop, wait_for_all() would need a worker, and with one worker no
+        // thread would run the tasks.
+        arena_.execute([this] { tasks_.emplace(); });
+    }
     /// Waits until all tasks have ended, and runs those that no thread has begun.
     ~ArenaWorkers() override {
-        arena_.execute([this] { tasks_.wait_for_all(); });
+        arena_.execute([this] { tasks_->wait_for_all(); });
     }
 
    private:
     int wake(int count) noexcept override {
         for (int woken = 0; woken < count; ++woken) {
-            tasks_.reserve_wait();
+            tasks_->reserve_wait();
             try {
                 arena_.enqueue([this] {
                     work(tbb::this_task_arena::current_thread_index());
-                    tasks_.release_wait();
+                    tasks_->release_wait();
                 });
             } catch (...) {  // no memory for a task
-                tasks_.release_wait();
+                tasks_->release_wait();
                 return woken;
             }
         }
@@ -43,7 +49,7 @@ class ArenaWorkers final : public WorkerGroup {
     }
 
     tbb::task_arena arena_;
-    tbb::flow::graph tasks_;  ///< counts tasks; it has no nodes
+    std::optional<tbb::flow::graph> tasks_;  ///< counts tasks; it has no nodes
 };
 
 // The stack size of oneTBB's workers on 64-bit systems, 4 MiB, and its guard page.

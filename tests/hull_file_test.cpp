@@ -181,7 +181,11 @@ TEST(HullFile, AnInvalidObjFileIsRejectedInOneLine) {
         {":2: a corner of a face is x", "v 0 0 0\nf 1 1 x"},
         {":2: the number of a face's corners is 2, expected 3 or more", "v 0 0 0\nf 1 1"},
         {":4100: the hull has more than 4096 triangles", large},
-        {"the hull is open at the edge", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nf 1 2 3 4\nf 1 5 2\nf 2 5 3"},
+        // The faces 1 4 5 and 3 5 4 are missing. OBJ counts vertices from 1.
+        {"the hull is open at the edge between vertices 1 and 5, expected a closed mesh",
+         "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nf 1 2 3 4\nf 1 5 2\nf 2 5 3"},
+        {"hull.obj: vertex 2: y 1001 is out of range [-1000, 1000] m",
+         "v 0 0 0\nv 1 1001 0\nv 0 0 1\nv 0 1 0\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3"},
     };
     for (const auto& [reason, text] : cases) {
         write_file(folder / "hull.obj", text);

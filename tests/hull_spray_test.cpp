@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -193,6 +195,39 @@ TEST(HullSpray, OfAPlaningBoatLeavesForwardAndOutward) {
     EXPECT_GT(fast.highest_foam_m, 0.1);
     EXPECT_LT(fast.highest_foam_m, 9 * 9 / (2 * gravity_mps2)) << "the head of the speed";
     RecordProperty("water_kg", std::to_string(fast.water_kg));
+}
+
+// A planing boat whose state and spray are restored in another process throws the same water.
+TEST(HullSpray, ASavedStateReplaysBitEqual) {
+    const auto boat = [] { return Thrower(Hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 1500})); };
+    const auto thrown_in_30_ticks = [](Thrower& of) {
+        std::vector<double> numbers;
+        for (int tick = 0; tick < 30; ++tick) {
+            of.state.velocity_mps.x = 9;
+            of.step(1.0 / 60);
+            for (const SprayEmitter& emitter : of.thrown.emitters())
+                numbers.insert(numbers.end(), {emitter.time_s, emitter.x_m, emitter.y_m, emitter.z_m});
+            for (const Disturbance& foam : of.thrown.foam()) numbers.insert(numbers.end(), {foam.x_m, foam.z_m});
+        }
+        return numbers;
+    };
+    Thrower here = boat(), there = boat(), with_new_spray = boat();
+    thrown_in_30_ticks(here);
+    const std::vector<std::uint8_t> saved = here.thrown.save_state();
+    there.state = with_new_spray.state = here.state;
+    there.thrown.restore_state(saved);
+    EXPECT_EQ(there.thrown.save_state(), saved);
+    const std::vector<double> expected = thrown_in_30_ticks(here);
+    ASSERT_GT(expected.size(), 100u);
+    EXPECT_EQ(thrown_in_30_ticks(there), expected);
+    EXPECT_NE(thrown_in_30_ticks(with_new_spray), expected) << "the saved numbers matter";
+    try {
+        there.thrown.restore_state(std::span(saved).first(7));
+        FAIL() << "expected a rejection";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "the saved spray's number of bytes is 7, expected 8");
+    }
+    EXPECT_EQ(there.thrown.save_state(), here.thrown.save_state());
 }
 
 TEST(HullSpray, FoamOfADisturbanceHasNoWaves) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/near_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
@@ -36,15 +37,16 @@ void read_fields(const Entries& entries, std::span<const NumericField<Options>> 
     }
 }
 
-template <class Enum>
-void read_name(const Entries& entries, std::string_view key, const Names& names, Enum& value) {
+template <NamedEnum Enum>
+void read_name(const Entries& entries, std::string_view key, Enum& value) {
     const std::optional<Value> entry = entries.at(key);
     if (!entry) return;
     const std::string name = Text(entry->variant()).utf8();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
+    const auto& names = names_of<Enum>();
+    const std::optional<Enum> found = value_named<Enum>(name);
+    if (!found)
         throw std::invalid_argument(invalid_value_message(key, name, list_of(names)) + nearest_hint(name, names));
-    value = static_cast<Enum>(found - names.begin());
+    value = *found;
 }
 
 /// Throws for a key that is neither a field nor one of `others`.
@@ -64,8 +66,8 @@ Disturbance disturbance_of(const Variant& dictionary) {
     const Entries entries(dictionary);
     require_known_keys(entries, disturbance_fields(), {"shape", "mode"});
     Disturbance disturbance;
-    read_name(entries, "shape", {"gauss", "hull"}, disturbance.shape);
-    read_name(entries, "mode", {"pressure", "relaxation", "impulse"}, disturbance.mode);
+    read_name(entries, "shape", disturbance.shape);
+    read_name(entries, "mode", disturbance.mode);
     read_fields(entries, disturbance_fields(), disturbance);
     return disturbance;
 }

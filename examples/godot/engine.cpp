@@ -1,5 +1,7 @@
 #include "pelagic/examples/godot/engine.hpp"
 
+#include <array>
+
 namespace pelagic::godot {
 namespace {
 
@@ -68,6 +70,20 @@ void Held::let_go() {
     object_ = nullptr;
 }
 
+Vector3 vector_of(const Variant& value) {
+    const Vector3Bytes bytes = call(core::variant_as_vector3, &value);
+    Vector3 vector;
+    std::memcpy(&vector, &bytes, sizeof vector);
+    return vector;
+}
+
 void print_line(std::string_view line) { call(core::print, &Text(line).string()); }
+
+void report_invalid(Object* node, std::string_view class_name, std::string_view line) {
+    static const Method emit_signal("Object", "emit_signal");
+    print_line(std::string(class_name) + ": " + std::string(line));
+    const Value name("refused"), text(line);
+    emit_signal.with_values(node, std::array{&name.variant(), &text.variant()});
+}
 
 }  // namespace pelagic::godot

@@ -73,6 +73,29 @@ class Value {
     alignas(8) Variant variant_;
 };
 
+/// A NodePath.
+class Path {
+   public:
+    explicit Path(std::string_view of) { call(core::node_path_new, &path_, &Text(of).string()); }
+    /// \pre the value is a NodePath
+    explicit Path(const Variant& of) : path_(call(core::variant_as_node_path, &of)) {}
+    ~Path() { call(core::node_path_destroy, &path_); }
+    Path(const Path&) = delete;
+    Path& operator=(const Path&) = delete;
+
+    const NodePath& path() const { return path_; }
+    Value value() const {
+        Variant variant;
+        call(core::variant_new_node_path, &variant, &path_);
+        Value copy(variant);
+        call(core::variant_destroy, &variant);
+        return copy;
+    }
+
+   private:
+    alignas(8) NodePath path_;
+};
+
 /// A Dictionary that is filled and passed to the engine.
 class Table {
    public:
@@ -132,6 +155,11 @@ struct PoolFunctions<int> {
     static constexpr auto elements = core::pool_int_array_write_access_ptr;
     static constexpr auto end_write = core::pool_int_array_write_access_destroy;
     static constexpr auto to_variant = core::variant_new_pool_int_array;
+    static constexpr auto of_variant = core::variant_as_pool_int_array;
+    static constexpr auto size = core::pool_int_array_size;
+    static constexpr auto read = core::pool_int_array_read;
+    static constexpr auto read_elements = core::pool_int_array_read_access_ptr;
+    static constexpr auto end_read = core::pool_int_array_read_access_destroy;
 };
 template <>
 struct PoolFunctions<float> {
@@ -284,7 +312,14 @@ class Held {
     Object* object_ = nullptr;
 };
 
+/// Returns the members of a Vector3.
+Vector3 vector_of(const Variant& value);
+
 /// Prints a line to the engine's output.
 void print_line(std::string_view line);
+
+/// Reports an invalid value: prints a line after the name of the node's class, and emits the node's
+/// signal `refused` with the line.
+void report_invalid(Object* node, std::string_view class_name, std::string_view line);
 
 }  // namespace pelagic::godot

@@ -34,6 +34,9 @@ struct PoolArray {  // PoolByteArray, PoolIntArray, PoolRealArray, PoolVector3Ar
 struct Rid {
     std::uint8_t bytes[8];
 };
+struct NodePath {
+    std::uint8_t bytes[8];
+};
 struct Vector3Bytes {
     std::uint8_t bytes[12];
 };
@@ -69,9 +72,11 @@ enum VariantType : int {
     type_real = 3,
     type_string = 4,
     type_vector3 = 7,
+    type_node_path = 15,
     type_object = 17,
     type_dictionary = 18,
     type_pool_byte_array = 20,
+    type_pool_int_array = 21,
     type_pool_real_array = 22,
     type_pool_vector3_array = 25
 };
@@ -121,14 +126,16 @@ inline constexpr CoreFunction<void*(const Access*)> pool_byte_array_write_access
 inline constexpr CoreFunction<void(Access*)> pool_byte_array_write_access_destroy{298},
     pool_int_array_write_access_destroy{302}, pool_real_array_write_access_destroy{306},
     pool_vector3_array_write_access_destroy{318};
-inline constexpr CoreFunction<Access*(const PoolArray*)> pool_byte_array_read{165}, pool_real_array_read{197},
-    pool_vector3_array_read{245};
-inline constexpr CoreFunction<int(const PoolArray*)> pool_byte_array_size{169}, pool_real_array_size{201},
-    pool_vector3_array_size{249};
+inline constexpr CoreFunction<Access*(const PoolArray*)> pool_byte_array_read{165}, pool_int_array_read{181},
+    pool_real_array_read{197}, pool_vector3_array_read{245};
+inline constexpr CoreFunction<int(const PoolArray*)> pool_byte_array_size{169}, pool_int_array_size{185},
+    pool_real_array_size{201}, pool_vector3_array_size{249};
 inline constexpr CoreFunction<const void*(const Access*)> pool_byte_array_read_access_ptr{268},
-    pool_real_array_read_access_ptr{276}, pool_vector3_array_read_access_ptr{288};
+    pool_int_array_read_access_ptr{272}, pool_real_array_read_access_ptr{276},
+    pool_vector3_array_read_access_ptr{288};
 inline constexpr CoreFunction<void(Access*)> pool_byte_array_read_access_destroy{270},
-    pool_real_array_read_access_destroy{278}, pool_vector3_array_read_access_destroy{290};
+    pool_int_array_read_access_destroy{274}, pool_real_array_read_access_destroy{278},
+    pool_vector3_array_read_access_destroy{290};
 
 inline constexpr CoreFunction<void(Array*)> array_new{323}, array_destroy{361};
 inline constexpr CoreFunction<void(Array*, const Variant*)> array_append{336};
@@ -139,6 +146,8 @@ inline constexpr CoreFunction<void(Dictionary*, const Variant*, const Variant*)>
 inline constexpr CoreFunction<bool(const Dictionary*, const Variant*)> dictionary_has{368};
 inline constexpr CoreFunction<Variant(const Dictionary*, const Variant*)> dictionary_get{374};
 inline constexpr CoreFunction<Array(const Dictionary*)> dictionary_keys{372};
+inline constexpr CoreFunction<void(NodePath*, const String*)> node_path_new{381};
+inline constexpr CoreFunction<void(NodePath*)> node_path_destroy{383};
 
 inline constexpr CoreFunction<VariantType(const Variant*)> variant_get_type{507};
 inline constexpr CoreFunction<void(Variant*, const Variant*)> variant_new_copy{508};
@@ -149,6 +158,7 @@ inline constexpr CoreFunction<void(Variant*, double)> variant_new_real{513};
 inline constexpr CoreFunction<void(Variant*, const String*)> variant_new_string{514};
 inline constexpr CoreFunction<void(Variant*, const Vector3*)> variant_new_vector3{517};
 inline constexpr CoreFunction<void(Variant*, const Vector4*)> variant_new_quat{520};
+inline constexpr CoreFunction<void(Variant*, const NodePath*)> variant_new_node_path{525};
 inline constexpr CoreFunction<void(Variant*, const Rid*)> variant_new_rid{526};
 inline constexpr CoreFunction<void(Variant*, const Dictionary*)> variant_new_dictionary{528};
 inline constexpr CoreFunction<void(Variant*, const PoolArray*)> variant_new_pool_byte_array{530},
@@ -157,10 +167,11 @@ inline constexpr CoreFunction<bool(const Variant*)> variant_as_bool{537};
 inline constexpr CoreFunction<double(const Variant*)> variant_as_real{540};
 inline constexpr CoreFunction<String(const Variant*)> variant_as_string{541};
 inline constexpr CoreFunction<Vector3Bytes(const Variant*)> variant_as_vector3{544};
+inline constexpr CoreFunction<NodePath(const Variant*)> variant_as_node_path{552};
 inline constexpr CoreFunction<Object*(const Variant*)> variant_as_object{554};
 inline constexpr CoreFunction<Dictionary(const Variant*)> variant_as_dictionary{555};
 inline constexpr CoreFunction<PoolArray(const Variant*)> variant_as_pool_byte_array{557},
-    variant_as_pool_real_array{559}, variant_as_pool_vector3_array{562};
+    variant_as_pool_int_array{558}, variant_as_pool_real_array{559}, variant_as_pool_vector3_array{562};
 
 inline constexpr CoreFunction<const char*(const CharString*)> char_string_get_data{572};
 inline constexpr CoreFunction<void(CharString*)> char_string_destroy{573};

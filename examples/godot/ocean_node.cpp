@@ -1,7 +1,8 @@
 #include "pelagic/examples/godot/ocean_node.hpp"
 
-#include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -25,7 +26,27 @@ bool is_server() {
     return is;
 }
 
+/// The nodes by their objects. The engine may create nodes on a thread that loads a scene.
+std::mutex registry_mutex;
+std::map<const Object*, OceanNode*> registry;
+
 }  // namespace
+
+OceanNode::OceanNode(Object* self) : self_(self) {
+    const std::lock_guard lock(registry_mutex);
+    if (self) registry.emplace(self, this);
+}
+
+OceanNode::~OceanNode() {
+    const std::lock_guard lock(registry_mutex);
+    registry.erase(self_);
+}
+
+OceanNode* OceanNode::of(const Object* object) {
+    const std::lock_guard lock(registry_mutex);
+    const auto found = registry.find(object);
+    return found == registry.end() ? nullptr : found->second;
+}
 
 void OceanNode::enter_tree() {
     static const Method set_process_priority("Node", "set_process_priority");
@@ -34,12 +55,7 @@ void OceanNode::enter_tree() {
 
 void OceanNode::exit_tree() { drawing_.reset(); }
 
-void OceanNode::reject(std::string_view line) const {
-    static const Method emit_signal("Object", "emit_signal");
-    print_line("PelagicOcean: " + std::string(line));
-    const Value name("refused"), text(line);
-    emit_signal.with_values(self_, std::array{&name.variant(), &text.variant()});
-}
+void OceanNode::reject(std::string_view line) const { report_invalid(self_, class_name, line); }
 
 void OceanNode::change(const std::function<void(OceanSettings&)>& change) {
     change(settings_);

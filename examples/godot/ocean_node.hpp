@@ -21,7 +21,15 @@ namespace pelagic::godot {
 
 class OceanNode {
    public:
-    explicit OceanNode(Object* self) : self_(self) {}
+    static constexpr const char* class_name = "PelagicOcean";
+
+    explicit OceanNode(Object* self);
+    ~OceanNode();
+    OceanNode(const OceanNode&) = delete;
+    OceanNode& operator=(const OceanNode&) = delete;
+
+    /// Returns the node of an object, or null if the object is no PelagicOcean.
+    static OceanNode* of(const Object* object);
 
     // ---- callbacks of the engine
 
@@ -51,6 +59,9 @@ class OceanNode {
     // ---- queries of the frame of time_s(); empty results if the sea's options are invalid
 
     std::optional<std::uint64_t> hash();
+    /// Returns the frame of time_s(), valid until the next call of a non-const function. Null if
+    /// the sea's options are invalid.
+    const Frame* frame();
     std::optional<float> height_at(const Vector3& place);
     /// Returns arrays with one element per position: height, normal, velocity if the node has
     /// velocities, and depth if it has a shore.
@@ -76,8 +87,6 @@ class OceanNode {
     std::string invalid_options(const SeaState& sea) const;
     bool make_ocean();
     void start(double time_s);
-    /// Returns the frame of time_s_; null if there is no sea.
-    const Frame* frame();
     void draw(const Frame& frame);
     SurfaceQuery query_of(const Frame& frame) const;
 

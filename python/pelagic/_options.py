@@ -53,7 +53,8 @@ class Disturbance:
     and half beam radius_m."""
     mode: str = "pressure"
     """"pressure": the weight of the shape's volume of water; adds no water. "relaxation": the water
-    approaches the shape at rate_per_s. "impulse": the shape is added at once."""
+    approaches the shape at rate_per_s. "impulse": the shape is added at once. "foam": adds the foam
+    of waves as high as the shape, and no waves."""
     x_m: float = 0.0
     """Position in the world; [-1e8, 1e8]."""
     z_m: float = 0.0

@@ -201,7 +201,9 @@ written = bpy.data.texts.new("splash.csv")
 written.write("mode,time,z,x,height,radius,duration,heading,velocity,length\n"
               ",0.25,2.5,-3.25,0.4,1.1,,,,\n\n"
               "relaxation,0.4, 7,1,-0.3,1.5,2,33.3,-2.7,\n"
-              "pressure,-0.3,-9,4,-0.8,1.2,1.9,-123.4,5.5,4.5\n")
+              "pressure,-0.3,-9,4,-0.8,1.2,1.9,-123.4,5.5,4.5\n"
+              "foam,0.1,12,-8,0.5,3,0.5,20,4,5\n"
+              "foam,0.7,-20,15,0.35,4,,,,\n")
 settings.events, settings.waves_side, settings.waves_resolution = written, 90, "128"
 assert not settings.error, settings.error
 events.write_text(written.as_string())
@@ -211,6 +213,14 @@ for frame in (60, 5, 20):
     scene.frame_set(frame)
     compare(pelagic, sea, (frame - 1) / 24, ocean)
     assert waves_hash(ocean) == waves_hash_of(sea, (frame - 1) / 24), frame
+# Both foams have been added and fade. They make no waves.
+foamy, vertices = values_of(ocean, "foam"), vertices_of(ocean).tobytes()
+written.from_string("".join(line + "\n" for line in written.as_string().splitlines() if "foam" not in line))
+settings.events = written
+assert vertices_of(ocean).tobytes() == vertices
+for x, z in ((-8, 12), (15, -20)):
+    near = numpy.hypot(vertices_of(ocean)[:, 0] - x, vertices_of(ocean)[:, 1] + z) < 2
+    assert near.any() and (foamy - values_of(ocean, "foam"))[near].max() > 0.1, (x, z)
 
 # An invalid text: one line, and the mesh stays as it was. The command line rejects it, too.
 scene.frame_set(20)
@@ -223,7 +233,8 @@ for text, line in (
         ("time,x,z,radius,height\n1,2,3,4,5\n\n1,2,3,wide,5\n", "splash.csv:4: radius wide is out of range "),
         ("time,x,z,radius,height\n1,2,3,0,5\n", "splash.csv:2: radius_m 0 is out of range [0.001, 1000]"),
         ("time,x,z,radius,height,velocity\n1,2,3,1,5,2\n", "splash.csv:2: velocity 2: must be 0 without a duration"),
-        ("time,x,z,radius,height,duration,mode\n1,2,3,1,5,2,impulse\n", "splash.csv:2: mode impulse: must be ")):
+        ("time,x,z,radius,height,duration,mode\n1,2,3,1,5,2,impulse\n", "splash.csv:2: mode impulse: must be "),
+        ("time,x,z,radius,height,mode\n1,2,3,1,5,froth\n", "splash.csv:2: mode froth: must be pressure, relaxation or foam, ")):
     written.from_string(text)
     settings.events = written
     assert vertices_of(ocean).tobytes() == kept

@@ -100,12 +100,14 @@ with tempfile.TemporaryDirectory() as work:
         assert "refused" not in frames
         kib = []
         for words in frames["frame"]:
-            number, time_s, x, z, height_m, resident = words.split()
+            number, time_s, x, z, height_m, boat_m, resident = words.split()
             kib.append(int(resident))
             asked = subprocess.run([pelagic, "query", "--points", "-", "--time", time_s, "--wind-speed", "10",
                                     "--wind-direction", "30", "--interpolation", "linear"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
             # The printed time is rounded to 1e-9 s, in which no water moves a micrometre.
             assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
+            # The boat of 6 m floats by the forces of waves with Hm0 2 m.
+            assert abs(float(boat_m) - float(height_m)) < 1, words
         assert len(kib) == 3
         assert len(set(words.split()[1] for words in frames["frame"])) == 3
         # A frame's textures are 1.2 MB: a leak in one of fifty frames would be 9.6 MB in 400

@@ -1,5 +1,5 @@
 # Plays a thousand frames of the demo with dynamic waves, which nothing disturbs, and prints the
-# height of the water and the memory at three of them.
+# heights of the water and the boat and the memory at three of them.
 extends SceneTree
 
 const FRAMES = 1000
@@ -30,6 +30,6 @@ func _idle(_seconds):
 	count += 1
 	if count in [200, 600, FRAMES]:
 		var boat = root.get_node("demo/boat").translation
-		print("SAYS frame %d %.9f %.9f %.9f %.9f %d" % [count, ocean.time_s, boat.x, boat.z, ocean.height_at(boat), resident_kib()])
+		print("SAYS frame %d %.9f %.9f %.9f %.9f %.9f %d" % [count, ocean.time_s, boat.x, boat.z, ocean.height_at(boat), boat.y, resident_kib()])
 	if count == FRAMES:
 		quit()

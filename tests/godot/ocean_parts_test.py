@@ -43,7 +43,7 @@ refused = [
     ("property", "shore_heights_m", 3, "shore_heights_m is 3, expected a PoolRealArray"),
     ("method", "add_impulse", [{**stone, "radius_m": 0}], "radius_m 0 is out of range [0.001, 1000]"),
     ("method", "add_impulse", [{**stone, "radius_m": "wide"}], "radius_m wide is out of range [0.001, 1000]"),
-    ("method", "add_impulse", [{**stone, "mode": "pull"}], "mode is pull, expected pressure, relaxation or impulse"),
+    ("method", "add_impulse", [{**stone, "mode": "pull"}], "mode is pull, expected pressure, relaxation, impulse or foam"),
     ("method", "add_source", [{"radius": 3}], f"the key is radius, expected shape, mode, {keys} (the nearest is radius_m)"),
     ("method", "add_source", [3], "add_source is called as add_source(source)"),
     ("method", "set_source", [-1, boat], "number is -1, expected a number that add_source() returned"),

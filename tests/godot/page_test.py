@@ -1,7 +1,8 @@
 # Runs every command line of docs/integrations/godot.md and every script of that page and of the
-# node's README, in a folder where the build has the page's path. Compares the README's tables with
-# the node.
+# nodes' README, in a folder where the build has the page's path. Compares the README's tables with
+# the nodes.
 # usage: page_test.py SOURCE BUILD GOLDEN_HASHES
+import math
 import os
 import re
 import subprocess
@@ -17,7 +18,7 @@ page = Path(source, "docs/integrations/godot.md").read_text()
 reference = Path(source, "examples/godot/README.md").read_text()
 lines = re.findall(r"^    (\S.*)$", page, re.MULTILINE)
 scripts = dict(re.findall(r"`(\w+\.gd)`[^`]*:\n\n```gdscript\n(.*?)^```$", page + reference, re.MULTILINE | re.DOTALL))
-assert sorted(scripts) == ["beach.gd", "buoy.gd", "server.gd", "wake.gd"], "the pages have other scripts than this test knows"
+assert sorted(scripts) == ["barrel.gd", "beach.gd", "buoy.gd", "server.gd", "wake.gd"], "the pages have other scripts than this test knows"
 assert len(lines) == 10, "the page has other lines than this test knows"
 
 BUOY = """
@@ -72,13 +73,14 @@ func _idle(_seconds):
 DESCRIBED = """
 extends SceneTree
 func _init():
-	var ocean = load("res://addons/pelagic/ocean.gdns").new()
-	for property in ocean.get_script().get_script_property_list():
-		print("SAYS property %s %d %s" % [property["name"], property["hint"], property["hint_string"]])
-		print("SAYS default %s %s" % [property["name"], ocean.get(property["name"])])
-	for method in ocean.get_script().get_script_method_list():
-		print("SAYS method ", method["name"])
-	ocean.free()
+	for name in ["ocean", "hull"]:
+		var node = load("res://addons/pelagic/%s.gdns" % name).new()
+		for property in node.get_script().get_script_property_list():
+			print("SAYS property %s %d %s" % [property["name"], property["hint"], property["hint_string"]])
+			print("SAYS default %s %s" % [property["name"], node.get(property["name"])])
+		for method in node.get_script().get_script_method_list():
+			print("SAYS method ", method["name"])
+		node.free()
 	quit()
 """
 hint_none, hint_range, hint_exp_range, hint_enum, hint_resource_type = 0, 1, 2, 3, 17
@@ -131,6 +133,12 @@ with tempfile.TemporaryDirectory() as work:
     [[depth_m, shore_height_m]] = [map(float, line.split()) for line in beach if re.fullmatch(r"-?[0-9.]+ -?[0-9.]+", line)]
     assert abs(depth_m - 10) < 1e-3 and 0 < abs(shore_height_m) < 5, beach
 
+    barrel = run_headless("my_game", "barrel.gd", work, {})["lines"]
+    # A prism of 64 sides on a circle of 1 m, of 3 t. After ten seconds in waves it still floats.
+    [[draught_m, displaced_m3]] = [map(float, line.split()) for line in barrel if re.fullmatch(r"[0-9.]+ [0-9.]+", line)]
+    assert abs(draught_m * 32 * math.sin(math.pi / 32) / (3000 / 1025) - 1) < 0.005, barrel
+    assert abs(displaced_m3 / (3000 / 1025) - 1) < 0.5, barrel
+
     Path("buoy_test.gd").write_text(BUOY)
     buoy = run_headless("my_game", Path(work, "buoy_test.gd"), work, {})
     assert buoy["buoy"] == ["True"], buoy["lines"]
@@ -143,17 +151,20 @@ with tempfile.TemporaryDirectory() as work:
     behind, ahead = added[19::2], added[1:16:2]
     assert max(behind) > 4 * max(ahead), added
 
-    # The tables have all properties and methods of the node and their numeric defaults. The editor
+    # The tables have all properties and methods of the nodes and their numeric defaults. The editor
     # has a range or choices for each number and name.
     Path("described.gd").write_text(DESCRIBED)
     node = run_headless("my_game", Path(work, "described.gd"), work, {})
     first_cells = [line.split("|")[1] for line in reference.splitlines() if line.startswith("| `")]
     written = [name for cell in first_cells for name in re.findall(r"`(\w+)[`(]", cell)]
-    hints = {words.split()[0]: words.split()[1:] for words in node["property"]}
+    properties = [words.split() for words in node["property"]]
+    hints = {name: hint for name, *hint in properties}
     methods = [name for name in node["method"] if not name.startswith("_")]
-    assert sorted(written) == sorted([*hints, *methods]), (written, hints, methods)
+    names = [name for name, *_ in properties]
+    assert sorted(written) == sorted([*names, *methods]), (written, names, methods)
     without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
-    assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "shore_heights_m"], without
+    assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "shore_heights_m", "ocean",
+                       "centre_of_mass_m", "inertia_kgm2", "force_n", "torque_nm", "wind_mps"], without
     defaults = dict(words.split(" ", 1) for words in node["default"])
     cells = [[cell.strip() for cell in line.split("|")] for line in reference.splitlines() if re.match(r"\| `\w+` \|.*\| [0-9.]+ \|$", line)]
     assert len(cells) > 20, cells

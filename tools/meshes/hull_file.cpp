@@ -31,7 +31,7 @@ class ObjReader {
         if (keyword == "f") take_face(line);
     }
 
-    HullFile hull;
+    HullFile hull{.vertices = {}, .triangles = {}, .first_number = 1};
 
    private:
     [[noreturn]] void reject(const std::string& reason) const {
@@ -106,7 +106,7 @@ HullMesh read_hull(const std::string& option, const std::filesystem::path& file)
     std::string_view bytes = content;
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // a byte order mark
     const HullFile hull = is_gltf(bytes) ? parse_gltf_hull(file, bytes) : parse_obj_hull(input.name(), bytes);
-    if (const std::string reason = HullMesh::check(hull.vertices, hull.triangles); !reason.empty())
+    if (const std::string reason = HullMesh::check(hull.vertices, hull.triangles, hull.first_number); !reason.empty())
         throw InputError(input.name() + ": " + reason);
     HullMesh mesh(hull.vertices, hull.triangles);
     const glm::dvec3 size = mesh.upper_m() - mesh.lower_m();

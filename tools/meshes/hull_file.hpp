@@ -17,6 +17,7 @@ struct HullFile {
 
     std::vector<glm::dvec3> vertices;
     std::vector<HullMesh::Triangle> triangles;
+    std::size_t first_number = 0;  ///< of the first vertex, as the format counts them
 };
 
 /// Parses an OBJ file: vertices and faces, which may have more than three corners.

@@ -7,7 +7,7 @@ The first line names the columns, in any order; each further line is an event:
   velocity, heading  m/s, and degrees from +x towards +z: motion of a source
   duration           seconds of a source; 0 or empty: an impulse
   length             metres: half the length of a hull; 0 or empty: a round shape
-  mode               impulse, pressure or relaxation; by default impulse, of a source pressure
+  mode               impulse, pressure, relaxation or foam; by default impulse, of a source pressure
 """
 import functools
 import math
@@ -20,7 +20,7 @@ required = ("time", "x", "z", "radius", "height")
 ranges = {"time": 1e9, "x": 1e8, "z": 1e8, "radius": 1000, "height": 100, "velocity": 1000, "heading": 360,
           "duration": 86400, "length": 1000}
 not_negative = ("radius", "duration", "length")
-modes = ("impulse", "pressure", "relaxation")
+modes = ("impulse", "pressure", "relaxation", "foam")
 
 
 class Event(typing.NamedTuple):
@@ -61,7 +61,7 @@ def event_of(name, number, columns, cells):
     duration, velocity, heading, length = (of.get(column, 0.0) for column in optional)
     mode = mode or ("pressure" if duration > 0 else "impulse")
     if mode not in modes or (duration > 0 and mode == "impulse"):
-        raise ValueError(f"{where}mode {mode}: must be pressure or relaxation, or impulse without a duration")
+        raise ValueError(f"{where}mode {mode}: must be pressure, relaxation or foam, or impulse without a duration")
     if velocity != 0 and duration == 0:
         raise ValueError(f"{where}velocity {velocity:g}: must be 0 without a duration")
     sine, cosine = sine_cosine_of_turns(heading / 360)

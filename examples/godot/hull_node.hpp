@@ -1,0 +1,96 @@
+// The node PelagicHull: moves itself as a hull that floats in the water of a PelagicOcean.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/examples/godot/engine.hpp"
+#include "pelagic/examples/godot/ocean_node.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
+#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_mesh.hpp"
+
+namespace pelagic::godot {
+
+/// The node's axes are those of its mesh: x forward, y up, z to starboard. They need no conversion,
+/// because the engine's axes are Pelagic's. The hull makes no wake.
+class HullNode {
+   public:
+    static constexpr const char* class_name = "PelagicHull";
+
+    explicit HullNode(Object* self) : self_(self) {}
+
+    /// Callback of the engine: steps the hull if it is playing. Reports a reason for which it
+    /// cannot once, until a step succeeds.
+    void physics_process(double seconds);
+
+    // ---- properties; functions throw std::invalid_argument for an invalid value, and change
+    // ---- nothing then
+
+    /// Reports an invalid value: prints a line and emits the signal `refused` with it.
+    void reject(std::string_view line) const;
+
+    const Value& ocean() const { return *ocean_; }
+    void set_ocean(std::string_view path);
+    const Value& mesh() const { return *mesh_; }
+    /// \param mesh  a Mesh, which is read now, or null
+    void set_mesh(const Variant& mesh);
+    const HullOptions& options() const { return options_; }
+    /// Changes the options before the next step. The hull keeps its pose and velocity.
+    void set_options(const HullOptions& options);
+    const HullInputs& inputs() const { return inputs_; }
+    void set_inputs(const HullInputs& inputs);
+    bool is_playing() const { return is_playing_; }
+    void set_playing(bool playing) { is_playing_ = playing; }
+
+    // ---- methods; they throw std::invalid_argument if there is no mesh, or no ocean where they
+    // ---- need one, and change nothing then. All but launch() launch a hull that is not afloat.
+
+    /// Puts the hull where the node is, upright and at rest in still water.
+    void launch();
+    /// Advances the hull by (0, 0.1] s in the ocean's frame of time_s(), and moves the node.
+    void step(double seconds);
+    /// Returns mass, volume and draught, and whether the hull floats.
+    std::unique_ptr<Table> info();
+    /// Returns position and velocities of the centre of mass, and what the water did in the last
+    /// step.
+    std::unique_ptr<Table> state();
+    /// Returns the bytes of FloatingBodies::save_state().
+    std::vector<std::uint8_t> save_state();
+    /// Restores the state of a hull with equal mesh and options, and moves the node.
+    void restore_state(std::span<const std::uint8_t> saved);
+
+   private:
+    /// A hull in the water, the only body of a set.
+    struct Afloat {
+        std::shared_ptr<const Hull> hull;
+        std::unique_ptr<FloatingBodies> bodies;
+    };
+    static constexpr std::uint32_t number = 1;  ///< of the body
+
+    OceanNode& needed_ocean() const;
+    std::shared_ptr<const Hull> needed_hull() const;
+    Afloat afloat(std::shared_ptr<const Hull> hull, const HullState& state) const;
+    HullState launched(const Hull& hull) const;
+    /// Launches the hull, or changes it to the mesh and options that were set.
+    Afloat& needed_afloat();
+    void place();
+
+    Object* self_;
+    std::unique_ptr<Value> ocean_ = std::make_unique<Value>(Path("..").value());
+    std::unique_ptr<Value> mesh_ = std::make_unique<Value>();
+    std::optional<HullMesh> hull_mesh_;  ///< of mesh_
+    HullOptions options_{.mass_kg = 1000};
+    HullInputs inputs_;
+    bool is_playing_ = true;
+    bool is_stale_ = false;  ///< afloat_ differs from the mesh and the options
+    std::optional<Afloat> afloat_;
+    std::string reported_;  ///< by physics_process()
+};
+
+}  // namespace pelagic::godot
