@@ -1582,10 +1582,10 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_state(const pelagic_bodie
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
                                                              pelagic_hull_loads* loads);
 
-/* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it between
- * pelagic_ocean_complete() and pelagic_ocean_schedule(), whose frames are a tick apart.
+/* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it once a frame,
+ * between pelagic_ocean_complete() and pelagic_ocean_schedule().
  *
- * tick_s: (0, 0.1].
+ * tick_s: time since the last call, (0, 0.1]. Frames may be any time apart.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; PELAGIC_WRONG_ORDER before the first
  *   frame and if a frame is in flight.

@@ -66,6 +66,7 @@ class FloatingBodies {
 
     /// Moves the pressures of wakes to the bodies, as HullWake::press(). Does nothing without
     /// waves.
+    /// \param tick_s  time since the last call
     /// \throws std::invalid_argument  if tick_s is not in (0, 0.1]
     void press(const Frame& frame, double tick_s);
     /// Advances all bodies by a step, as FloatingHulls::step().
@@ -73,7 +74,7 @@ class FloatingBodies {
     ///                                body: "body 3: "; nothing is changed then
     void step(const SurfaceQuery& water, double step_s);
 
-    /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, and 12 a
+    /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, and 16 a
     /// cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first
     /// command of the tick.
     std::vector<std::uint8_t> save_state() const;
