@@ -96,8 +96,8 @@ class OceanNode {
     /// Returns the dynamic waves, or null if they are not enabled or the sea's options are invalid,
     /// which are reported then.
     DynamicWaves* dynamic_waves_or_null();
-    /// Restores a state of dynamic_waves_between_frames(). The frame that is scheduled next is again
-    /// that of the state: no wake is moved before it.
+    /// Restores a saved state of the dynamic waves. The frame that is scheduled next is to have the
+    /// time of the saved one: no wake is moved before it.
     void restore_dynamic_waves(std::span<const std::uint8_t> saved);
     /// Calls `wake` before each frame that is scheduled, until it is removed or has left the waves.
     /// \pre the dynamic waves are enabled

@@ -19,11 +19,14 @@ import pelagic_ctypes as pelagic  # noqa: E402
 project, library_file = sys.argv[1:]
 step_s = 1 / 60
 
-# A box of 4 x 1 x 2 m, half of it in the water.
-corners = [coordinate for x in (-2, 2) for y in (-0.5, 0.5) for z in (-1, 1) for coordinate in (x, y, z)]
-faces = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
-mass_kg = 0.5 * 8 * 1025
-draught_m = 0.5  # Archimedes
+# A prism with pointed ends, 1 m high, half of it in the water: 3 x 2 m between two triangles of 2 x 2 m.
+outline = [(-1.5, 1), (1.5, 1), (3.5, 0), (1.5, -1), (-1.5, -1), (-3.5, 0)]
+corners = [coordinate for y in (-0.5, 0.5) for x, z in outline for coordinate in (x, y, z)]
+sides = [triangle for i in range(6) for j in [(i + 1) % 6] for triangle in ((i, j, j + 6), (i, j + 6, i + 6))]
+caps = [triangle for i in range(1, 5) for triangle in ((6, 6 + i, 7 + i), (0, i + 1, i))]
+faces = [corner for triangle in sides + caps for corner in triangle]
+draught_m = 0.5
+mass_kg = (3 * 2 + 2 * 2) * draught_m * 1025  # Archimedes
 sea = {"cascades": 2, "resolution": 32, "wind_speed_mps": 8, "velocities": True, "dynamic_waves": True,
        "dynamic_waves_resolution": 64, "dynamic_waves_side_m": 32, "dynamic_waves_border_m": 6}
 still_sea = {**sea, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01}
@@ -51,7 +54,7 @@ class CInterface:
         self.call("ocean_dynamic_waves", self.ocean, ctypes.byref(self.waves))
         hull = sized(pelagic.pelagic_hull_options)
         self.call("hull_defaults", hull)
-        hull.mass_kg = mass_kg
+        hull.mass_kg, hull.centre_of_mass_m = mass_kg, (ctypes.c_double * 3)(0, 0, 0)
         self.call("hull_create",
                   sized(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=(ctypes.c_double * len(corners))(*corners),
                         triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
@@ -111,23 +114,79 @@ def draughts(until_s):
     return [[half / 2, "draught"] for half in range(1, 2 * until_s)]
 
 
-# Pressures that begin and end: the hull's hollow after each change.
-changes = [*draughts(13), water("rest", 13), [13, "free_hull"], water("none", 19), [19, "make_hull"], water("rest", 32),
+# The hull's hollow after changes that begin or end its pressure.
+changes = [water("rest", 13), [13, "free_hull"], water("none", 19), [19, "make_hull"], water("rest", 32),
            [32, "leave"], water("none", 38), [38, "enter"], water("rest", 50),
            [50, "set", "hull", "wake", False], water("none", 56), [56, "set", "hull", "wake", True], water("rest", 68),
            [68, "set", "ocean", "foam", False], water("none", 68.1), water("rest", 80),
            [80, "set", "hull", "playing", False], water("none", 86), [86, "set", "hull", "playing", True], water("rest", 98),
-           [98, "refusals"], [98, "free_ocean"], [99, "refusals"], [99, "make_ocean"], water("rest", 112), [112, "draught"],
-           [112, "refusals"], [112, "end"]]
-tow = [*draughts(16), [16, "set", "hull", "inertia_kgm2", [4000, 1e8, 6000]], [24, "set", "hull", "force_n", [1500, 0, 0]],
-       [40, "profile"], [40, "refusals"], [40, "end"]]
+           [98, "refusals"], [98, "free_ocean"], [99, "refusals"], [99, "make_ocean"], water("rest", 112), [112, "refusals"], [112, "end"]]
+# The pressure grows for 8.2 s, four periods of waves of the hull's length. Then a tow from 16 s on.
+launched_s, towed_s = 10, 34
+tow = [*([half / 2, "draught"] for half in range(2 * launched_s, 32)), [16, "set", "hull", "inertia_kgm2", [6000, 1e8, 20000]],
+       [24, "set", "hull", "force_n", [1500, 0, 0]], [40, "profile"], [40, "refusals"], [40, "end"]]
+errors = [
+    "the saved hull is damaged, expected the bytes that save_state() returned",
+    "the saved bodies have a wrong size, expected as many bytes as their counts give",
+    "the saved hull is damaged, expected the bytes that save_state() returned",
+    "the number of saved bodies is 2, expected 1",
+    "the saved bodies have no wakes, expected bodies with wakes",
+]
+
+
+def wavelength_m(heights, spacing_m):
+    """Twice the mean distance between zeros."""
+    zeros = [i + a / (a - b) for i, (a, b) in enumerate(zip(heights, heights[1:])) if a * b < 0]
+    return 2 * spacing_m * (zeros[-1] - zeros[0]) / (len(zeros) - 1)
+
+
 with tempfile.TemporaryDirectory() as folder:
     work = Path(folder)
     there = CInterface()
     (work / "two").write_bytes(there.saved(there.bodies((0, 0), (9, 0))) + bytes(appended))
     (work / "dry").write_bytes(there.saved(there.bodies((0, 0), wakes=0)) + bytes(appended))
     says = play(work, {"cases": cases, "events": changes}, 60)
-    print(says["lines"])
-    for fps in (60, 30, 144, 45, 8):
-        t = play(work, {"events": tow, "follow": True, "towed_s": 34}, fps)
-        print(fps, t["draught"], t["speed"], t["profile"], t["refusals"])
+
+    compared = 0
+    for case in cases:
+        states = (work / case["name"]).read_bytes()
+        size = len(states) // case["frames"]
+        assert len(says[case["name"]]) == case["frames"]
+        seen = set()
+        for frame, (state, waves) in enumerate(CInterface().frames(case["frames"], case["steps"])):
+            assert states[size * frame:size * (frame + 1) - appended] == state, (case["name"], frame)
+            assert says[case["name"]][frame] == waves, (case["name"], frame)
+            seen.add(waves)
+            compared += 1
+        assert len(seen) > 0.9 * case["frames"], "the hull makes waves"
+    assert says["restored"] == ["same True", "new True"], says["restored"]
+    assert json.loads(single(says, "errors")) == errors, says["errors"]
+    assert single(says, "unchanged") == "True"
+
+    assert len(says["water"]) == sum(event[1] == "water" for event in changes)
+    for words in says["water"]:
+        name, height_m = words.split()
+        expected_m, bound_m = (-draught_m, 0.02 * draught_m) if name == "rest" else (0, 0.03 * draught_m)
+        assert abs(float(height_m) - expected_m) < bound_m, says["water"]
+    assert list(map(json.loads, says["refusals"])) == [[], ["ocean is ../sea, expected the path of a PelagicOcean"], []], says["refusals"]
+
+    speeds_mps = {}
+    for fps in (60, 144, 45, 30, 8):
+        says = play(work, {"events": tow, "follow": True, "towed_s": towed_s}, fps)
+        off = max(abs(float(draught) / draught_m - 1) for draught in says["draught"])
+        assert len(says["draught"]) == 12 and off < 0.005, (fps, says["draught"])
+        speeds_mps[fps] = speed_mps = float(single(says, "speed"))
+        heights_m = json.loads(single(says, "profile"))  # every 0.5 m, 20 m behind the hull to 20 m before it
+        behind, ahead = heights_m[16:33], heights_m[48:]
+        assert max(behind) > 0.3 and min(behind) < -0.3 and max(map(abs, ahead)) < 0.05, (fps, heights_m)
+        kelvin_m = 2 * math.pi * speed_mps**2 / 9.80665  # deep-water waves as fast as the hull
+        measured_m = wavelength_m(behind, 0.5)
+        # The waves near the hull are shorter, and seven texels long.
+        assert abs(measured_m / kelvin_m - 1) < 0.12, (fps, measured_m, kelvin_m)
+        assert json.loads(single(says, "refusals")) == []
+        print(f"{fps} frames/s: draught {100 * off:.2f} % off, {speed_mps:.3f} m/s, waves of {measured_m:.2f} m, Kelvin {kelvin_m:.2f} m")
+    # In long frames the hull meets the same waves for all steps of a frame: it moves by 0.3 m in
+    # the longest.
+    for fps, speed_mps in speeds_mps.items():
+        assert abs(speed_mps / speeds_mps[60] - 1) < (0.06 if fps == 8 else 0.02), speeds_mps
+print(f"{compared} states and hashes and {len(errors)} errors agree")
