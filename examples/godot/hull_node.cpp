@@ -382,8 +382,8 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
         }
         pressed_at_s_.reset();
     } else {
-        Afloat restored = afloat(afloat_->hull, afloat_->bodies->state(number),
-                                 ocean ? ocean->dynamic_waves_or_null() : nullptr);
+        Afloat restored =
+            afloat(afloat_->hull, afloat_->bodies->state(number), ocean ? ocean->dynamic_waves_or_null() : nullptr);
         restored.bodies->clear();  // the pressure that was added now
         read(*restored.bodies, saved);
         leave_waves();

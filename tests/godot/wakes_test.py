@@ -19,7 +19,8 @@ import pelagic_ctypes as pelagic  # noqa: E402
 project, library_file = sys.argv[1:]
 step_s = 1 / 60
 
-# A prism with pointed ends, 1 m high, half of it in the water: 3 x 2 m between two triangles of 2 x 2 m.
+# A prism with pointed ends, 1 m high, half of it in the water. Its plan is 3 x 2 m between two
+# triangles of 2 x 2 m.
 outline = [(-1.5, 1), (1.5, 1), (3.5, 0), (1.5, -1), (-1.5, -1), (-3.5, 0)]
 corners = [coordinate for y in (-0.5, 0.5) for x, z in outline for coordinate in (x, y, z)]
 sides = [triangle for i in range(6) for j in [(i + 1) % 6] for triangle in ((i, j, j + 6), (i, j + 6, i + 6))]
@@ -176,7 +177,8 @@ with tempfile.TemporaryDirectory() as folder:
         off = max(abs(float(draught) / draught_m - 1) for draught in says["draught"])
         assert len(says["draught"]) == 12 and off < 0.005, (fps, says["draught"])
         speeds_mps[fps] = speed_mps = float(single(says, "speed"))
-        heights_m = json.loads(single(says, "profile"))  # every 0.5 m, 20 m behind the hull to 20 m before it
+        # Every 0.5 m, from 20 m behind the hull to 20 m before it.
+        heights_m = json.loads(single(says, "profile"))
         behind, ahead = heights_m[16:33], heights_m[48:]
         assert max(behind) > 0.3 and min(behind) < -0.3 and max(map(abs, ahead)) < 0.05, (fps, heights_m)
         kelvin_m = 2 * math.pi * speed_mps**2 / 9.80665  # deep-water waves as fast as the hull

@@ -89,7 +89,8 @@ def test_foam_of_a_disturbance_has_no_waves():
         ocean.frame_at(0)
         ocean.dynamic_waves.add_impulse(pelagic.Disturbance(mode="foam", radius_m=2, height_m=0.3))
         view = ocean.frame_at(2 * TICK_S).dynamic_waves
-        assert abs(int(view.foam[0, 0]) - 255 // 2) <= 4  # half of the range from 0.2 to 0.4 m, less a tick's decay
+        # half of the range from 0.2 to 0.4 m, less a tick's decay
+        assert abs(int(view.foam[0, 0]) - 255 // 2) <= 4
         assert view.foam[0, 16] == 0 and view.height_min_m == view.height_max_m == 0
 
 

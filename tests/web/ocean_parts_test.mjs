@@ -119,7 +119,8 @@ test('foam of a disturbance has no waves', async () => {
   ocean.frameAt(0);
   ocean.dynamicWaves.addImpulse({ mode: 'foam', radiusM: 2, heightM: 0.3 });
   const view = ocean.frameAt(2 / 60).dynamicWaves;
-  assert.ok(Math.abs(view.foam[0] - 127) <= 4, `${view.foam[0]}`);  // half of the range from 0.2 to 0.4 m, less a tick's decay
+  // half of the range from 0.2 to 0.4 m, less a tick's decay
+  assert.ok(Math.abs(view.foam[0] - 127) <= 4, `${view.foam[0]}`);
   assert.deepEqual([view.foam[16], view.heightMinM, view.heightMaxM], [0, 0, 0]);
   ocean.dispose();
 });
