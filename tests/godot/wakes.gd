@@ -118,6 +118,42 @@ func test_restored():
 	hulls[1].free()
 	ocean.free()
 
+# A hull that changes its ocean, its mass and its parent, which is freed with it.
+var passed_s = 0.0
+
+func play(oceans, seconds):
+	for _frame in range(60 * seconds):
+		passed_s += STEP_S
+		for one in oceans:
+			one.time_s = passed_s
+		hull.step(STEP_S)
+	for one in oceans:
+		ocean = one
+		say("moved %.9f" % water_at(0, 0))
+
+func test_moved():
+	var first = made_ocean("still_sea")
+	var second = made_ocean("still_sea")
+	second.name = "second"
+	for one in [first, second]:
+		one.playing = false
+	hull = made_hull({"playing": false})
+	play([first, second], 14)
+	hull.ocean = "../second"
+	play([first, second], 14)
+	hull.mass_kg = given["mass_kg"] / 2
+	play([first, second], 14)
+	hull.launch()
+	play([first, second], 14)
+	root.remove_child(hull)
+	second.add_child(hull)
+	hull.ocean = ".."
+	play([first, second], 14)
+	second.free()
+	first.hash()
+	first.free()
+	say("moved_errors %s" % JSON.print(refusals))
+
 # In a scene, with the engine's frames.
 var frame = 0
 var events = []
@@ -130,6 +166,8 @@ func _initialize():
 		refusals = []
 		test_states()
 		test_restored()
+		refusals = []
+		test_moved()
 		refusals = []
 	ocean = made_ocean("still_sea")
 	hull = made_hull()
