@@ -164,8 +164,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert json.loads(single(says, "errors")) == errors, says["errors"]
     assert single(says, "unchanged") == "True"
 
-    # Hollows in the first and in the second ocean. The hull has turned by 15 degrees at the end, and
-    # the hollow's depth differs by 8 % between texels then.
+    # Hollows in the first and in the second ocean. At the end the hull has turned by 15 degrees,
+    # and the depth of its hollow differs by 8 % between texels.
     hollows_m = [(draught_m, 0), (0, draught_m), (0, draught_m / 2), (0, draught_m / 2), (0, draught_m / 2)]
     for height_m, hollow_m in zip(map(float, says["moved"]), [hollow_m for pair in hollows_m for hollow_m in pair], strict=True):
         assert abs(height_m + hollow_m) < (0.1 * hollow_m or 0.03 * draught_m), says["moved"]
