@@ -14,8 +14,9 @@
 //               cut at the waterline (J. Kerner, "Water interaction model for boats in video
 //               games", Gamasutra 2015). In linear waves g + a contains the decrease of pressure
 //               with depth, to first order in depth over wavelength.
-//   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the acceleration of the water
-//               (J. N. Newman, Marine Hydrodynamics, MIT Press 1977, chapter 4)
+//   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the change of the water's
+//               velocity that the hull meets (J. N. Newman, Marine Hydrodynamics, MIT Press 1977,
+//               chapters 4 and 7)
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
 //   radiation   linear damping of heave and pitch on strips across the length, and of roll

@@ -97,7 +97,8 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
             volume += depth;
         }
     const double cell_m2 = plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
-    // Not more than the weight: a hull that its own wave lowers would make a larger wave, and so on.
+    // Not more than the weight: a hull that its own wave lowers would make a larger wave, and so
+    // on.
     const double scale =
         volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
     const bool is_first = launched_before == 0;

@@ -91,7 +91,8 @@ struct Towed {
         state.orientation = glm::angleAxis(trim_rad(), glm::dvec3(0, 0, 1));
         jobs.step(SurfaceQuery(frame), hulls, tick_s);
     }
-    double trim_rad() const { return std::asin(glm::mat3_cast(hulls[0].state.orientation)[0].y); }  ///< bow up
+    /// Positive: bow up.
+    double trim_rad() const { return std::asin(glm::mat3_cast(hulls[0].state.orientation)[0].y); }
 
     /// Advances by a tick.
     void advance(double speed_mps, double across_mps = 0) {
@@ -244,10 +245,10 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
     }
 }
 
-// The lift of a planing flat bottom is C = t^1.1 (0.012 sqrt(l) + 0.0055 l^2.5 / c^2), with the trim t
-// in degrees, the wetted length l in beams and the speed coefficient c = v / sqrt(g b) (D. Savitsky,
-// "Hydrodynamic design of planing hulls", Marine Technology 1, 1964). A hull that rides on its own
-// wave must come near it: its lift is the wave's. At lower speeds the trim is less.
+// The lift of a planing flat bottom is C = t^1.1 (0.012 sqrt(l) + 0.0055 l^2.5 / c^2), with the
+// trim t in degrees, the wetted length l in beams and the speed coefficient c = v / sqrt(g b) (D.
+// Savitsky, "Hydrodynamic design of planing hulls", Marine Technology 1, 1964). A hull that rides
+// on its own wave must come near it: its lift is the wave's. At lower speeds the trim is less.
 TEST(HullWake, ATowedHullTrimsLikeAPlaningBoat) {
     if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
     constexpr double length = 7, beam = 2.4, mass = 3000, degree = pi / 180;

@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
+#include <sstream>
+#include <string>
 
 #include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -132,6 +136,31 @@ TEST(SteeredBoat, LeavesAWake) {
     };
     EXPECT_GT(max_between(-18, -8), 0.1);
     EXPECT_LT(max_between(8, 18), 0.03);
+}
+
+// examples/boat/boat.obj, in millimetres.
+TEST(SteeredBoat, HasTheHullOfTheExampleFile) {
+    std::ifstream file(PELAGIC_EXAMPLES "/boat/boat.obj");
+    const gl::Boat::Surface hull = gl::Boat::hull();
+    std::size_t vertices = 0, triangles = 0;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string keyword;
+        words >> keyword;
+        if (keyword == "v") {
+            glm::dvec3 at;
+            words >> at.x >> at.y >> at.z;
+            ASSERT_LT(vertices, hull.vertices.size());
+            EXPECT_LT(glm::length(at - hull.vertices[vertices++]), 1e-3);
+        } else if (keyword == "f") {
+            std::array<std::uint32_t, 3> corners{};
+            for (std::uint32_t& corner : corners) words >> corner, --corner;
+            ASSERT_LT(triangles, hull.triangles.size());
+            EXPECT_EQ(corners, hull.triangles[triangles++]);
+        }
+    }
+    EXPECT_EQ(vertices, hull.vertices.size());
+    EXPECT_EQ(triangles, hull.triangles.size());
 }
 
 // A boat that is removed leaves the water level.

@@ -55,9 +55,9 @@ constexpr int fewest_vertices = 8;
 constexpr double baking_s = 0.1;
 constexpr double min_change_s = 0.1;
 
-/// Dynamic-wave grid: large enough for a boat's wake. Computing a tick takes about 0.14 ms.
-constexpr DynamicWavesOptions dynamic_waves{.resolution = 256, .side_m = 128, .border_m = 16};
-constexpr double tick_s = 1.0 / dynamic_waves.ticks_per_s;
+/// Dynamic-wave grid: large enough for a boat's wake, of which only the crests behind the stern
+/// break. Computing a tick takes about 0.14 ms.
+constexpr DynamicWavesOptions dynamic_waves{.resolution = 256, .side_m = 128, .border_m = 16, .foam_height_m = 0.35};
 /// Limits of movement and duration for a click, which makes a splash instead of rotating the
 /// camera.
 constexpr float max_pixels_of_a_click = 4;

@@ -640,8 +640,8 @@ class Bodies:
     def loads(self, number: int) -> HullLoads:
         """Returns the loads of a body in the last step."""
     def press(self, frame: Frame, tick_s: float) -> None:
-        """Moves the pressures of wakes to the bodies; tick_s in (0, 0.1]. Call it between
-        complete() and schedule(). Does nothing without wakes."""
+        """Moves the pressures of wakes to the bodies. Call it once a frame, between complete() and
+        schedule(); tick_s is the time since the last call, (0, 0.1]. Does nothing without wakes."""
     def step(self, frame: Frame, step_s: float) -> None:
         """Advances all bodies by a step, (0, 0.1] s, in the water of the frame completed last.
         Other threads run meanwhile. Results do not depend on the number of threads."""
