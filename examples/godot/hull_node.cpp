@@ -287,11 +287,11 @@ void HullNode::step(double seconds) {
     OceanNode* const makes_wake_in = ocean_of_wake(&ocean);
     if (makes_wake_in != waves_of_) {
         leave_waves();
+        const Afloat& now = needed_afloat();
         if (makes_wake_in)
-            use_waves_of(makes_wake_in,
-                         afloat(afloat_->hull, afloat_->bodies->state(number), ocean.dynamic_waves_or_null()));
+            use_waves_of(makes_wake_in, afloat(now.hull, now.bodies->state(number), ocean.dynamic_waves_or_null()));
     }
-    afloat_->bodies->step(water, seconds);
+    needed_afloat().bodies->step(water, seconds);
     if (waves_of_) unpressed_.seconds += seconds;
     place();
 }
