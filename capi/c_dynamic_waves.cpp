@@ -19,7 +19,8 @@ namespace {
 static_assert(PELAGIC_DYNAMIC_WAVES_VERLET == static_cast<int>(DynamicWavesStep::verlet));
 static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
 static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation) &&
-              PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse));
+              PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse) &&
+              PELAGIC_DISTURBANCE_FOAM == static_cast<int>(Disturbance::Mode::foam));
 
 /// Converts a disturbance. Throws std::invalid_argument for null, a wrong struct_size and unknown
 /// constants. check() checks the values.
@@ -27,7 +28,7 @@ Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name)
     const pelagic_disturbance from = read_struct(pointer, name);
     if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
         reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
-    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_IMPULSE)
+    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_FOAM)
         reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURBANCE_..."));
     return {.shape = static_cast<Disturbance::Shape>(from.shape),
             .mode = static_cast<Disturbance::Mode>(from.mode),

@@ -863,7 +863,9 @@ enum {
     /* The surface approaches the shape at a rate, so the bulge is bounded. */
     PELAGIC_DISTURBANCE_RELAXATION = 1,
     /* The shape is added to the surface at once: a drop, a stone. */
-    PELAGIC_DISTURBANCE_IMPULSE = 2
+    PELAGIC_DISTURBANCE_IMPULSE = 2,
+    /* Adds the foam of waves as high as the shape, and no waves: water that a hull breaks. */
+    PELAGIC_DISTURBANCE_FOAM = 3
 };
 
 /* A disturbance of the water: an impulse, or a source that acts in every tick. */

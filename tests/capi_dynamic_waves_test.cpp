@@ -106,6 +106,22 @@ TEST_F(CInterfaceDynamicWaves, AreIncludedInSurfacesAndQueries) {
     EXPECT_EQ(a, b);
 }
 
+TEST_F(CInterfaceDynamicWaves, FoamOfADisturbanceHasNoWaves) {
+    const COcean ocean = with_dynamic_waves();
+    complete(ocean, 0);
+    pelagic_disturbance foam = drop(0.3);
+    foam.mode = PELAGIC_DISTURBANCE_FOAM;
+    ASSERT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(ocean.get()), &foam), PELAGIC_OK) << pelagic_last_error();
+    complete(ocean, 2.0 / 60);
+    auto view = sized<pelagic_dynamic_waves_view>();
+    ASSERT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean.get()), &view), PELAGIC_OK);
+    // half of the range from foam_height_m = 0.2 to 0.4 m, less 90 bytes a second
+    EXPECT_NEAR(view.foam[0], 255 / 2, 4);
+    EXPECT_EQ(view.foam[8], 0) << "4 m away";
+    EXPECT_EQ(view.height_min_m, 0);
+    EXPECT_EQ(view.height_max_m, 0);
+}
+
 TEST_F(CInterfaceDynamicWaves, RainMakesWavesAndIsReproducible) {
     auto rain = sized<pelagic_rain>();
     ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
@@ -249,9 +265,9 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
                     "radius_m 0 is out of range [0.001, 1000]");
     wrong = drop();
-    wrong.mode = 3;
+    wrong.mode = 4;
     expect_rejected(pelagic_dynamic_waves_add_impulse(waves_of(with.get()), &wrong), PELAGIC_INVALID_ARGUMENT,
-                    "mode is 3, expected one of PELAGIC_DISTURBANCE_...");
+                    "mode is 4, expected one of PELAGIC_DISTURBANCE_...");
     wrong = drop();
     wrong.shape = -1;
     EXPECT_EQ(pelagic_dynamic_waves_set_source(waves_of(with.get()), 1, &wrong), PELAGIC_INVALID_ARGUMENT);

@@ -336,8 +336,8 @@ TEST(CInterfaceSmallestValues, FieldsOfADisturbanceAreRejectedOrFinite) {
         pelagic_ocean_options options = all_options();
         options.dynamic_waves = &dynamic_waves;
         const COcean ocean = ocean_of(sea, options);
-        for (const std::int32_t mode :
-             {PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_DISTURBANCE_RELAXATION, PELAGIC_DISTURBANCE_IMPULSE})
+        for (const std::int32_t mode : {PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_DISTURBANCE_RELAXATION,
+                                        PELAGIC_DISTURBANCE_IMPULSE, PELAGIC_DISTURBANCE_FOAM})
             for (const std::int32_t shape : {PELAGIC_SHAPE_GAUSS, PELAGIC_SHAPE_HULL})
                 walk(splash(mode, shape), fields,
                      "step " + std::to_string(step) + ", mode " + std::to_string(mode) + ", shape " +

@@ -20,6 +20,7 @@ const MethodOf<HullNode> methods[] = {
      [](HullNode& hull, Arguments arguments) {
          return hull.physics_process(call(core::variant_as_real, arguments[0])), Value();
      }},
+    {"_exit_tree", {}, "()", [](HullNode& hull, Arguments) { return hull.leave_waves(), Value(); }},
     {"launch", {}, "()", [](HullNode& hull, Arguments) { return hull.launch(), Value(); }},
     {"step",
      {type_real},

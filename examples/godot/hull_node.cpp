@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -22,6 +24,9 @@ namespace {
 const Method is_inside_tree("Node", "is_inside_tree"), get_node("Node", "get_node_or_null");
 const Method get_global_transform("Spatial", "get_global_transform"),
     set_global_transform("Spatial", "set_global_transform");
+
+/// More seconds of steps in one frame count as this many for the wake.
+constexpr double longest_pressed_s = 10;
 
 Vector3 floats(const glm::dvec3& of) {
     return {static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
@@ -90,6 +95,15 @@ void require_usable(HullOptions options) {
 
 }  // namespace
 
+HullNode::~HullNode() {
+    if (!waves_of_) return;
+    waves_of_->remove(*this);
+    try {
+        afloat_->bodies->clear();
+    } catch (const std::exception&) {  // no memory for the command: the pressure stays
+    }
+}
+
 void HullNode::reject(std::string_view line) const { report_invalid(self_, class_name, line); }
 
 void HullNode::physics_process(double seconds) {
@@ -98,11 +112,75 @@ void HullNode::physics_process(double seconds) {
         step(seconds);
         reported_.clear();
     } catch (const std::exception& error) {
-        const std::string line = one_line(error.what());
-        if (line == reported_) return;
-        reported_ = line;
-        reject(line);
+        report_once(error);
     }
+}
+
+void HullNode::report_once(const std::exception& error) {
+    const std::string line = one_line(error.what());
+    if (line == reported_) return;
+    reported_ = line;
+    reject(line);
+}
+
+void HullNode::press(const Frame& frame) {
+    if (!pressed_at_s_) pressed_at_s_ = frame.time_s;
+    if (unpressed_.seconds == 0) {
+        // Else the pressure would move on without the hull.
+        if (std::fabs(frame.time_s - *pressed_at_s_) > longest_pause_s) leave_waves();
+        return;
+    }
+    FloatingBodies& bodies = *afloat_->bodies;
+    const HullState state = bodies.state(number);
+    const double longest_s = 0.1;  // of FloatingBodies::press()
+    const auto parts = static_cast<int>(std::ceil(std::min(unpressed_.seconds, longest_pressed_s) / longest_s));
+    const double part_s = std::min(unpressed_.seconds, longest_pressed_s) / parts;
+    const glm::dvec3 last_m(unpressed_.last_m[0], unpressed_.last_m[1], unpressed_.last_m[2]);
+    try {
+        for (int part = 1; part < parts; ++part) {
+            HullState between = state;
+            between.position_m = last_m + (state.position_m - last_m) * (static_cast<double>(part) / parts);
+            bodies.set_state(number, between);
+            bodies.press(frame, part_s);
+        }
+        if (parts > 1) bodies.set_state(number, state);
+        bodies.press(frame, part_s);
+        unpressed_ = {0, {state.position_m.x, state.position_m.y, state.position_m.z}};
+        pressed_at_s_ = frame.time_s;
+    } catch (const std::exception& error) {
+        if (Hull::check(state).empty()) bodies.set_state(number, state);
+        report_once(error);
+        leave_waves();
+    }
+}
+
+void HullNode::leave_waves() {
+    if (!waves_of_) return;
+    std::exchange(waves_of_, nullptr)->remove(*this);
+    const Afloat left = std::move(*afloat_);
+    afloat_.reset();
+    try {
+        const HullState state = left.bodies->state(number);
+        left.bodies->clear();
+        afloat_ = afloat(left.hull, state);
+    } catch (const std::exception& error) {  // the next step launches the hull
+        report_once(error);
+    }
+}
+
+OceanNode* HullNode::ocean_of_wake(OceanNode* ocean) const {
+    return has_wake_ && ocean && ocean->dynamic_waves_or_null() ? ocean : nullptr;
+}
+
+/// \param afloat  with a wake in the ocean's waves
+void HullNode::use_waves_of(OceanNode* ocean, Afloat afloat) {
+    leave_waves();
+    afloat_ = std::move(afloat);
+    ocean->add(*this);
+    waves_of_ = ocean;
+    const glm::dvec3& position_m = afloat_->bodies->state(number).position_m;
+    unpressed_ = {0, {position_m.x, position_m.y, position_m.z}};
+    pressed_at_s_.reset();
 }
 
 void HullNode::set_ocean(std::string_view path) { ocean_ = std::make_unique<Value>(Path(path).value()); }
@@ -133,16 +211,20 @@ void HullNode::set_inputs(const HullInputs& inputs) {
     inputs_ = inputs;
 }
 
+OceanNode* HullNode::ocean_or_null() const {
+    if (!is_inside_tree.on<bool>(self_)) return nullptr;
+    const Path path(ocean_->variant());
+    if (Text(ocean_->variant()).utf8().empty()) return nullptr;
+    return OceanNode::of(get_node.on<Object*>(self_, path.path()));
+}
+
 OceanNode& HullNode::needed_ocean() const {
     if (!is_inside_tree.on<bool>(self_))
         throw std::invalid_argument("the node is outside of the scene tree, expected a node of a scene");
-    const Path path(ocean_->variant());
+    if (OceanNode* const ocean = ocean_or_null()) return *ocean;
     const std::string text = Text(ocean_->variant()).utf8();
-    OceanNode* const ocean = text.empty() ? nullptr : OceanNode::of(get_node.on<Object*>(self_, path.path()));
-    if (!ocean)
-        throw std::invalid_argument(
-            invalid_value_message("ocean", text.empty() ? "empty" : text, "the path of a PelagicOcean"));
-    return *ocean;
+    throw std::invalid_argument(
+        invalid_value_message("ocean", text.empty() ? "empty" : text, "the path of a PelagicOcean"));
 }
 
 std::shared_ptr<const Hull> HullNode::needed_hull() const {
@@ -150,8 +232,9 @@ std::shared_ptr<const Hull> HullNode::needed_hull() const {
     return std::make_shared<const Hull>(*hull_mesh_, options_);
 }
 
-HullNode::Afloat HullNode::afloat(std::shared_ptr<const Hull> hull, const HullState& state) const {
-    Afloat made{std::move(hull), std::make_unique<FloatingBodies>(make_serial_executor())};
+HullNode::Afloat HullNode::afloat(std::shared_ptr<const Hull> hull, const HullState& state,
+                                  DynamicWaves* waves) const {
+    Afloat made{std::move(hull), std::make_unique<FloatingBodies>(make_serial_executor(), waves)};
     made.bodies->add(made.hull, state);
     made.bodies->set_inputs(number, inputs_);
     return made;
@@ -175,6 +258,7 @@ HullState HullNode::launched(const Hull& hull) const {
 void HullNode::launch() {
     std::shared_ptr<const Hull> hull = needed_hull();
     const HullState state = launched(*hull);
+    leave_waves();
     afloat_ = afloat(std::move(hull), state);
     is_stale_ = false;
     place();
@@ -185,6 +269,7 @@ HullNode::Afloat& HullNode::needed_afloat() {
     if (!is_stale_) return *afloat_;
     std::shared_ptr<const Hull> hull = needed_hull();
     const HullState state = state_of(*hull, *afloat_->hull, afloat_->bodies->state(number));
+    leave_waves();
     afloat_ = afloat(std::move(hull), state);
     is_stale_ = false;
     return *afloat_;
@@ -198,7 +283,16 @@ void HullNode::step(double seconds) {
         throw std::invalid_argument("the ocean has no velocities: set velocities to true");
     const SurfaceQuery water(*frame);
     Hull::check_step(water, seconds);  // before a launch
-    needed_afloat().bodies->step(water, seconds);
+    needed_afloat();
+    OceanNode* const makes_wake_in = ocean_of_wake(&ocean);
+    if (makes_wake_in != waves_of_) {
+        leave_waves();
+        if (makes_wake_in)
+            use_waves_of(makes_wake_in,
+                         afloat(afloat_->hull, afloat_->bodies->state(number), ocean.dynamic_waves_or_null()));
+    }
+    afloat_->bodies->step(water, seconds);
+    if (waves_of_) unpressed_.seconds += seconds;
     place();
 }
 
@@ -240,21 +334,67 @@ std::unique_ptr<Table> HullNode::state() {
     return answers;
 }
 
-std::vector<std::uint8_t> HullNode::save_state() { return needed_afloat().bodies->save_state(); }
+std::vector<std::uint8_t> HullNode::save_state() {
+    std::vector<std::uint8_t> saved = needed_afloat().bodies->save_state();
+    if (!waves_of_) return saved;
+    const std::size_t size = saved.size();
+    saved.resize(size + sizeof unpressed_);
+    std::memcpy(saved.data() + size, &unpressed_, sizeof unpressed_);
+    return saved;
+}
 
-void HullNode::restore_state(std::span<const std::uint8_t> saved) {
-    Afloat& now = needed_afloat();
-    Afloat restored = afloat(now.hull, now.bodies->state(number));
-    restored.bodies->restore_state(saved);
-    if (restored.bodies->size() != 1)
-        throw std::invalid_argument(
-            invalid_value_message("the number of saved bodies", restored.bodies->size(), "1"));
+HullNode::Unpressed HullNode::unpressed_in(std::span<const std::uint8_t>& saved) {
+    Unpressed unpressed;
+    const std::size_t size = saved.size() < sizeof unpressed ? 0 : saved.size() - sizeof unpressed;
+    if (size == 0) return unpressed;  // which FloatingBodies rejects
+    std::memcpy(&unpressed, saved.data() + size, sizeof unpressed);
+    saved = saved.first(size);
+    const auto is_position = [](double at) { return std::fabs(at) <= 1e8; };
+    if (!(unpressed.seconds >= 0 && unpressed.seconds <= 1e9) ||
+        !std::all_of(std::begin(unpressed.last_m), std::end(unpressed.last_m), is_position))
+        throw std::invalid_argument("the saved hull is damaged, expected the bytes that save_state() returned");
+    return unpressed;
+}
+
+void HullNode::read(FloatingBodies& bodies, std::span<const std::uint8_t> saved) {
+    bodies.restore_state(saved);
+    if (bodies.size() != 1)
+        throw std::invalid_argument(invalid_value_message("the number of saved bodies", bodies.size(), "1"));
     try {
-        inputs_ = restored.bodies->inputs(number);
+        bodies.state(number);
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument("the saved body is not the first of its set, as that of a PelagicHull is");
     }
-    afloat_ = std::move(restored);
+}
+
+void HullNode::restore_state(std::span<const std::uint8_t> saved) {
+    needed_afloat();
+    OceanNode* const ocean = ocean_of_wake(ocean_or_null());
+    const Unpressed unpressed = ocean ? unpressed_in(saved) : Unpressed();
+    if (ocean && ocean == waves_of_) {  // the restored waves have its pressure
+        FloatingBodies& bodies = *afloat_->bodies;
+        const std::vector<std::uint8_t> before = bodies.save_state();
+        try {
+            read(bodies, saved);
+        } catch (const std::exception&) {
+            bodies.restore_state(before);
+            throw;
+        }
+        pressed_at_s_.reset();
+    } else {
+        Afloat restored =
+            afloat(afloat_->hull, afloat_->bodies->state(number), ocean ? ocean->dynamic_waves_or_null() : nullptr);
+        restored.bodies->clear();  // the pressure that was added now
+        read(*restored.bodies, saved);
+        leave_waves();
+        if (ocean)
+            use_waves_of(ocean, std::move(restored));
+        else
+            afloat_ = std::move(restored);
+    }
+    unpressed_ = unpressed;
+    inputs_ = afloat_->bodies->inputs(number);
+    inputs_.wake = nullptr;
     place();
 }
 

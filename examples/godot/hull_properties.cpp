@@ -96,6 +96,9 @@ std::vector<Property> table() {
     all.push_back(input("force_n", [](HullInputs& inputs) -> glm::dvec3& { return inputs.force.force_n; }));
     all.push_back(input("torque_nm", [](HullInputs& inputs) -> glm::dvec3& { return inputs.force.torque_nm; }));
     all.push_back(input("wind_mps", [](HullInputs& inputs) -> glm::dvec3& { return inputs.wind_mps; }));
+    all.push_back({"wake", type_bool, hint_none, "", [](const HullNode& node) { return Value(node.has_wake()); },
+                   [](HullNode& node, const Variant& value) { node.set_wake(call(core::variant_as_bool, &value)); },
+                   "true or false"});
     all.push_back(
         {"playing", type_bool, hint_none, "", [](const HullNode& node) { return Value(node.is_playing()); },
          [](HullNode& node, const Variant& value) { node.set_playing(call(core::variant_as_bool, &value)); },

@@ -137,9 +137,7 @@ const MethodOf<OceanNode> methods[] = {
      {type_pool_byte_array},
      "(saved)",
      [](OceanNode& node, std::span<Variant* const> arguments) {
-         if (DynamicWaves* const waves = node.dynamic_waves_between_frames())
-             waves->restore_state(PoolElements<std::uint8_t>(*arguments[0]).all());
-         return Value();
+         return node.restore_dynamic_waves(PoolElements<std::uint8_t>(*arguments[0]).all()), Value();
      }},
     {"dynamic_waves_hash",
      {},

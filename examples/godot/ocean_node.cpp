@@ -38,6 +38,7 @@ OceanNode::OceanNode(Object* self) : self_(self) {
 }
 
 OceanNode::~OceanNode() {
+    end_wakes();
     const std::lock_guard lock(registry_mutex);
     registry.erase(self_);
 }
@@ -115,6 +116,7 @@ bool OceanNode::make_ocean() {
     frame_.reset();
     in_flight_.reset();
     is_awaited_ = true;
+    end_wakes();
     ocean_.reset();
     ocean_ = std::make_unique<Ocean>(sea, std::move(options));
     ocean_->set_water_frame(water_frame_);
@@ -124,9 +126,21 @@ bool OceanNode::make_ocean() {
 
 void OceanNode::start(double time_s) {
     if (in_flight_ == time_s) return;
-    if (in_flight_) ocean_->complete();
+    move_wakes();
     ocean_->schedule(time_s);
     in_flight_ = time_s;
+}
+
+/// Completes a frame in flight, which no call has used. Hulls have stepped in the frame before it.
+void OceanNode::move_wakes() {
+    const Frame* last = frame_ ? &*frame_ : nullptr;
+    if (in_flight_) last = &ocean_->complete();
+    if (!std::exchange(is_restored_, false) && last)
+        for (WakeMaker* const wake : std::vector(wakes_)) wake->press(*last);  // which may leave
+}
+
+void OceanNode::end_wakes() {
+    for (WakeMaker* const wake : std::exchange(wakes_, {})) wake->leave_waves();
 }
 
 const Frame* OceanNode::frame() {
@@ -182,6 +196,18 @@ DynamicWaves* OceanNode::dynamic_waves_between_frames() {
     // frame() completes the frame a second time, which returns it again.
     if (waves && in_flight_) ocean_->complete();
     return waves;
+}
+
+DynamicWaves* OceanNode::dynamic_waves_or_null() {
+    if (is_stale_ && !make_ocean()) return nullptr;
+    return ocean_ && has_dynamic_waves_ ? &ocean_->dynamic_waves() : nullptr;
+}
+
+void OceanNode::restore_dynamic_waves(std::span<const std::uint8_t> saved) {
+    DynamicWaves* const waves = dynamic_waves_between_frames();
+    if (!waves) return;
+    waves->restore_state(saved);
+    is_restored_ = true;
 }
 
 std::optional<std::uint64_t> OceanNode::dynamic_waves_hash() {

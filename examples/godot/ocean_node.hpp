@@ -2,6 +2,7 @@
 // queries and rendering.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,6 +19,19 @@
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::godot {
+
+/// What makes a wake in the dynamic waves of an ocean. Its calls do not throw.
+class WakeMaker {
+   public:
+    /// Moves the pressure of the wake, if what makes it has moved since the last call. The ocean
+    /// calls it between complete() and schedule(). \param frame  the frame completed last
+    virtual void press(const Frame& frame) = 0;
+    /// Stops using the waves, which the ocean may destroy after the call.
+    virtual void leave_waves() = 0;
+
+   protected:
+    ~WakeMaker() = default;
+};
 
 class OceanNode {
    public:
@@ -79,6 +93,16 @@ class OceanNode {
     DynamicWaves* dynamic_waves();
     /// As dynamic_waves(), with no frame in flight, which saving and restoring require.
     DynamicWaves* dynamic_waves_between_frames();
+    /// Returns the dynamic waves, or null if they are not enabled or the sea's options are invalid,
+    /// which are reported then.
+    DynamicWaves* dynamic_waves_or_null();
+    /// Restores a saved state of the dynamic waves. The frame that is scheduled next is to have the
+    /// time of the saved one: no wake is moved before it.
+    void restore_dynamic_waves(std::span<const std::uint8_t> saved);
+    /// Calls `wake` before each frame that is scheduled, until it is removed or has left the waves.
+    /// \pre the dynamic waves are enabled
+    void add(WakeMaker& wake) { wakes_.push_back(&wake); }
+    void remove(WakeMaker& wake) { std::erase(wakes_, &wake); }
     /// Returns the hash of the dynamic waves of the frame of time_s().
     /// \throws std::invalid_argument  if they are not enabled
     std::optional<std::uint64_t> dynamic_waves_hash();
@@ -87,6 +111,8 @@ class OceanNode {
     std::string invalid_options(const SeaState& sea) const;
     bool make_ocean();
     void start(double time_s);
+    void move_wakes();
+    void end_wakes();
     void draw(const Frame& frame);
     SurfaceQuery query_of(const Frame& frame) const;
 
@@ -101,6 +127,8 @@ class OceanNode {
     std::optional<Frame> frame_;
     bool is_awaited_ = true;           ///< frame_ is older than time_s_
     std::optional<double> in_flight_;  ///< time of the scheduled frame
+    std::vector<WakeMaker*> wakes_;
+    bool is_restored_ = false;  ///< the dynamic waves, since the last frame was scheduled
     std::unique_ptr<Value> material_ = std::make_unique<Value>();
     std::unique_ptr<SeaDrawing> drawing_;
     std::vector<double> x_, z_;

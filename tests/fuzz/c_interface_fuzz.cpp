@@ -339,7 +339,7 @@ pelagic_disturbance any_disturbance(Bytes& bytes) {
     disturbance.struct_size = size;
     const auto kind = bytes.take<std::uint8_t>();
     disturbance.shape = kind % 3;
-    disturbance.mode = kind / 3 % 4;
+    disturbance.mode = kind / 3 % 5;
     disturbance.reserved = kind == 255;
     disturbance.height_m = bytes.number();
     change(bytes, disturbance,

@@ -18,6 +18,7 @@ func _init():
 	var demo = load("res://demo.tscn").instance()
 	root.add_child(demo)
 	ocean = demo.get_node("ocean")
+	demo.get_node("boat").wake = false
 	ocean.connect("refused", self, "refused")
 	ocean.quality = "low"
 	ocean.dynamic_waves = true

@@ -84,6 +84,16 @@ def test_dynamic_waves_are_identical_to_the_command(tmp_path):
     assert len({hash_ for _, hash_ in seen.values()}) == 10
 
 
+def test_foam_of_a_disturbance_has_no_waves():
+    with pelagic.Ocean(SEA, dynamic_waves=GRID) as ocean:
+        ocean.frame_at(0)
+        ocean.dynamic_waves.add_impulse(pelagic.Disturbance(mode="foam", radius_m=2, height_m=0.3))
+        view = ocean.frame_at(2 * TICK_S).dynamic_waves
+        # half of the range from 0.2 to 0.4 m, less a tick's decay
+        assert abs(int(view.foam[0, 0]) - 255 // 2) <= 4
+        assert view.foam[0, 16] == 0 and view.height_min_m == view.height_max_m == 0
+
+
 def test_a_view_has_the_waves_at_their_position():
     with pelagic.Ocean(SEA, dynamic_waves=dataclasses.replace(GRID, border_m=8)) as ocean:
         ocean.dynamic_waves.set_center(30.2, -7)
@@ -296,7 +306,7 @@ def test_invalid_values_raise_a_one_line_error(small):
     cases = {
         "radius_m 0 is out of range [0.001, 1000]": (ValueError, lambda: pelagic.Disturbance(radius_m=0)),
         "radius_m is 'wide', expected a number": (TypeError, lambda: pelagic.Disturbance(radius_m="wide")),
-        "mode is pull, expected pressure, relaxation or impulse": (ValueError, lambda: pelagic.Disturbance(mode="pull")),
+        "mode is pull, expected pressure, relaxation, impulse or foam": (ValueError, lambda: pelagic.Disturbance(mode="pull")),
         "shape is 3, expected a name: gauss or hull": (TypeError, lambda: pelagic.Disturbance(shape=3)),
         "Disturbance() has no argument radius (the nearest is radius_m)": (TypeError, lambda: pelagic.Disturbance(radius=3)),
         "resolution is 100, expected 64, 128, 256, 512 or 1024": (ValueError, lambda: pelagic.DynamicWavesOptions(resolution=100)),

@@ -82,6 +82,77 @@ public static class OceanFloatingTests
         BehaviourTests.Send(behaviour, "OnDisable");
     }
 
+    /// <summary>Plays frames of a display, and steps of timeStepS between them.</summary>
+    private static void Play(OceanBehaviour behaviour, OceanFloating floating, double seconds, double frameS, Action<double> eachFrame = null)
+    {
+        double playedS = 0, steppedS = 0;
+        while (playedS < seconds)
+        {
+            playedS += frameS;
+            UnityEngine.Time.timeAsDouble += frameS;
+            for (; steppedS + timeStepS <= playedS; steppedS += timeStepS) BehaviourTests.Send(floating, "FixedUpdate");
+            BehaviourTests.Send(behaviour, "Update");
+            eachFrame?.Invoke(playedS);
+        }
+    }
+
+    /// <summary>Height of the dynamic waves at the texel of a position.</summary>
+    private static float WavesAt(OceanBehaviour behaviour, Vector3 position)
+    {
+        var view = behaviour.Frame.DynamicWaves;
+        Func<double, int> texel = atM => (int)((long)Math.Round(atM / view.TexelM) & (view.Resolution - 1));
+        return view.HeightM[texel(-position.z) * view.Resolution + texel(position.x)];
+    }
+
+    /// <summary>A box of 4 x 1 x 2 m in a calm sea, at rest in the hollow that its wake's pressure makes.</summary>
+    [Test]
+    public static void AHullMakesAWakeInDynamicWaves()
+    {
+        const double draughtM = 2500 / 1025.0 / 8;
+        UnityEngine.Time.fixedDeltaTime = timeStepS;
+        foreach (var frameS in new[] { 1 / 50.0, 1 / 144.0, 1 / 7.0 })
+        {
+            UnityEngine.Time.timeAsDouble = 0;
+            var behaviour = new OceanBehaviour { Preset = "calm", Resolution = 32, Foam = false, Velocities = true, DynamicWaves = true };
+            var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
+            floating.transform.forward = new Vector3(0, 0, 1);
+            BehaviourTests.Send(behaviour, "OnEnable");
+            BehaviourTests.Send(behaviour, "Update");
+            double sumM = 0;
+            var count = 0;
+            Play(behaviour, floating, 30, frameS, playedS =>
+            {
+                if (playedS < 15) return;
+                sumM += WavesAt(behaviour, floating.transform.position);
+                ++count;
+            });
+            Check.True(Math.Abs(sumM / count + draughtM) < 0.05 * draughtM, "a hollow of " + sumM / count);
+            floating.Force = new Vector3(0, 0, 1000);
+            var startM = floating.transform.position.z;
+            Play(behaviour, floating, 8, frameS);
+            var behind = behaviour.Frame.DynamicWaves;
+            var movedM = floating.transform.position.z - startM;
+            Check.True(behind.HeightMaxM > 0.1 && movedM > 2, "waves of " + behind.HeightMaxM + " after " + movedM + " m");
+            BehaviourTests.Send(floating, "OnDisable");
+            BehaviourTests.Send(floating, "OnDisable");
+            for (var frame = 0; frame < 12 / frameS; ++frame)
+            {
+                UnityEngine.Time.timeAsDouble += frameS;
+                BehaviourTests.Send(behaviour, "Update");
+            }
+            var afterM = WavesAt(behaviour, floating.transform.position);
+            Check.True(Math.Abs(afterM) < 0.1 * draughtM, "no hollow without the hull: " + afterM);
+            // The ocean ends first.
+            Play(behaviour, floating, 1, frameS);
+            BehaviourTests.Send(behaviour, "OnDisable");
+            BehaviourTests.Send(floating, "FixedUpdate");
+            BehaviourTests.Send(behaviour, "OnEnable");
+            Play(behaviour, floating, 1, frameS);
+            BehaviourTests.Send(behaviour, "OnDisable");
+            BehaviourTests.Send(floating, "OnDisable");
+        }
+    }
+
     [Test]
     public static void AHullIsLaunchedAgainInANewOcean()
     {

@@ -114,6 +114,17 @@ test('saved states need equal options and no frame in flight', async () => {
   assert.throws(() => ocean.dynamicWaves.addImpulse(stone), { name: 'Error', message: 'the ocean is disposed' });
 });
 
+test('foam of a disturbance has no waves', async () => {
+  const ocean = await createOcean({ ...smallSea, dynamicWaves: grid, ...local });
+  ocean.frameAt(0);
+  ocean.dynamicWaves.addImpulse({ mode: 'foam', radiusM: 2, heightM: 0.3 });
+  const view = ocean.frameAt(2 / 60).dynamicWaves;
+  // half of the range from 0.2 to 0.4 m, less a tick's decay
+  assert.ok(Math.abs(view.foam[0] - 127) <= 4, `${view.foam[0]}`);
+  assert.deepEqual([view.foam[16], view.heightMinM, view.heightMaxM], [0, 0, 0]);
+  ocean.dispose();
+});
+
 for (const [where, create, options] of [everywhere[0], everywhere[2], everywhere[3]])
   test(`the view of dynamic waves has the waves at their position ${where}`, async () => {
     const ocean = await create({ ...smallSea, dynamicWaves: { ...grid, borderM: 8 }, ...options });
@@ -254,7 +265,7 @@ test('an invalid option is rejected by one line that names it, its value and wha
       [() => waves.addImpulse({ radiusM: 0 }), 'radiusM 0 is out of range [0.001, 1000]'],
       [() => waves.addImpulse({ radiusM: 'wide' }), 'radiusM is "wide", expected a number: [0.001, 1000]'],
       [() => waves.addImpulse({ radius: 3 }), 'there is no option radius, expected radiusM'],
-      [() => waves.addSource({ mode: 'pull' }), 'mode is "pull", expected pressure, relaxation or impulse'],
+      [() => waves.addSource({ mode: 'pull' }), 'mode is "pull", expected pressure, relaxation, impulse or foam'],
       [() => waves.addSource(), 'disturbance is undefined, expected an object'],
       [() => waves.setSource(-1, boat), 'number is -1, expected a number that addSource() returned'],
       [() => waves.removeSource('boat'), 'number is "boat", expected a number that addSource() returned'],

@@ -94,8 +94,8 @@ namespace Pelagic
         }
 
         /// <summary>
-        /// Moves the pressures of wakes to the bodies, between Complete() and Schedule() of the ocean, whose frames are
-        /// tickS apart; (0, 0.1]. Does nothing without wakes.
+        /// Moves the pressures of wakes to the bodies, once a frame between Complete() and Schedule() of the ocean.
+        /// tickS: time since the last call, (0, 0.1]. Frames may be any time apart. Does nothing without wakes.
         /// </summary>
         public void Press(double tickS)
         {

@@ -89,6 +89,8 @@ namespace Pelagic
         Relaxation = 1,
         /// <summary>The shape is added to the surface at once: a drop, a stone.</summary>
         Impulse = 2,
+        /// <summary>Adds the foam of waves as high as the shape, and no waves: water that a hull breaks.</summary>
+        Foam = 3,
     }
 
     /// <summary>Interpolation between texels.</summary>

@@ -146,9 +146,10 @@ export interface Disturbance {
   shape?: 'gauss' | 'hull';
   /**
    * "pressure": the weight of the shape's water, at constant volume. "relaxation": the surface
-   * approaches the shape at ratePerS. "impulse": the shape is added at once. Default "pressure".
+   * approaches the shape at ratePerS. "impulse": the shape is added at once. "foam": adds the foam
+   * of waves as high as the shape, and no waves. Default "pressure".
    */
-  mode?: 'pressure' | 'relaxation' | 'impulse';
+  mode?: 'pressure' | 'relaxation' | 'impulse' | 'foam';
   /** Initial position, metres: [-1e8, 1e8]. Default 0. */
   xM?: number;
   /** Initial position, metres: [-1e8, 1e8]. Default 0. */

@@ -28,6 +28,8 @@ namespace Pelagic.Unity
         public bool Foam = true;
         /// <summary>Computes velocities of the surface, which OceanFloating needs.</summary>
         public bool Velocities;
+        /// <summary>Computes dynamic waves with DynamicWavesOptions.Default; see Ocean.DynamicWaves.</summary>
+        public bool DynamicWaves;
 
         // An array of this length, because Unity fixes the length of a shader's array at the first call.
         private readonly Vector4[] cascades = new Vector4[MaxCascades];
@@ -46,6 +48,9 @@ namespace Pelagic.Unity
         /// <summary>The sea of the preset.</summary>
         public Sea Sea { get; private set; }
 
+        /// <summary>Between frames of Ocean, after Complete() and before Schedule().</summary>
+        public event System.Action BetweenFrames;
+
         /// <summary>Height of the water at a position of the scene.</summary>
         public float HeightAt(Vector3 position)
         {
@@ -57,7 +62,9 @@ namespace Pelagic.Unity
             var sea = Sea.Preset(Preset);
             if (Resolution != 0) sea.Resolution = Resolution;
             Sea = sea;
-            Ocean = new Ocean(sea, new OceanOptions { Queries = true, Velocities = Velocities, Slopes = true, Foam = Foam });
+            var options = new OceanOptions { Queries = true, Velocities = Velocities, Slopes = true, Foam = Foam };
+            if (DynamicWaves) options.DynamicWaves = DynamicWavesOptions.Default;
+            Ocean = new Ocean(sea, options);
             var info = Ocean.Info;
             Displacement = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBAHalf, false);
             Slopes = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBA32, true);
@@ -71,6 +78,7 @@ namespace Pelagic.Unity
         {
             Frame = Ocean.Complete();
             HasFrame = true;
+            BetweenFrames?.Invoke();
             Ocean.Schedule(Time.timeAsDouble);
             for (var i = 0; i < Frame.CascadeCount; ++i)
             {

@@ -4,7 +4,8 @@ namespace Pelagic.Unity
 {
     /// <summary>
     /// Moves its transform as a hull that floats in the water of an OceanBehaviour with Velocities. Each FixedUpdate()
-    /// advances the hull by Time.fixedDeltaTime in the frame completed last. It makes no wake.
+    /// advances the hull by Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it
+    /// makes a wake.
     ///
     /// The bow points along the transform's z axis. A component that moves a Rigidbody must not be on the same object.
     /// </summary>
@@ -17,6 +18,14 @@ namespace Pelagic.Unity
         /// <summary>Force of engines and tow lines at the centre of mass, newtons, in the scene's axes.</summary>
         public Vector3 Force;
 
+        /// <summary>The hull makes a wake if the ocean has dynamic waves. Takes effect when the component is enabled.</summary>
+        public bool Wake = true;
+
+        private const double LongestPressS = 0.1;
+
+        private OceanBehaviour pressed;
+        private HullState pressedState;
+        private double unpressedS;
         private Hull hull;
         private Bodies bodies;
         private Ocean water;
@@ -32,11 +41,38 @@ namespace Pelagic.Unity
             bodies.SetInputs(number, new HullInputs { Force = new HullForce { ForceXN = Force.x, ForceYN = Force.y, ForceZN = -Force.z } });
             bodies.Step(Time.fixedDeltaTime);
             State = bodies.State(number);
+            unpressedS += Time.fixedDeltaTime;
             Place(State);
+        }
+
+        /// <summary>Moves the wake's pressure along the steps since the last frame, which may last longer than a press.</summary>
+        private void Press()
+        {
+            if (unpressedS == 0) return;
+            var state = bodies.State(number);
+            var parts = (int)System.Math.Ceiling(unpressedS / LongestPressS);
+            for (var part = 1; part <= parts; ++part)
+            {
+                if (parts > 1) bodies.SetState(number, part == parts ? state : Between(pressedState, state, (double)part / parts));
+                bodies.Press(unpressedS / parts);
+            }
+            pressedState = state;
+            unpressedS = 0;
+        }
+
+        /// <summary>The state at a position between those of two states.</summary>
+        private static HullState Between(in HullState from, HullState to, double fraction)
+        {
+            to.PositionXM = from.PositionXM + fraction * (to.PositionXM - from.PositionXM);
+            to.PositionYM = from.PositionYM + fraction * (to.PositionYM - from.PositionYM);
+            to.PositionZM = from.PositionZM + fraction * (to.PositionZM - from.PositionZM);
+            return to;
         }
 
         private void OnDisable()
         {
+            if (!ReferenceEquals(pressed, null)) pressed.BetweenFrames -= Press;
+            pressed = null;
             bodies?.Dispose();
             hull?.Dispose();
             bodies = null;
@@ -49,7 +85,8 @@ namespace Pelagic.Unity
         {
             OnDisable();
             hull = HullOf(Mesh, MassKg);
-            bodies = new Bodies(Ocean.Ocean);
+            var hasWake = Wake && Ocean.Ocean.DynamicWaves != null;
+            bodies = new Bodies(Ocean.Ocean, hasWake);
             var bow = transform.forward;
             var heading = System.Math.Atan2(-bow.z, bow.x);
             double cosine = System.Math.Cos(heading), sine = System.Math.Sin(heading);
@@ -58,6 +95,11 @@ namespace Pelagic.Unity
             number = bodies.Add(hull, hull.AtRest(transform.position.x + cosine * info.CentreOfMassXM - sine * info.CentreOfMassZM,
                                                   -transform.position.z + sine * info.CentreOfMassXM + cosine * info.CentreOfMassZM, heading));
             water = Ocean.Ocean;
+            pressedState = bodies.State(number);
+            unpressedS = 0;
+            if (!hasWake) return;
+            pressed = Ocean;
+            pressed.BetweenFrames += Press;
         }
 
         /// <summary>

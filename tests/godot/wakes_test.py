@@ -1,0 +1,201 @@
+# Wakes of hulls in Godot: states of 200 frames in waves that equal those of the C interface bit for
+# bit, draughts at rest and waves of a towed hull at several frame rates, and pressures that go with
+# their hulls.
+# usage: wakes_test.py PROJECT LIBRARY
+import ctypes
+import json
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+from engine import run_headless, single
+
+here = Path(__file__).parent
+sys.path.append(str(here.parent / "bindings"))
+sys.dont_write_bytecode = True
+import pelagic_ctypes as pelagic  # noqa: E402
+
+project, library_file = sys.argv[1:]
+step_s = 1 / 60
+
+# A prism with pointed ends, 1 m high, half of it in the water. Its plan is 3 x 2 m between two
+# triangles of 2 x 2 m.
+outline = [(-1.5, 1), (1.5, 1), (3.5, 0), (1.5, -1), (-1.5, -1), (-3.5, 0)]
+corners = [coordinate for y in (-0.5, 0.5) for x, z in outline for coordinate in (x, y, z)]
+sides = [triangle for i in range(6) for j in [(i + 1) % 6] for triangle in ((i, j, j + 6), (i, j + 6, i + 6))]
+caps = [triangle for i in range(1, 5) for triangle in ((6, 6 + i, 7 + i), (0, i + 1, i))]
+faces = [corner for triangle in sides + caps for corner in triangle]
+draught_m = 0.5
+mass_kg = (3 * 2 + 2 * 2) * draught_m * 1025  # Archimedes
+sea = {"cascades": 2, "resolution": 32, "wind_speed_mps": 8, "velocities": True, "dynamic_waves": True,
+       "dynamic_waves_resolution": 64, "dynamic_waves_side_m": 32, "dynamic_waves_border_m": 6}
+still_sea = {**sea, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01}
+cases = [{"name": "ticks", "frames": 200, "steps": 1}, {"name": "slow", "frames": 66, "steps": 3}]
+appended = 32  # bytes of the node after those of the C interface
+
+
+def sized(type_, **fields):
+    return type_(struct_size=ctypes.sizeof(type_), **fields)
+
+
+class CInterface:
+    def __init__(self):
+        self.library = pelagic.load(library_file)
+        options = sized(pelagic.pelagic_sea)
+        self.call("sea_defaults", options)
+        options.cascades, options.resolution, options.wind_speed_mps = sea["cascades"], sea["resolution"], sea["wind_speed_mps"]
+        waves = sized(pelagic.pelagic_dynamic_waves_options)
+        self.call("dynamic_waves_defaults", waves)
+        waves.resolution, waves.side_m, waves.border_m = 64, 32, 6
+        self.ocean, self.waves, self.hull = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p()
+        self.call("ocean_create", options,
+                  sized(pelagic.pelagic_ocean_options, queries=1, velocities=1, dynamic_waves=ctypes.addressof(waves)),
+                  ctypes.byref(self.ocean))
+        self.call("ocean_dynamic_waves", self.ocean, ctypes.byref(self.waves))
+        hull = sized(pelagic.pelagic_hull_options)
+        self.call("hull_defaults", hull)
+        hull.mass_kg, hull.centre_of_mass_m = mass_kg, (ctypes.c_double * 3)(0, 0, 0)
+        self.call("hull_create",
+                  sized(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=(ctypes.c_double * len(corners))(*corners),
+                        triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
+                  hull, ctypes.byref(self.hull))
+
+    def call(self, name, *arguments):
+        status = getattr(self.library, "pelagic_" + name)(*arguments)
+        assert status == pelagic.PELAGIC_OK, f"{name}: {self.library.pelagic_last_error().decode()}"
+
+    def bodies(self, *places, wakes=1):
+        bodies, number = ctypes.c_void_p(), ctypes.c_uint32()
+        self.call("bodies_create", self.ocean, sized(pelagic.pelagic_bodies_options, wakes=wakes), ctypes.byref(bodies))
+        for x_m, z_m in places:
+            state = sized(pelagic.pelagic_hull_state)
+            self.call("hull_at_rest", self.hull, x_m, z_m, 0.0, state)
+            self.call("bodies_add", bodies, self.hull, state, number)
+        return bodies
+
+    def saved(self, bodies):
+        count = ctypes.c_size_t()
+        self.call("bodies_save_state", bodies, None, 0, count)
+        saved = (ctypes.c_uint8 * count.value)()
+        self.call("bodies_save_state", bodies, saved, count, count)
+        return bytes(saved)
+
+    def frames(self, frames, steps):
+        """Yields the state after the steps of each frame, and the hash of its dynamic waves."""
+        bodies = None
+        for frame in range(frames):
+            if bodies:
+                self.call("bodies_press", bodies, sum([step_s] * steps))
+            self.call("ocean_schedule", self.ocean, frame * steps / 60.0)
+            self.call("ocean_complete", self.ocean, sized(pelagic.pelagic_frame))
+            bodies = bodies or self.bodies((0, 0))
+            inputs = sized(pelagic.pelagic_hull_inputs)
+            inputs.force.force_n[:] = [3000, 0, 500] if frame < frames // 2 else [0, 0, 0]
+            self.call("bodies_set_inputs", bodies, 1, inputs)
+            for _ in range(steps):
+                self.call("bodies_step", bodies, step_s)
+            hash_ = ctypes.c_uint64()
+            self.call("dynamic_waves_hash", self.waves, hash_)
+            yield self.saved(bodies), f"{hash_.value:016x}"
+
+
+def play(work, given, fps):
+    # The engine's triangles are wound the other way.
+    numbers = [number for i in range(0, len(faces), 3) for number in (faces[i], faces[i + 2], faces[i + 1])]
+    common = {"vertices": corners, "numbers": numbers, "half_height_m": 0.5, "mass_kg": mass_kg, "sea": sea, "still_sea": still_sea}
+    return run_headless(project, here / "wakes.gd", work, {"GIVEN": json.dumps({**common, **given}), "FILES": str(work)}, fps=fps)
+
+
+def water(name, at_s):
+    return [at_s, "water", name]
+
+
+def draughts(until_s):
+    return [[half / 2, "draught"] for half in range(1, 2 * until_s)]
+
+
+# The hull's hollow after changes that begin or end its pressure.
+changes = [water("rest", 13), [13, "free_hull"], water("none", 19), [19, "make_hull"], water("rest", 32),
+           [32, "leave"], water("none", 38), [38, "enter"], water("rest", 50),
+           [50, "set", "hull", "wake", False], water("none", 56), [56, "set", "hull", "wake", True], water("rest", 68),
+           [68, "set", "ocean", "foam", False], water("none", 68.1), water("rest", 80),
+           [80, "set", "hull", "playing", False], water("none", 86), [86, "set", "hull", "playing", True], water("rest", 98),
+           [98, "refusals"], [98, "free_ocean"], [99, "refusals"], [99, "make_ocean"], water("rest", 112), [112, "refusals"], [112, "end"]]
+# The pressure grows for 8.2 s, four periods of waves of the hull's length. Then a tow from 16 s on.
+launched_s, towed_s = 10, 34
+tow = [*([half / 2, "draught"] for half in range(2 * launched_s, 32)), [16, "set", "hull", "inertia_kgm2", [6000, 1e8, 20000]],
+       [24, "set", "hull", "force_n", [1500, 0, 0]], [40, "profile"], [40, "refusals"], [40, "end"]]
+errors = [
+    "the saved hull is damaged, expected the bytes that save_state() returned",
+    "the saved bodies have a wrong size, expected as many bytes as their counts give",
+    "the saved hull is damaged, expected the bytes that save_state() returned",
+    "the number of saved bodies is 2, expected 1",
+    "the saved bodies have no wakes, expected bodies with wakes",
+]
+
+
+def wavelength_m(heights, spacing_m):
+    """Twice the mean distance between zeros."""
+    zeros = [i + a / (a - b) for i, (a, b) in enumerate(zip(heights, heights[1:])) if a * b < 0]
+    return 2 * spacing_m * (zeros[-1] - zeros[0]) / (len(zeros) - 1)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    work = Path(folder)
+    there = CInterface()
+    (work / "two").write_bytes(there.saved(there.bodies((0, 0), (9, 0))) + bytes(appended))
+    (work / "dry").write_bytes(there.saved(there.bodies((0, 0), wakes=0)) + bytes(appended))
+    says = play(work, {"cases": cases, "events": changes}, 60)
+
+    compared = 0
+    for case in cases:
+        states = (work / case["name"]).read_bytes()
+        size = len(states) // case["frames"]
+        assert len(says[case["name"]]) == case["frames"]
+        seen = set()
+        for frame, (state, waves) in enumerate(CInterface().frames(case["frames"], case["steps"])):
+            assert states[size * frame:size * (frame + 1) - appended] == state, (case["name"], frame)
+            assert says[case["name"]][frame] == waves, (case["name"], frame)
+            seen.add(waves)
+            compared += 1
+        assert len(seen) > 0.9 * case["frames"], "the hull makes waves"
+    assert says["restored"] == ["same True", "new True"], says["restored"]
+    assert json.loads(single(says, "errors")) == errors, says["errors"]
+    assert single(says, "unchanged") == "True"
+
+    # Hollows in the first and in the second ocean. At the end the hull has turned by 15 degrees,
+    # and the depth of its hollow differs by 8 % between texels.
+    hollows_m = [(draught_m, 0), (0, draught_m), (0, draught_m / 2), (0, draught_m / 2), (0, draught_m / 2)]
+    for height_m, hollow_m in zip(map(float, says["moved"]), [hollow_m for pair in hollows_m for hollow_m in pair], strict=True):
+        assert abs(height_m + hollow_m) < (0.1 * hollow_m or 0.03 * draught_m), says["moved"]
+    assert single(says, "moved_errors") == "[]"
+
+    assert len(says["water"]) == sum(event[1] == "water" for event in changes)
+    for words in says["water"]:
+        name, height_m = words.split()
+        expected_m, bound_m = (-draught_m, 0.02 * draught_m) if name == "rest" else (0, 0.03 * draught_m)
+        assert abs(float(height_m) - expected_m) < bound_m, says["water"]
+    assert list(map(json.loads, says["refusals"])) == [[], ["ocean is ../sea, expected the path of a PelagicOcean"], []], says["refusals"]
+
+    speeds_mps = {}
+    for fps in (60, 144, 45, 30, 8):
+        says = play(work, {"events": tow, "follow": True, "towed_s": towed_s}, fps)
+        off = max(abs(float(draught) / draught_m - 1) for draught in says["draught"])
+        assert len(says["draught"]) == 12 and off < 0.005, (fps, says["draught"])
+        speeds_mps[fps] = speed_mps = float(single(says, "speed"))
+        # Every 0.5 m, from 20 m behind the hull to 20 m before it.
+        heights_m = json.loads(single(says, "profile"))
+        behind, ahead = heights_m[16:33], heights_m[48:]
+        assert max(behind) > 0.3 and min(behind) < -0.3 and max(map(abs, ahead)) < 0.05, (fps, heights_m)
+        kelvin_m = 2 * math.pi * speed_mps**2 / 9.80665  # deep-water waves as fast as the hull
+        measured_m = wavelength_m(behind, 0.5)
+        # The waves near the hull are shorter, and seven texels long.
+        assert abs(measured_m / kelvin_m - 1) < 0.12, (fps, measured_m, kelvin_m)
+        assert json.loads(single(says, "refusals")) == []
+        print(f"{fps} frames/s: draught {100 * off:.2f} % off, {speed_mps:.3f} m/s, waves of {measured_m:.2f} m, Kelvin {kelvin_m:.2f} m")
+    # In long frames the hull meets the same waves for all steps of a frame: it moves by 0.3 m in
+    # the longest.
+    for fps, speed_mps in speeds_mps.items():
+        assert abs(speed_mps / speeds_mps[60] - 1) < (0.06 if fps == 8 else 0.02), speeds_mps
+print(f"{compared} states and hashes and {len(errors)} errors agree")
