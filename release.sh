@@ -66,6 +66,6 @@ if [ -n "$twice" ]; then
   diff -r dist build/second-dist
   echo "Both builds have the same bytes."
 fi
-packaging/bill_of_materials.py dist
+packaging/bill_of_materials.py dist "$clone"
 (cd dist && sha256sum -- * >SHA256SUMS)
 ls -l dist

@@ -2,9 +2,10 @@
 """Writes the bill of materials of dist/, pelagic-VERSION.spdx.json (SPDX 2.3): for each package the
 versions and licences of the code of others that is compiled into it.
 
-usage: bill_of_materials.py DIST_FOLDER
+usage: bill_of_materials.py DIST_FOLDER SOURCE_FOLDER
 
-Versions are those of the installed Debian packages. NOTICE has the same components.
+Versions are those of the installed Debian packages. NOTICE has the same components. Fails if the
+headers that the builds in SOURCE_FOLDER/build included belong to other Debian packages.
 """
 import datetime
 import hashlib
@@ -56,6 +57,19 @@ CONTENTS = [
     (r"pelagic-godot-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
 ]
+# Builds of build.sh, with patterns of the files made there.
+BUILDS = {
+    "debian": r".*\.deb",
+    "linux": r"pelagic-.*linux-x86_64\.(tar\.gz|zip)",
+    "arm64-package": r".*arm64\.tar\.gz",
+    "windows-package": r".*windows.*\.zip",
+    "python": r".*\.whl|pelagic_blender-.*\.zip",
+    "web-threads": r"pelagic-[\d.]+\.tgz",
+}
+# Owners of headers that compile nothing in: those of the systems' compilers, and of libraries that
+# are linked at run time.
+INTERFACES = re.compile(r"libc6-.*|libgcc-.*|libstdc\+\+-.*|linux-libc-.*|libclang-.*|gcc-mingw-.*|mingw-.*|libegl-dev|libgles-dev|libgl-dev|"
+                        r"libglfw3-dev|libzstd-dev|libpython3.*")
 
 
 def version_of(package):
@@ -87,13 +101,36 @@ def all_licences(components):
     return " AND ".join(["MIT", *(f"({licence})" if " OR " in licence else licence for licence in licences)])
 
 
+def owners_of_headers(build):
+    """Debian packages of the headers that the compiler included, without INTERFACES."""
+    text = "\n".join(file.read_text() for file in build.rglob("*.d") if file.is_file())
+    text = re.sub(r"[^\s:\\]*/linked-headers/", "/usr/include/", text)  # linked_headers.cmake
+    headers = {os.path.realpath(name) for name in re.findall(r"/[^\s:\\]+", text)}
+    headers = sorted(name for name in headers if name.startswith("/usr/"))
+    found = subprocess.run(["dpkg-query", "-S", *headers], capture_output=True, text=True, check=True).stdout
+    owners = {owner.split(":")[0] for line in found.splitlines() for owner in line.partition(": ")[0].split(", ")}
+    return {owner for owner in owners if not INTERFACES.fullmatch(owner)}
+
+
+def check_builds(source, contents):
+    """Compares the components of files, by their names, with what each build included."""
+    for folder, pattern in BUILDS.items():
+        listed = {COMPONENTS[name][0] for file, names in contents.items() if re.fullmatch(pattern, file) for name in names}
+        if listed:
+            listed = {name for name in listed if not INTERFACES.fullmatch(name)}
+            included = owners_of_headers(source / "build" / folder)
+            for text, names in (("includes headers of", included - listed), ("includes no header of", listed - included)):
+                if names:
+                    sys.exit(f"bill_of_materials.py: build/{folder} {text} {', '.join(sorted(names))}, unlike its list of components")
+
+
 def main():
-    dist = pathlib.Path(sys.argv[1])
+    dist, source = map(pathlib.Path, sys.argv[1:])
     notice = (SOURCE / "NOTICE").read_text()
     if missing := [name for name in COMPONENTS if name not in notice]:
         sys.exit(f"bill_of_materials.py: NOTICE lacks {', '.join(missing)}")
     version = subprocess.run([SOURCE / "packaging/version.sh"], capture_output=True, text=True, check=True).stdout.strip()
-    packages, relationships, used = [], [], set()
+    packages, relationships, contents = [], [], {}
     for file in sorted(dist.iterdir()):
         found = next((components for pattern, components in CONTENTS if re.fullmatch(pattern, file.name)), None)
         if found is None:
@@ -103,7 +140,9 @@ def main():
                                 checksums=[{"algorithm": "SHA256", "checksumValue": digest}]))
         relationships.append(("SPDXRef-DOCUMENT", "DESCRIBES", identifier(file.name)))
         relationships += [(identifier(file.name), "CONTAINS", identifier(name)) for name in found]
-        used.update(found)
+        contents[file.name] = found
+    check_builds(source, contents)
+    used = set().union(*contents.values())
     packages += [component(name) for name in COMPONENTS if name in used]
     commit = subprocess.run(["git", "-C", SOURCE, "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
     created = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")

@@ -159,7 +159,7 @@ test_godot() {
   touch "$work/my_game/project.godot"
   unzip -q "$zip" -d "$work/my_game"
   sed -n '/`server.gd`:/,/^```$/p' "$source/docs/integrations/godot.md" | sed -n '/^```gdscript/,/^```$/{/^```/!p}' >"$work/my_game/server.gd"
-  answer=$(HOME=$work godot3-server --path "$work/my_game" -s server.gd)
+  answer=$(HOME=$work LANG=en_US.UTF-8 godot3-server --path "$work/my_game" -s server.gd)
   grep -q "^$(printf %16s "$(sed -n 's/^preset-moderate@12.34 //p' "$source/tests/golden/hashes.txt")" | tr ' ' 0) " <<<"$answer" || { echo "$answer"; return 1; }
 }
 

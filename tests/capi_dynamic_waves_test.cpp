@@ -199,10 +199,10 @@ TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
     auto options = sized<pelagic_dynamic_waves_options>();
     ASSERT_EQ(pelagic_dynamic_waves_defaults(&options), PELAGIC_OK);
     options.resolution = 64, options.side_m = 32, options.border_m = 6;
-    auto serial = sized<pelagic_executor_options>();
-    serial.kind = PELAGIC_EXECUTOR_SERIAL;
+    auto one_thread = sized<pelagic_executor_options>();
+    one_thread.kind = PELAGIC_EXECUTOR_SERIAL;
     pelagic_executor* executor = nullptr;
-    ASSERT_EQ(pelagic_executor_create(&serial, &executor), PELAGIC_OK);
+    ASSERT_EQ(pelagic_executor_create(&one_thread, &executor), PELAGIC_OK);
     auto resources = sized<pelagic_dynamic_waves_resources>();
     resources.executor = executor;
     resources.isa = "avx3";
