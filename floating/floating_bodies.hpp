@@ -55,9 +55,9 @@ class FloatingBodies {
     /// The functions below throw std::invalid_argument if there is no body of that number, and
     /// change nothing then: "number is 7, expected that of a body".
     const Hull& hull(std::uint32_t number) const;
-    const HullState& state(std::uint32_t number) const;
-    const HullInputs& inputs(std::uint32_t number) const;
-    const HullLoads& loads(std::uint32_t number) const;  ///< of the last step
+    const HullState& state(std::uint32_t number) const;    ///< after the last step
+    const HullInputs& inputs(std::uint32_t number) const;  ///< of the next step
+    const HullLoads& loads(std::uint32_t number) const;    ///< of the last step
     /// \throws std::invalid_argument  Hull::check(state)
     void set_state(std::uint32_t number, const HullState& state);
     /// Sets force and wind of the steps from now on. The inputs' wake is ignored.

@@ -95,6 +95,7 @@ struct HullState {
 struct HullForce {
     glm::dvec3 force_n{}, torque_nm{};
 
+    /// Adds another force and its torque.
     HullForce& operator+=(const HullForce& other) {
         force_n += other.force_n;
         torque_nm += other.torque_nm;
@@ -178,8 +179,11 @@ class Hull {
     /// \throws std::invalid_argument  if the frame has no velocities, or step_s is out of range
     static void check_step(const SurfaceQuery& water, double step_s);
 
+    /// Returns the mesh of construction.
     const HullMesh& mesh() const { return mesh_; }
+    /// Returns how the hull lies in still water.
     const HullAfloat& afloat() const { return afloat_; }
+    /// Returns the mass without added mass.
     double mass_kg() const { return mass_kg_; }
     const HullMatrix& added_mass() const { return added_mass_; }       ///< at rest
     glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh

@@ -36,8 +36,11 @@ class HullMesh {
     /// Returns what check() returns for these numbers, without reading a mesh.
     static std::string check_counts(std::size_t vertices, std::size_t triangles);
 
+    /// Returns the merged vertices.
     const std::vector<glm::dvec3>& vertices() const { return vertices_; }
+    /// Returns the triangles that have an area.
     const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Returns the enclosed volume.
     double volume_m3() const { return volume_m3_; }
     glm::dvec3 centre_m() const { return centre_m_; }  ///< of the volume
     /// Returns the integral of (r - centre) (r - centre)^T over the volume, m^5.

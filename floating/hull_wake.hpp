@@ -75,6 +75,7 @@ class HullWake {
     struct ActingFootprint {
         const PressureFootprint* footprint;
         double moved_s;  ///< for which it has moved at its velocity
+        /// Copies the moved footprint.
         void copy_to(PressureFootprint& moved) const;
     };
     ActingFootprint acting_at(std::int64_t tick) const;

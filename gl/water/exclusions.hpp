@@ -44,9 +44,12 @@ class ExclusionMap {
     /// Returns whether a point in the axes of the hull, metres, is in the interior.
     bool contains(const glm::dvec3& point_m) const;
 
+    /// Returns the number of cells along x.
     int columns() const { return columns_; }
+    /// Returns the number of cells along z.
     int rows() const { return rows_; }
     glm::dvec3 lower_m() const { return lower_m_; }  ///< least coordinates of the interior
+    /// Returns the extent of the interior.
     glm::dvec3 size_m() const { return size_m_; }
 
     /// Lowest and highest point, as fractions of the interior's height, and covered fraction.
