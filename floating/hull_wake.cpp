@@ -101,9 +101,10 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     // on.
     const double scale =
         volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
-    const bool is_first = launched_before == 0;
-    const double growth = is_first ? 0 : launched / launched_before;
-    const double part = is_first ? 1 : step_s / (step_s + shape_s());
+    // The first step of the hull comes after its first pressure, which is 0 then.
+    const bool presses = std::any_of(depth_before_m_.begin(), depth_before_m_.end(), [](float d) { return d > 0; });
+    const double growth = presses ? launched / launched_before : 0;
+    const double part = presses ? step_s / (step_s + shape_s()) : 1;
     double pressed = 0;
     for (std::size_t i = 0; i < footprint.depth_m.size(); ++i) {
         const double before = growth * depth_before_m_[i], now = scale * footprint.depth_m[i];
