@@ -82,10 +82,8 @@ def test_everything_has_a_docstring():
 
 
 def test_the_package_is_typed_and_has_the_projects_version():
-    project = (Path(__file__).resolve().parents[2] / "CMakeLists.txt").read_text()
-    assert pelagic.__version__ == re.search(r"project\(pelagic VERSION (\S+)", project).group(1)
-    pyproject = (Path(__file__).resolve().parents[2] / "pyproject.toml").read_text()
-    assert f'version = "{pelagic.__version__}"' in pyproject
+    header = (Path(__file__).resolve().parents[2] / "capi/pelagic.h").read_text()
+    assert pelagic.__version__ == ".".join(re.findall(r"^#define PELAGIC_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", header, re.MULTILINE))
     assert (PACKAGE / "py.typed").exists()
 
 
