@@ -102,7 +102,8 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     const double scale =
         volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
     // The first step of the hull comes after its first pressure, which is 0 then.
-    const bool presses = std::any_of(depth_before_m_.begin(), depth_before_m_.end(), [](float d) { return d > 0; });
+    const bool presses = launched_before > 0 && std::any_of(depth_before_m_.begin(), depth_before_m_.end(),
+                                                            [](float depth) { return depth > 0; });
     const double growth = presses ? launched / launched_before : 0;
     const double part = presses ? step_s / (step_s + shape_s()) : 1;
     double pressed = 0;
