@@ -12,7 +12,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from beside_query import ask
 
 pelagic, folder = sys.argv[sys.argv.index("--") + 1:]
-side, size, frames = 160, 40, (5, 6, 7)  # pixels of 0.25 m, because a pixel averages the sharp edges of foam
+# Pixels of 0.25 m, because a pixel averages foam, which has sharp edges.
+side, size, frames = 160, 40, (5, 6, 7)
 bpy.ops.wm.read_homefile(use_empty=True)
 scene = bpy.context.scene
 bpy.ops.pelagic.add_ocean(preset="rough")
