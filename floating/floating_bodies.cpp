@@ -253,7 +253,8 @@ FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_
     body.wake->source_ = static_cast<std::uint32_t>(saved.source);
     floating.inputs.wake = body.wake.get();
     for_each_number(*body.wake, std::ref(from));
-    for (const PressureFootprint* footprint : {&body.wake->next_, &body.wake->acted_[0], &body.wake->acted_[1]})
+    for (const PressureFootprint* footprint :
+         {&body.wake->next_, &body.wake->acted_[0], &body.wake->acted_[1], &body.wake->acted_[2]})
         if (const std::string reason = check(*footprint); !reason.empty())
             throw std::invalid_argument(name + ": " + reason);
     return body;

@@ -241,4 +241,16 @@ HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
     return state;
 }
 
+HullState Hull::at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad) const {
+    HullState state = at_rest(x_m, z_m, heading_rad);
+    float height = 0, vx = 0, vy = 0, vz = 0;
+    water.sample({{&x_m, 1}, {&z_m, 1}}, {.height_m = {&height, 1},
+                                          .velocity_x_mps = {&vx, 1},
+                                          .velocity_y_mps = {&vy, 1},
+                                          .velocity_z_mps = {&vz, 1}});
+    state.position_m.y += static_cast<double>(height);
+    state.velocity_mps = glm::dvec3(vx, vy, vz);
+    return state;
+}
+
 }  // namespace pelagic

@@ -14,9 +14,9 @@
 //               cut at the waterline (J. Kerner, "Water interaction model for boats in video
 //               games", Gamasutra 2015). In linear waves g + a contains the decrease of pressure
 //               with depth, to first order in depth over wavelength.
-//   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the change of the water's
-//               velocity that the hull meets (J. N. Newman, Marine Hydrodynamics, MIT Press 1977,
-//               chapters 4 and 7)
+//   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the rate of change of the
+//               water's velocity at the moving hull (J. N. Newman, Marine Hydrodynamics, MIT Press
+//               1977, chapters 4 and 7)
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
 //   radiation   linear damping of heave and pitch on strips across the length, and of roll
@@ -196,6 +196,9 @@ class Hull {
     /// Returns a state at rest in still water, upright, with the hull's x axis turned from +x
     /// towards +z by the heading.
     HullState at_rest(double x_m, double z_m, double heading_rad = 0) const;
+    /// As above, but on the surface of a frame, with the velocity of the water there.
+    /// \throws std::invalid_argument  if the frame has no velocities
+    HullState at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad = 0) const;
 
     /// Returns the loads of a state, and stores in it what the next call needs.
     /// \param water   of a frame with velocities

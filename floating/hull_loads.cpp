@@ -73,7 +73,8 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
     return mean;
 }
 
-/// Returns how the vertical velocity of the water changes that the hull meets, less `along`.
+/// Returns the rate of change of the vertical velocity of the water under the hull, minus
+/// `along_mps2`.
 double vertical_change(const MeanWater& mean, const HullState& state, double step_s, double along_mps2 = 0) {
     if (!state.has_previous_step) return 0;
     const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along_mps2;
@@ -225,8 +226,8 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     glm::dvec3 water_spin_change{};
     if (state.has_previous_step)
         water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
-    // A section of a hull under way meets other water, and its momentum changes by what the hull
-    // sees: in a steady wave that moves along with the hull nothing (Newman, chapter 7).
+    // The added mass moves with the hull, so its momentum changes with the velocity of the water at
+    // the hull. A steady wave that moves with the hull causes no change (Newman, chapter 7).
     const glm::dvec3 change(loads.water_acceleration_mps2.x, vertical_change(mean, state, step_s),
                             loads.water_acceleration_mps2.z);
     const Vector6 acceleration = joined(to_hull * change, to_hull * water_spin_change);

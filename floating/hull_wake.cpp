@@ -97,8 +97,7 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
             volume += depth;
         }
     const double cell_m2 = plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
-    // Not more than the weight: a hull that its own wave lowers would make a larger wave, and so
-    // on.
+    // At most the weight, because a hull that its own wave lowers would make a still larger wave.
     const double scale =
         volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
     // The first step of the hull comes after its first pressure, which is 0 then.

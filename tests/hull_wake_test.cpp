@@ -108,7 +108,6 @@ struct Towed {
 
 // Frames of displays that do not follow the ticks of 60 a second, and frames of changing length.
 TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
-    if (is_sanitized) GTEST_SKIP() << "the next test runs the same code";
     const DynamicWavesOptions waves{.resolution = 128, .side_m = 64, .border_m = 12};
     const WaterFrame water{.current_x_mps = 1.5, .current_z_mps = -0.7};
     // Lengths of frames, s; the last ones change at each frame.
@@ -121,7 +120,7 @@ TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
             Towed boat(waves, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000}, water);
             const double speed_mps = is_towed ? 2.6 : water.current_x_mps, draught = boat.hull.afloat().draught_m;
             double largest = 0, sum = 0, seconds = 0;
-            for (std::size_t i = 0; boat.time_s < 30; ++i) {
+            for (std::size_t i = 0; boat.time_s < (is_sanitized ? 1 : 30); ++i) {
                 const double frame_s = lengths[i % lengths.size()];
                 boat.advance_by(frame_s, speed_mps, water.current_z_mps);
                 if (boat.time_s < 24) continue;
@@ -130,6 +129,7 @@ TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
                 sum += frame_s * sinkage;
                 seconds += frame_s;
             }
+            if (is_sanitized) continue;  // the pressure has not grown yet
             const double mean = sum / seconds;
             RecordProperty(
                 (is_towed ? "towed_" : "rests_") + std::to_string(lengths[0]) + "_" + std::to_string(lengths.size()),

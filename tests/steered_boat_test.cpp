@@ -100,7 +100,7 @@ TEST(SteeredBoat, TurnsToStarboardOnlyWhileMoving) {
         min_x = std::min(min_x, voyage.boat.place_m().x);
     }
     EXPECT_GT(turned, 2 * pi);
-    // Small boats turn within two to five lengths.
+    // Small boats turn in about two to five lengths.
     EXPECT_GT(max_x - min_x, 1.8 * gl::Boat::length_m);
     EXPECT_LT(max_x - min_x, 5 * gl::Boat::length_m);
 }
@@ -116,6 +116,8 @@ TEST(SteeredBoat, PathHardlyDependsOnTheFrameRate) {
     const double way = glm::length(fast.boat.place_m());
     RecordProperty("apart", std::to_string(glm::length(slow.boat.place_m() - fast.boat.place_m()) / way));
     EXPECT_GT(way, 30);
+    // Thrust and rudder are constant over a step of up to 0.08 s, which moves the turn. The
+    // difference was 5.8 %.
     EXPECT_LT(glm::length(slow.boat.place_m() - fast.boat.place_m()), 0.1 * way);
 }
 

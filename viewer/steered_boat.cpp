@@ -13,7 +13,7 @@ namespace pelagic::viewer {
 namespace {
 
 constexpr double mass_kg = 4400;
-/// Below the middle of the waterplane, so that the boat floats level.
+/// Above the centre of buoyancy, so that the boat floats level, and low, as with ballast.
 constexpr glm::dvec3 centre_of_mass_m(-0.62, -0.1, 0);
 /// Half of those of a box, for a hull with a sharp bow.
 constexpr double pressure_coefficient = 0.35, suction_coefficient = 0.17;
@@ -39,25 +39,12 @@ std::shared_ptr<const Hull> boat_hull() {
                                                     .suction_coefficient = suction_coefficient});
 }
 
-/// Returns a hull at rest on the surface of a frame, with the velocity of the water.
-HullState launched(const Hull& hull, const Frame& frame, glm::dvec2 place_m, double heading_rad) {
-    HullState state = hull.at_rest(place_m.x, place_m.y, heading_rad);
-    float height = 0, vx = 0, vy = 0, vz = 0;
-    SurfaceQuery(frame).sample({{&place_m.x, 1}, {&place_m.y, 1}}, {.height_m = {&height, 1},
-                                                                    .velocity_x_mps = {&vx, 1},
-                                                                    .velocity_y_mps = {&vy, 1},
-                                                                    .velocity_z_mps = {&vz, 1}});
-    state.position_m.y += static_cast<double>(height);
-    state.velocity_mps = glm::dvec3(vx, vy, vz);
-    return state;
-}
-
 }  // namespace
 
 SteeredBoat::SteeredBoat(const Frame& frame, glm::dvec2 place_m, double heading_rad)
     : hull_(boat_hull()),
       bodies_(std::make_unique<FloatingBodies>(make_serial_executor())),
-      body_(bodies_->add(hull_, launched(*hull_, frame, place_m, heading_rad))),
+      body_(bodies_->add(hull_, hull_->at_rest(SurfaceQuery(frame), place_m.x, place_m.y, heading_rad))),
       thrown_(*hull_) {}
 
 void SteeredBoat::float_on(DynamicWaves& waves) {

@@ -1,24 +1,5 @@
 # Prints draughts, states and errors of PelagicHull for hulls_test.py.
-extends SceneTree
-
-const STEP_S = 1 / 60.0
-var given = JSON.parse(OS.get_environment("GIVEN")).result
-var refusals = []
-var ocean
-var hull
-
-func refused(why):
-	refusals.append(why)
-
-func say(words):
-	print("SAYS ", words)
-
-func made(name, values):
-	var node = load("res://addons/pelagic/%s.gdns" % name).new()
-	node.connect("refused", self, "refused")
-	for property in values:
-		node.set(property, values[property])
-	return node
+extends "hull_scene.gd"
 
 func vectors(numbers):
 	var all = PoolVector3Array()
@@ -48,16 +29,6 @@ func numbers_of(pose):
 		for axis in range(3):
 			text.append("%.9f" % v[axis])
 	return PoolStringArray(text).join(" ")
-
-func written(name):
-	var file = File.new()
-	file.open(OS.get_environment("FILES") + "/" + name, File.WRITE)
-	return file
-
-func bytes_in(name):
-	var file = File.new()
-	file.open(OS.get_environment("FILES") + "/" + name, File.READ)
-	return file.get_buffer(file.get_len())
 
 func add_hull(values, pose = Transform()):
 	hull = made("hull", values)

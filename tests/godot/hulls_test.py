@@ -16,6 +16,7 @@ here = Path(__file__).parent
 sys.path.append(str(here.parent / "bindings"))
 sys.dont_write_bytecode = True
 import pelagic_ctypes as pelagic  # noqa: E402
+from c_bodies import CBodies, sized  # noqa: E402
 
 project, library_file = sys.argv[1:]
 steps, step_s = 200, 1 / 60
@@ -117,19 +118,15 @@ restored = [
 not_in_tree, no_ocean = unusable[0], "ocean is ../sea, expected the path of a PelagicOcean"
 
 
-def sized(type_, **fields):
-    return type_(struct_size=ctypes.sizeof(type_), **fields)
-
-
 def doubles(numbers):
     return (ctypes.c_double * len(numbers))(*numbers)
 
 
-class CInterface:
+class CInterface(CBodies):
     """The boat in the sea of the C interface."""
 
     def __init__(self):
-        self.library = pelagic.load(library_file)
+        super().__init__(library_file)
         sea, self.ocean, self.hull = sized(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_void_p()
         self.call("sea_defaults", sea)
         sea.cascades, sea.resolution, sea.wind_speed_mps = 2, 32, 12
@@ -143,10 +140,6 @@ class CInterface:
         numbers = (ctypes.c_uint32 * (3 * len(triangles)))(*(number for triangle in triangles for number in triangle))
         self.call("hull_create", sized(pelagic.pelagic_hull_mesh, vertex_count=len(vertices) // 3, vertices_m=doubles(vertices),
                                        triangle_count=len(triangles), triangles=numbers), options, ctypes.byref(self.hull))
-
-    def call(self, name, *arguments):
-        status = getattr(self.library, "pelagic_" + name)(*arguments)
-        assert status == pelagic.PELAGIC_OK, f"{name}: {self.library.pelagic_last_error().decode()}"
 
     def at_rest(self, x_m, z_m, heading_rad=0.0):
         """The state in which the mesh's origin is at a position."""
@@ -167,13 +160,6 @@ class CInterface:
         inputs = sized(pelagic.pelagic_hull_inputs)
         inputs.force.force_n[:], inputs.force.torque_nm[:], inputs.wind_mps[:] = force_n, torque_nm, wind_mps
         self.call("bodies_set_inputs", bodies, 1, inputs)
-
-    def saved(self, bodies):
-        count = ctypes.c_size_t()
-        self.call("bodies_save_state", bodies, None, 0, count)
-        saved = (ctypes.c_uint8 * count.value)()
-        self.call("bodies_save_state", bodies, saved, count, count)
-        return bytes(saved)
 
     def steps(self, bodies):
         """Yields the saved state of each step."""

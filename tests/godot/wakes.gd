@@ -1,24 +1,5 @@
 # Prints states, draughts and waves of hulls in dynamic waves for wakes_test.py.
-extends SceneTree
-
-const STEP_S = 1 / 60.0
-var given = JSON.parse(OS.get_environment("GIVEN")).result
-var refusals = []
-var ocean
-var hull
-
-func refused(why):
-	refusals.append(why)
-
-func say(words):
-	print("SAYS ", words)
-
-func made(name, values):
-	var node = load("res://addons/pelagic/%s.gdns" % name).new()
-	node.connect("refused", self, "refused")
-	for property in values:
-		node.set(property, values[property])
-	return node
+extends "hull_scene.gd"
 
 func made_ocean(sea):
 	var node = made("ocean", given[sea])
@@ -41,16 +22,6 @@ func made_hull(values = {}):
 		node.set(property, values[property])
 	root.add_child(node)
 	return node
-
-func written(name):
-	var file = File.new()
-	file.open(OS.get_environment("FILES") + "/" + name, File.WRITE)
-	return file
-
-func bytes_in(name):
-	var file = File.new()
-	file.open(OS.get_environment("FILES") + "/" + name, File.READ)
-	return file.get_buffer(file.get_len())
 
 # The height of dynamic waves is that of the water in a still sea.
 func water_at(x, z):

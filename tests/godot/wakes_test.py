@@ -15,6 +15,7 @@ here = Path(__file__).parent
 sys.path.append(str(here.parent / "bindings"))
 sys.dont_write_bytecode = True
 import pelagic_ctypes as pelagic  # noqa: E402
+from c_bodies import CBodies, sized  # noqa: E402
 
 project, library_file = sys.argv[1:]
 step_s = 1 / 60
@@ -35,13 +36,9 @@ cases = [{"name": "ticks", "frames": 200, "steps": 1}, {"name": "slow", "frames"
 appended = 32  # bytes of the node after those of the C interface
 
 
-def sized(type_, **fields):
-    return type_(struct_size=ctypes.sizeof(type_), **fields)
-
-
-class CInterface:
+class CInterface(CBodies):
     def __init__(self):
-        self.library = pelagic.load(library_file)
+        super().__init__(library_file)
         options = sized(pelagic.pelagic_sea)
         self.call("sea_defaults", options)
         options.cascades, options.resolution, options.wind_speed_mps = sea["cascades"], sea["resolution"], sea["wind_speed_mps"]
@@ -61,10 +58,6 @@ class CInterface:
                         triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
                   hull, ctypes.byref(self.hull))
 
-    def call(self, name, *arguments):
-        status = getattr(self.library, "pelagic_" + name)(*arguments)
-        assert status == pelagic.PELAGIC_OK, f"{name}: {self.library.pelagic_last_error().decode()}"
-
     def bodies(self, *places, wakes=1):
         bodies, number = ctypes.c_void_p(), ctypes.c_uint32()
         self.call("bodies_create", self.ocean, sized(pelagic.pelagic_bodies_options, wakes=wakes), ctypes.byref(bodies))
@@ -73,13 +66,6 @@ class CInterface:
             self.call("hull_at_rest", self.hull, x_m, z_m, 0.0, state)
             self.call("bodies_add", bodies, self.hull, state, number)
         return bodies
-
-    def saved(self, bodies):
-        count = ctypes.c_size_t()
-        self.call("bodies_save_state", bodies, None, 0, count)
-        saved = (ctypes.c_uint8 * count.value)()
-        self.call("bodies_save_state", bodies, saved, count, count)
-        return bytes(saved)
 
     def frames(self, frames, steps):
         """Yields the state after the steps of each frame, and the hash of its dynamic waves."""

@@ -17,26 +17,14 @@ std::int64_t first_step(double first_s) {
 
 double time_of(std::int64_t step) { return static_cast<double>(step) / HullPlayer::steps_per_s; }
 
-/// Returns a hull at rest on the surface of a frame, with the velocity of the water.
-HullState launched(const HullLaunch& launch, const Frame& frame) {
-    HullState state = launch.hull->at_rest(launch.x_m, launch.z_m, launch.heading_rad);
-    float height = 0, vx = 0, vy = 0, vz = 0;
-    SurfaceQuery(frame).sample({{&launch.x_m, 1}, {&launch.z_m, 1}}, {.height_m = {&height, 1},
-                                                                      .velocity_x_mps = {&vx, 1},
-                                                                      .velocity_y_mps = {&vy, 1},
-                                                                      .velocity_z_mps = {&vz, 1}});
-    state.position_m.y += static_cast<double>(height);
-    state.velocity_mps = glm::dvec3(vx, vy, vz);
-    return state;
-}
-
 }  // namespace
 
 HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& waves, double first_s,
                        std::shared_ptr<Executor> executor)
     : launch_(launch), ocean_(ocean), waves_(waves), hulls_(std::move(executor)), step_(first_step(first_s)) {
     waves_.follow_hull(launch_.x_m, launch_.z_m);
-    const HullState state = launched(launch_, frame_at(step_));
+    const HullState state =
+        launch_.hull->at_rest(SurfaceQuery(frame_at(step_)), launch_.x_m, launch_.z_m, launch_.heading_rad);
     before_ = state;
     wake_ = std::make_unique<HullWake>(waves_.waves(), *launch_.hull, state);
     bodies_.push_back({.hull = launch_.hull.get(), .state = state});

@@ -1,0 +1,24 @@
+# Bodies of the C interface, which tests compare with the nodes of Godot.
+import ctypes
+
+import pelagic_ctypes as pelagic
+
+
+def sized(type_, **fields):
+    return type_(struct_size=ctypes.sizeof(type_), **fields)
+
+
+class CBodies:
+    def __init__(self, library_file):
+        self.library = pelagic.load(library_file)
+
+    def call(self, name, *arguments):
+        status = getattr(self.library, "pelagic_" + name)(*arguments)
+        assert status == pelagic.PELAGIC_OK, f"{name}: {self.library.pelagic_last_error().decode()}"
+
+    def saved(self, bodies):
+        count = ctypes.c_size_t()
+        self.call("bodies_save_state", bodies, None, 0, count)
+        saved = (ctypes.c_uint8 * count.value)()
+        self.call("bodies_save_state", bodies, saved, count, count)
+        return bytes(saved)
