@@ -86,6 +86,55 @@ public static class CallbackTests
         }
     }
 
+    /// <summary>The driver checks that the process ends: Mono waits for threads that ran callbacks.</summary>
+    [Test]
+    public static void AProcessWhoseCallbacksRanOnThreadsEnds()
+    {
+        using (var main = new ThreadLocal<bool> { Value = true })
+        using (var explicitDefault = new Executor(new ExecutorOptions()))
+        {
+            foreach (var executor in new[] { null, explicitDefault })
+            {
+                var others = 0;
+                using (var input = WaveInput.Callback(rows =>
+                {
+                    if (!main.Value) Interlocked.Increment(ref others);
+                    Thread.Sleep(1);
+                }, 0))
+                using (var ocean = new Ocean(Sea.Default, new OceanOptions { Inputs = new[] { input }, Executor = executor }))
+                {
+                    GoldenTests.FrameAt(ocean, 1);
+                    Check.Equal(ocean.Info.Executor, "thread", "the default executor");
+                    Check.True(others > 0 || Environment.ProcessorCount == 1, "callbacks ran on other threads");
+                }
+            }
+        }
+    }
+
+    [Test]
+    public static void OneTbbDoesNotRunCallbacks()
+    {
+        Executor executor;
+        try
+        {
+            executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Tbb });
+        }
+        catch (PelagicException)
+        {
+            return;  // a library without oneTBB
+        }
+        using (executor)
+        using (var input = WaveInput.Callback(rows => { }, 0))
+        {
+            Check.Throws<ArgumentException>(() => new Ocean(Sea.Default, new OceanOptions { Inputs = new[] { input }, Executor = executor }), "a callback");
+            using (var ocean = new Ocean(Sea.Default, new OceanOptions { Executor = executor }))
+            {
+                GoldenTests.FrameAt(ocean, 12.34);
+                Check.Equal(ocean.Hash(), Expected.Hash("golden default@12.34"), "an ocean without callbacks");
+            }
+        }
+    }
+
     [Test]
     public static void AnInputMayBeDisposedBeforeItsOcean()
     {

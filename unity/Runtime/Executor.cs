@@ -115,6 +115,8 @@ namespace Pelagic
         {
             native.struct_size = (uint)sizeof(Native.pelagic_executor_options);
             CopyTo(ref native);
+            // At its end Mono waits for threads that ran managed callbacks, and those of oneTBB never end.
+            if (Kind == ExecutorKind.Default) native.kind = ExecutorKind.Threads;
         }
     }
 
@@ -129,10 +131,13 @@ namespace Pelagic
 
         internal readonly ExecutorHandle Handle;
         internal readonly CallbackRoot Root;
+        internal readonly ExecutorKind Kind;
 
+        /// <summary>ExecutorKind.Default is ExecutorKind.Threads, whether or not the library has oneTBB.</summary>
         public Executor(ExecutorOptions options)
         {
             if (options == null) throw new ArgumentNullException(nameof(options));
+            Kind = options.Kind;
             var native = default(Native.pelagic_executor_options);
             options.Write(ref native);
             Root = options.Jobs == null ? null : new CallbackRoot(options.Jobs);

@@ -5,7 +5,7 @@ namespace Pelagic
 {
     public sealed partial class OceanOptions
     {
-        /// <summary>Null: the default executor.</summary>
+        /// <summary>Null: a thread pool of the ocean.</summary>
         public Executor Executor;
         /// <summary>"sse4.2", "avx2", "avx512" or "neon". Null: the widest that the CPU supports.</summary>
         public string Isa;
@@ -82,8 +82,11 @@ namespace Pelagic
             options = options ?? new OceanOptions();
             var inputs = options.Inputs ?? new WaveInput[0];
             roots = RootsOf(options.Executor, inputs);
+            if (options.Executor?.Kind == ExecutorKind.Tbb && roots.Length > 0)
+                throw new ArgumentException("WaveInput.Callback with ExecutorKind.Tbb: Mono would wait for oneTBB's threads at its end; other executors are accepted");
             IntPtr ocean;
-            using (var executor = new Use(options.Executor?.Handle))
+            using (var own = options.Executor == null ? new Executor(new ExecutorOptions()) : null)
+            using (var executor = new Use((options.Executor ?? own).Handle))
             {
                 var used = new Use[inputs.Length];
                 var pointers = new IntPtr[inputs.Length];

@@ -121,7 +121,7 @@ namespace Pelagic
 
         /// <summary>
         /// Waves that a callback writes. Bit i of cascades: cascade i; 0: all. Slopes beyond largestSlope are
-        /// clamped in SlopesRgba8; [0, 100].
+        /// clamped in SlopesRgba8; [0, 100]. An ocean with ExecutorKind.Tbb refuses it.
         /// </summary>
         public static WaveInput Callback(RowWriter writer, double largestSlope, uint cascades = 0)
         {
