@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,7 @@
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
 #include "pelagic/tools/hulls/hull_table.hpp"
+#include "pelagic/tools/meshes/corner_normals.hpp"
 #include "pelagic/tools/options/render_options.hpp"
 #include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
@@ -72,20 +74,16 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
-/// Returns a mesh of flat faces, because files of hulls have sharp edges.
 gl::LitMesh drawn_hull(const gl::Functions& functions, const HullMesh& hull) {
     constexpr glm::vec3 paint(0.55f, 0.54f, 0.5f);  // albedo
+    const auto normals = corner_normals(hull, glm::radians(40.0));
     std::vector<gl::MeshVertex> vertices;
     std::vector<std::uint16_t> indices;
-    for (const auto& triangle : hull.triangles()) {
-        const glm::vec3 a = hull.vertices()[triangle[0]], b = hull.vertices()[triangle[1]],
-                        c = hull.vertices()[triangle[2]], across = glm::cross(b - a, c - a);
-        const float area = glm::length(across);
-        for (const glm::vec3& corner : {a, b, c}) {
+    for (std::size_t triangle = 0; triangle < normals.size(); ++triangle)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
             indices.push_back(static_cast<std::uint16_t>(vertices.size()));
-            vertices.push_back({corner, area > 0 ? across / area : glm::vec3(0, 1, 0), paint});
+            vertices.push_back({hull.vertices()[hull.triangles()[triangle][corner]], normals[triangle][corner], paint});
         }
-    }
     return {functions, vertices, indices, "boat.frag.glsl"};
 }
 static_assert(3 * HullMesh::max_triangles <= 0xffff, "indices of 16 bits");

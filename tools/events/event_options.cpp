@@ -17,6 +17,9 @@ constexpr double longest_replay_s = 86400;
 constexpr double border_part = 0.1875;
 /// Lengths of a hull along the grid's side. 256 texels are 25 along the hull, which needs 12.
 constexpr double hull_lengths = 10;
+/// Crest height over wavelength at which foam begins, for waves as long as the hull. It is full at
+/// twice this height, near the steepest wave, whose crest is 0.08 wavelengths high.
+constexpr double breaking_part = 0.05;
 
 std::array<double, 2> place_in(const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
@@ -108,7 +111,10 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m, const std::optio
         return {};
     }
     EventOptions options;
-    if (hull) options.water.side_m = std::clamp(hull_lengths * hull->length_m, 1.0, 10000.0);
+    if (hull) {
+        options.water.side_m = std::clamp(hull_lengths * hull->length_m, 1.0, 10000.0);
+        options.water.foam_height_m = std::clamp(breaking_part * hull->length_m, 0.001, 100.0);
+    }
     if (side_) options.water.side_m = number_in("--events-side", *side_, 1, 10000, "metres in [1, 10000]");
     if (resolution_) {
         constexpr const char* accepted = "64, 128, 256, 512 or 1024";
