@@ -96,10 +96,13 @@ public static class CallbackTests
             foreach (var executor in new[] { null, explicitDefault })
             {
                 var others = 0;
+                var waits = Environment.ProcessorCount > 1;
                 using (var input = WaveInput.Callback(rows =>
                 {
                     if (!main.Value) Interlocked.Increment(ref others);
-                    Thread.Sleep(1);
+                    if (!main.Value || !waits) return;
+                    SpinWait.SpinUntil(() => Volatile.Read(ref others) > 0, 10000);
+                    waits = false;
                 }, 0))
                 using (var ocean = new Ocean(Sea.Default, new OceanOptions { Inputs = new[] { input }, Executor = executor }))
                 {
