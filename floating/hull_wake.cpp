@@ -192,16 +192,22 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
     const FrameTick now = tick_of(frame.time_s);
     const ActingFootprint last[] = {acting_at(now.tick), acting_at(now.tick - 1), acting_at(now.tick - 2)};
     const double tick_s = 1.0 / waves_->options().ticks_per_s, now_s = frame.time_s - now.fraction * tick_s;
+    const glm::dvec3 moved = pressure_m_ - hull_m_;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double in_x = x[i] - origin.x_m, in_z = z[i] - origin.z_m;
+        const double at_x = x[i] - origin.x_m, at_z = z[i] - origin.z_m;
+        const double in_x = at_x + moved.x, in_z = at_z + moved.z;
+        const DynamicWavesSample here = sample(frame.dynamic_waves, at_x, at_z),
+                                 there = sample(frame.dynamic_waves, in_x, in_z);
         double hollow[3];
         for (std::size_t tick = 0; tick < 3; ++tick)
             hollow[tick] = hollow_m(last[tick], water, now_s - static_cast<double>(tick) * tick_s, in_x, in_z);
         // as DynamicWavesView interpolates ticks
         const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
-        height_m[i] = static_cast<float>(height_m[i] + hollow[1] + now.fraction * change);
-        velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] +
-                                               (change + (now.fraction - 0.5) * (change - change_before)) / tick_s);
+        const double depth_m = hollow[1] + now.fraction * change;
+        const double sinking_mps = (change + (now.fraction - 0.5) * (change - change_before)) / tick_s;
+        height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + depth_m);
+        velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + there.vertical_velocity_mps -
+                                               here.vertical_velocity_mps + sinking_mps);
     }
 }
 

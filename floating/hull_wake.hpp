@@ -51,7 +51,9 @@ class HullWake {
     /// any waves.
     double launch_s() const;
 
-    /// Subtracts the hull's own hollow from samples of the last completed frame.
+    /// Removes the hull's own hollow from samples of the last completed frame, and replaces the
+    /// dynamic waves at the hull by those at its pressure. Where the two are apart, the hull would
+    /// otherwise slide down the wave that its moving pressure pushes ahead, and push it on.
     void leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                    std::span<float> height_m, std::span<float> velocity_y_mps) const;
 

@@ -11,6 +11,7 @@
 
 #include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/picked_place.hpp"
 #include "pelagic/viewer/steered_boat.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -20,17 +21,22 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A boat on dynamic waves, as in the window, on ripples of millimetres.
+/// Ripples of millimetres.
+const SeaState level{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
+
+/// A boat on dynamic waves, as in the window.
 struct Voyage {
-    Ocean ocean{{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05},
-                {.executor = make_serial_executor(),
-                 .queries = true,
-                 .velocities = true,
-                 .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64}}};
+    Ocean ocean;
     double time_s = 0;
     SteeredBoat boat{ocean.frame_at(0), {0, 0}, 0.5};
 
-    Voyage() { boat.float_on(ocean.dynamic_waves()); }
+    explicit Voyage(const SeaState& sea = level, bool makes_waves = true)
+        : ocean(sea, {.executor = make_serial_executor(),
+                      .queries = true,
+                      .velocities = true,
+                      .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64}}) {
+        if (makes_waves) boat.float_on(ocean.dynamic_waves());
+    }
 
     /// \param frame_s  time between frames
     template <class EachFrame>
@@ -119,6 +125,27 @@ TEST(SteeredBoat, PathHardlyDependsOnTheFrameRate) {
     // Thrust and rudder are constant over a step of up to 0.08 s, which moves the turn. The
     // difference was 5.8 %.
     EXPECT_LT(glm::length(slow.boat.place_m() - fast.boat.place_m()), 0.1 * way);
+}
+
+// A boat under way at half thrust in a moderate sea rolls by the waves of the wind, not by its own.
+TEST(SteeredBoat, DoesNotRollInItsOwnWake) {
+    SeaState sea = sea_preset_named("moderate")->sea;
+    sea.resolution = 64;
+    const auto largest_heel = [&](bool makes_waves) {
+        Voyage voyage(sea, makes_waves);
+        double least_upright = 1;
+        voyage.go(40, {.thrust = 0.5}, 1 / 30., [&](const Frame&) {
+            least_upright = std::min(least_upright, voyage.boat.world_from_boat()[1].y);
+        });
+        return std::acos(least_upright) * 180 / pi;
+    };
+    const double without = largest_heel(false), with = largest_heel(true);
+    RecordProperty("heel_without_deg", std::to_string(without));
+    RecordProperty("heel_with_deg", std::to_string(with));
+    EXPECT_GT(without, 5);
+    // The wake slows the boat, which then meets other waves. A hull that slid down the wave ahead
+    // of its pressure rolled twice as far.
+    EXPECT_LT(with, 1.25 * without);
 }
 
 // There are waves behind the boat and none ahead of it.
