@@ -35,7 +35,7 @@ pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spi
 
 # Packages for further parts of test.sh: clang with its sanitizers and libFuzzer, the C++ library of
 # headsets, and a compiler and an emulator for 64-bit Arm.
-pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
+pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev libc++abi-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 

@@ -227,7 +227,7 @@ TEST(Spray, KeepsTheNewestDropletsOfEmitters) {
     spray.emit({&fresh, 1});
     const auto droplets = spray.droplets_at(1.02);
     EXPECT_EQ(droplets.size(), 8192u);
-    EXPECT_EQ(std::ranges::count_if(droplets, [](const SprayDroplet& d) { return d.x_m > 0; }), 100);
+    EXPECT_EQ(std::count_if(droplets.begin(), droplets.end(), [](const SprayDroplet& d) { return d.x_m > 0; }), 100);
     EXPECT_GT(droplets.front().x_m, 0);
 }
 
