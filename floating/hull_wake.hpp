@@ -29,9 +29,9 @@ class HullWake {
    public:
     /// Time constant with which the pressure returns to the hull. Wind waves carry the hull, but
     /// not the grid, so the pressure follows the hull's motion relative to the water. With smaller
-    /// values it makes waves as the water oscillates; with larger ones it lags behind a drifting
-    /// hull.
-    static constexpr double return_s = 10;
+    /// values it makes waves as the water oscillates; with larger ones its hollow is seen beside
+    /// the hull.
+    static constexpr double return_s = 1;
 
     /// Adds a pressure to the waves. It grows from zero to the hull's weight within launch_s().
     /// \pre both outlive this object
