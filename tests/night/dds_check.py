@@ -18,7 +18,7 @@ def decoded(file, layout):
     return said("ffmpeg", "-v", "error", "-i", str(file), "-f", "rawvideo", "-pix_fmt", layout, "-")
 
 
-for name, dxgi in (("displacement", "R16G16B16A16_FLOAT"), ("gradient", "R8G8B8A8_UNORM"), ("foam", "R8_UNORM")):
+for name, dxgi in (("displacement", "R16G16B16A16_FLOAT"), ("gradient", "R8G8B8A8_UNORM"), ("compression", "R16_FLOAT")):
     info = said("nvddsinfo", str(folder / f"{name}_0000.dds")).decode()
     for text in (f"({dxgi})", "Mipmap count: 8", "Width: 128", "Height: 128", "(TEXTURE2D)"):
         assert text in info, f"nvddsinfo says nothing of {text} in {name}:\n{info}"

@@ -50,12 +50,12 @@ func _process(_delta):
 		points.material_override.set_shader_param("displacement", map(frame["files"][0]["name"], false))
 		for k in range(3):
 			yield(get_tree(), "idle_frame")
-		var image = view.get_texture().get_data()
-		image.flip_y()
-		image.lock()
+		var pixels = view.get_texture().get_data()
+		pixels.flip_y()
+		pixels.lock()
 		for j in range(N + 1):
 			for i in range(N + 1):
-				var d = image.get_pixel(i, j)
+				var d = pixels.get_pixel(i, j)
 				places.store_line("%.9f %.9f %.9f" % [i * L / N + d.r, d.g, j * L / N + d.b])
 	places.close()
 	get_tree().quit()

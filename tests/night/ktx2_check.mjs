@@ -21,6 +21,6 @@ for (const name of readdirSync(ktx2_folder).filter((name) => name.endsWith(".ktx
   seen.add(`${name.split("_")[0]} ${texture.vkFormat} ${texture.supercompressionScheme}`);
   ++count;
 }
-const wanted = ["displacement 97 2", "foam 9 2", "gradient 37 2"];  // VkFormat, Zstandard
+const wanted = ["compression 76 2", "displacement 97 2", "gradient 37 2"];  // VkFormat, Zstandard
 if ([...seen].sort().join() !== wanted.join()) throw new Error(`found ${[...seen]}, expected ${wanted}`);
 console.log(`ktx-parse read ${count} files, and their levels are those of the DDS files`);

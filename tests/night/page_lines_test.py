@@ -45,6 +45,7 @@ def run_page(page):
     bin = pathlib.Path("build/release/bin")
     bin.mkdir(parents=True)
     (bin / "pelagic").symlink_to(pelagic)
+    pathlib.Path("examples").symlink_to(source / "examples")
     pathlib.Path("buoys.csv").write_text("0,0\n12.5,-3\n")
     pathlib.Path("island.png").write_bytes(floor_image())
     for line in lines:

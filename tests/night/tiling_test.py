@@ -56,7 +56,7 @@ def main(pelagic, folder):
         elsewhere = values[(lag_m > 200) & (lag_m < 1900) & ~near].max()
         print(f"{preset}: {at_a_side:.3f} at {side_m:.0f} m, elsewhere at most {elsewhere:.3f}")
         failed |= at_a_side > 0.45 or elsewhere > 0.25
-    return failed
+    return int(failed)
 
 
 if __name__ == "__main__":
