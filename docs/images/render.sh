@@ -76,7 +76,7 @@ below island --preset calm --water I --floor "$heights" --floor-size 300 --camer
 "$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
 
 # A boat that floats by the forces on its hull.
-"$pelagic" render --size 960x540 --preset calm --hull examples/boat/boat.obj --mass 4400 --hull-center -0.6,0,0 --hull-thrust 11000 --time 25 --camera 21,5.5,31 --target 36,0,15 --fov 45 --out docs/images/floating.png
+"$pelagic" render --size 960x540 --preset calm --hull examples/boat/boat.obj --mass 4400 --hull-center -0.6,0,0 --hull-thrust 11000 --time 25 --camera 21,5.5,31 --target 36,0,15 --fov 45 --exposure-bias -0.7 --out docs/images/floating.png
 
 # One cascade of 250 m beside the default cascades, from four heights.
 pair() {

@@ -13,6 +13,7 @@ import sys
 import unittest
 
 import pelagic_ctypes as pelagic
+from pelagic_ctypes import sized
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "tools/bindings"))
@@ -24,10 +25,6 @@ import c_layout  # noqa: E402
 import header as generator  # noqa: E402
 
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
-
-
-def sized(struct):
-    return struct(struct_size=ctypes.sizeof(struct))
 
 
 @functools.cache

@@ -757,3 +757,8 @@ def load(path):
         function = getattr(library, name)
         function.restype, function.argtypes = result, parameters
     return library
+
+
+def sized(type_, **fields):
+    """Returns a struct of a type with its size, and zeros in all fields that are not given."""
+    return type_(struct_size=ctypes.sizeof(type_), **fields)

@@ -4,10 +4,6 @@ import ctypes
 import pelagic_ctypes as pelagic
 
 
-def sized(type_, **fields):
-    return type_(struct_size=ctypes.sizeof(type_), **fields)
-
-
 class CBodies:
     def __init__(self, library_file):
         self.library = pelagic.load(library_file)

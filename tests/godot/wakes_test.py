@@ -15,7 +15,8 @@ here = Path(__file__).parent
 sys.path.append(str(here.parent / "bindings"))
 sys.dont_write_bytecode = True
 import pelagic_ctypes as pelagic  # noqa: E402
-from c_bodies import CBodies, sized  # noqa: E402
+from c_bodies import CBodies  # noqa: E402
+from pelagic_ctypes import sized  # noqa: E402
 
 project, library_file = sys.argv[1:]
 step_s = 1 / 60

@@ -19,12 +19,9 @@ sys.dont_write_bytecode = True
 import c_layout  # noqa: E402
 import header as generator  # noqa: E402
 import pelagic_ctypes as pelagic  # noqa: E402
+from pelagic_ctypes import sized  # noqa: E402
 
 GOLDEN = SOURCE / "tests/golden"
-
-
-def sized(type_, **fields):
-    return type_(struct_size=ctypes.sizeof(type_), **fields)
 
 
 class CInterface:

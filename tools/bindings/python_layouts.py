@@ -52,5 +52,8 @@ def write(header):
               "    for name, (result, parameters) in FUNCTIONS.items():",
               "        function = getattr(library, name)",
               "        function.restype, function.argtypes = result, parameters",
-              "    return library"]
+              "    return library",
+              "", "", "def sized(type_, **fields):",
+              '    """Returns a struct of a type with its size, and zeros in all fields that are not given."""',
+              "    return type_(struct_size=ctypes.sizeof(type_), **fields)"]
     return HEAD + "\n".join(lines) + "\n"

@@ -74,6 +74,7 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
+/// Returns a mesh that is smooth up to creases of 40 degrees: a HullMesh has no normals.
 gl::LitMesh drawn_hull(const gl::Functions& functions, const HullMesh& hull) {
     constexpr glm::vec3 paint(0.55f, 0.54f, 0.5f);  // albedo
     const auto normals = corner_normals(hull, glm::radians(40.0));

@@ -47,7 +47,7 @@ namespace Pelagic
 
     public enum ExecutorKind
     {
-        /// <summary>oneTBB if the library was built with it, else threads</summary>
+        /// <summary>threads</summary>
         Default = 0,
         /// <summary>no threads: complete() does the work</summary>
         Serial = 1,
