@@ -1,6 +1,6 @@
 # The instruction sets that kernels are compiled for, and the flags of each.
 #
-# PELAGIC_ISAS                the list for the target processor, weakest first
+# PELAGIC_ISAS                all of the target processor, weakest first, unless the cache has fewer
 # PELAGIC_ISA_FLAGS_<isa>     compiler flags of its one object
 # PELAGIC_XSIMD_ARCH_<isa>    the name in xsimd
 #
@@ -8,14 +8,28 @@
 # and desktop core has. FMA is disabled on purpose: products and sums round separately on every
 # instruction set, so that SSE4.2, which has no fused instruction, gives bit-identical results.
 if(EMSCRIPTEN)  # its CMAKE_SYSTEM_PROCESSOR is x86
-  set(PELAGIC_ISAS wasm128)
+  set(all_isas wasm128)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  set(PELAGIC_ISAS sse4_2 avx2 avx512)
+  set(all_isas sse4_2 avx2 avx512)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
-  set(PELAGIC_ISAS neon)
+  set(all_isas neon)
 else()
   message(FATAL_ERROR "Pelagic has kernels for x86-64, 64-bit Arm and WebAssembly, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
+set(PELAGIC_ISAS "${all_isas}" CACHE STRING "Instruction sets that kernels are compiled for, weakest first")
+foreach(isa IN LISTS PELAGIC_ISAS)
+  if(NOT isa IN_LIST all_isas)
+    list(JOIN all_isas ", " accepted)
+    message(FATAL_ERROR "PELAGIC_ISAS has ${isa}, accepted here: ${accepted}")
+  endif()
+endforeach()
+if(NOT PELAGIC_ISAS)
+  message(FATAL_ERROR "PELAGIC_ISAS is empty, expected one or more of ${all_isas}")
+endif()
+# For C++: PELAGIC_COMPILED_ISA(sse4_2) and so on, a line each.
+list(TRANSFORM PELAGIC_ISAS REPLACE "(.+)" "PELAGIC_COMPILED_ISA(\\1)\n" OUTPUT_VARIABLE compiled_isas)
+list(JOIN compiled_isas "" compiled_isas)
+file(CONFIGURE OUTPUT ${PELAGIC_INCLUDE_ROOT}/pelagic/generated/compiled_isas.inc CONTENT "${compiled_isas}" @ONLY)
 set(PELAGIC_ISA_FLAGS_sse4_2 -msse4.2)
 set(PELAGIC_ISA_FLAGS_avx2 -mavx2 -mf16c)
 set(PELAGIC_ISA_FLAGS_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
@@ -53,12 +67,18 @@ find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 # could share them with other code.
 function(pelagic_kernel_objects target isa source)
   add_library(${target} OBJECT ${source})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   set(PELAGIC_OPTIMISATION "")
   pelagic_target(${target})
   target_compile_definitions(${target} PRIVATE PELAGIC_ISA_NAME=${isa} PELAGIC_ISA_ARCH=${PELAGIC_XSIMD_ARCH_${isa}})
   target_compile_options(${target} PRIVATE ${PELAGIC_KERNEL_OPTIMISATION} -fno-exceptions -Wno-conversion
                                            ${PELAGIC_ISA_FLAGS_${isa}})
   target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_XSIMD_INCLUDE_DIR})
+  # In kernels these checks of pointers take a third of the compile time; AddressSanitizer reports
+  # what they would.
+  if(PELAGIC_SANITIZE MATCHES "address.*undefined")
+    target_compile_options(${target} PRIVATE -fno-sanitize=null,pointer-overflow)
+  endif()
   # g++ marks the scope of each vector that a function returns: ten times the code, for values that
   # nothing points to. clang omits these marks, so `asan` and `fuzz` do detect use after scope in
   # kernels too.

@@ -4,6 +4,7 @@
 #include <cpuid.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -17,6 +18,11 @@ namespace {
 constexpr std::array isa_names = {std::string_view("sse4.2"), std::string_view("avx2"), std::string_view("avx512"),
                                   std::string_view("neon"), std::string_view("wasm128")};
 constexpr std::array all_isas = {Isa::sse4_2, Isa::avx2, Isa::avx512, Isa::neon, Isa::wasm128};
+constexpr std::array compiled_isas = {
+#define PELAGIC_COMPILED_ISA(isa) Isa::isa,
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
+};
 
 std::string names_here() {
     std::string names;
@@ -49,6 +55,7 @@ std::optional<Isa> isa_named(std::string_view name) {
 }
 
 bool runs_here(Isa isa) {
+    if (std::find(compiled_isas.begin(), compiled_isas.end(), isa) == compiled_isas.end()) return false;
 #if defined(__x86_64__)
     switch (isa) {
         case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
@@ -69,7 +76,7 @@ bool runs_here(Isa isa) {
 
 std::vector<Isa> isas_here() {
     std::vector<Isa> isas;
-    for (const Isa isa : all_isas)
+    for (const Isa isa : compiled_isas)
         if (runs_here(isa)) isas.push_back(isa);
     return isas;
 }
@@ -85,7 +92,9 @@ Isa choose_isa(std::optional<Isa> wanted) {
         return *isa;
     }
     const std::vector<Isa> isas = isas_here();
-    if (isas.empty()) throw std::invalid_argument("this CPU lacks SSE4.2, the least that Pelagic's kernels need");
+    if (isas.empty())
+        throw std::invalid_argument(std::string("this CPU lacks ").append(name_of(compiled_isas[0])) +
+                                    ", the least that this build's kernels need");
     return isas.back();
 }
 

@@ -5,29 +5,18 @@
 
 namespace pelagic {
 
-#if defined(__x86_64__)
-extern const AnalyticKernels analytic_kernels_sse4_2, analytic_kernels_avx2, analytic_kernels_avx512;
-#elif defined(__wasm__)
-extern const AnalyticKernels analytic_kernels_wasm128;
-#else
-extern const AnalyticKernels analytic_kernels_neon;
-#endif
+#define PELAGIC_COMPILED_ISA(isa) extern const AnalyticKernels analytic_kernels_##isa;
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
 
 const AnalyticKernels& analytic_kernels_for(Isa isa) {
     assert(runs_here(isa));
     switch (isa) {
-#if defined(__x86_64__)
-        case Isa::sse4_2: return analytic_kernels_sse4_2;
-        case Isa::avx2: return analytic_kernels_avx2;
-        case Isa::avx512: return analytic_kernels_avx512;
+#define PELAGIC_COMPILED_ISA(isa) \
+    case Isa::isa: return analytic_kernels_##isa;
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
         default: break;
-#elif defined(__wasm__)
-        case Isa::wasm128: return analytic_kernels_wasm128;
-        default: break;
-#else
-        case Isa::neon: return analytic_kernels_neon;
-        default: break;
-#endif
     }
     std::abort();  // precondition violated
 }

@@ -7,24 +7,18 @@
 
 namespace pelagic::peers {
 
-#if defined(__x86_64__)
-extern const FftwKernels fftw_kernels_sse4_2, fftw_kernels_avx2, fftw_kernels_avx512;
-#else
-extern const FftwKernels fftw_kernels_neon;
-#endif
+#define PELAGIC_COMPILED_ISA(isa) extern const FftwKernels fftw_kernels_##isa;
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
 
 const FftwKernels& fftw_kernels_for(Isa isa) {
     assert(runs_here(isa));
     switch (isa) {
-#if defined(__x86_64__)
-        case Isa::sse4_2: return fftw_kernels_sse4_2;
-        case Isa::avx2: return fftw_kernels_avx2;
-        case Isa::avx512: return fftw_kernels_avx512;
+#define PELAGIC_COMPILED_ISA(isa) \
+    case Isa::isa: return fftw_kernels_##isa;
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
         default: break;
-#else
-        case Isa::neon: return fftw_kernels_neon;
-        default: break;
-#endif
     }
     std::abort();  // the precondition is broken
 }
