@@ -17,7 +17,7 @@ namespace {
 
 constexpr double min_wavelength_m = 0.01;
 
-constexpr std::array wave_fields = {
+constexpr std::array analytic_wave_field_table = {
     NumericField<AnalyticWave>{"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
     NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, min_wavelength_m, 1000, "[0.01, 1000]"},
     NumericField<AnalyticWave>{"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
@@ -95,7 +95,7 @@ AnalyticSea with_significant_height(AnalyticSea sea, double height_m) {
     return sea;
 }
 
-std::span<const NumericField<AnalyticWave>> analytic_wave_fields() { return wave_fields; }
+std::span<const NumericField<AnalyticWave>> analytic_wave_fields() { return analytic_wave_field_table; }
 
 std::string check(const AnalyticSea& sea) {
     if (sea.waves.empty() || sea.waves.size() > max_analytic_waves)
@@ -104,7 +104,7 @@ std::string check(const AnalyticSea& sea) {
     if (!(sea.choppiness >= 0 && sea.choppiness <= 1))
         return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
     for (std::size_t i = 0; i < sea.waves.size(); ++i)
-        if (const std::string reason = check_fields(sea.waves[i], wave_fields); !reason.empty())
+        if (const std::string reason = check_fields(sea.waves[i], analytic_wave_field_table); !reason.empty())
             return one_line("waves[" + number_text(i) + "]." + reason);
     // Scaling may exceed the limit by a rounding error.
     if (const double steepness = steepness_of(sea); !(steepness <= max_steepness * (1 + 1e-12)))

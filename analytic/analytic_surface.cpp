@@ -41,12 +41,6 @@ GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
             .drift_z = rounded(moved * speed * z)};
 }
 
-template <class Sea>
-const Sea& checked(const Sea& sea) {
-    require(check(sea));
-    return sea;
-}
-
 // The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness
 // sum k^2 A. Then |D'| <= s and |D''| <= M everywhere. From q with the residual off = q + D(q) - p
 // of length r, a step is

@@ -13,7 +13,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array wave_fields = {
+constexpr std::array plane_wave_field_table = {
     NumericField<PlaneWave>{"amplitude_m", &PlaneWave::amplitude_m, 0, 100, "[0, 100]"},
     NumericField<PlaneWave>{"turns_per_m_x", &PlaneWave::turns_per_m_x, -200, 200, "[-200, 200]"},
     NumericField<PlaneWave>{"turns_per_m_z", &PlaneWave::turns_per_m_z, -200, 200, "[-200, 200]"},
@@ -65,7 +65,7 @@ std::string check(const PlaneWaves& sea) {
         return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
     for (std::size_t i = 0; i < sea.waves.size(); ++i) {
         const std::string place = "waves[" + number_text(i) + "].";
-        if (const std::string reason = check_fields(sea.waves[i], wave_fields); !reason.empty())
+        if (const std::string reason = check_fields(sea.waves[i], plane_wave_field_table); !reason.empty())
             return one_line(place + reason);
         if (const double length = sea.waves[i].turns_per_m(); !(length >= 1e-4 && length <= 200))
             return invalid_value_message(place + "turns_per_m", length, "[0.0001, 200]");

@@ -20,7 +20,7 @@ namespace pelagic {
 namespace {
 
 constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, divided by its density
-constexpr double golden = 0.6180339887498949;     // of a turn
+constexpr double golden_turns = 0.6180339887498949;
 constexpr double min_exp = 0.1353352832366127;    // exp(-2)
 constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
 constexpr double shortest_wavelength_m = 1e-3;    // shorter ones are invisible
@@ -90,11 +90,11 @@ std::vector<PondOctave> octaves_of(const PondSea& sea) {
     double wavelength_m = sea.wavelength_m;
     weight = 1;
     for (int i = 0; i < sea.octaves; ++i, weight *= sea.decay, wavelength_m /= sea.growth) {
-        const auto [z, x] = det::sine_cosine_of_turns(sea.direction_rad / two_pi + i * golden);
+        const auto [z, x] = det::sine_cosine_of_turns(sea.direction_rad / two_pi + i * golden_turns);
         octaves.push_back({.turns_per_m_x = x / wavelength_m,
                            .turns_per_m_z = z / wavelength_m,
                            .frequency_hz = ripple_frequency_hz(1 / wavelength_m),
-                           .phase_turns = i * golden * golden,
+                           .phase_turns = i * golden_turns * golden_turns,
                            .height_m = sea.height_m * weight / sum,
                            .drag_m = sea.drag * weight * sea.wavelength_m / two_pi});
     }
@@ -114,15 +114,6 @@ PondTerms pond_terms_of(const PondOctave& octave) {
             .frequency = rounded(two_pi * octave.frequency_hz),
             .half_waves_per_m = rounded(2 * per_m)};
 }
-
-namespace {
-
-const PondSea& checked(const PondSea& sea) {
-    require(check(sea));
-    return sea;
-}
-
-}  // namespace
 
 PondWaves::PondWaves(const PondSea& sea, std::optional<Isa> isa) : PondWaves(isa, octaves_of(checked(sea))) {}
 

@@ -43,7 +43,7 @@ HullMesh mesh_of(const pelagic_hull_mesh* pointer) {
     return HullMesh(vertices, triangles);
 }
 
-HullOptions options_of(const pelagic_hull_options* pointer) {
+HullOptions hull_options_of(const pelagic_hull_options* pointer) {
     const pelagic_hull_options from = read_struct(pointer, "options");
     HullOptions options{.mass_kg = from.mass_kg,
                         .heave_damping = from.heave_damping,
@@ -160,7 +160,7 @@ pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh, const pelagic_
         pelagic_hull*& out = needed(hull, "hull");
         out = nullptr;
         HullMesh ours = mesh_of(mesh);
-        out = new pelagic_hull{std::make_shared<const Hull>(std::move(ours), options_of(options))};
+        out = new pelagic_hull{std::make_shared<const Hull>(std::move(ours), hull_options_of(options))};
     });
 }
 

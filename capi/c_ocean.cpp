@@ -81,7 +81,7 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
     return wanted;
 }
 
-OceanOptions options_of(const pelagic_ocean_options& options) {
+OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
     OceanOptions result{.queries = options.queries != 0,
                         .velocities = options.velocities != 0,
                         .gradients = options.gradients != 0,
@@ -255,7 +255,7 @@ using ApplicationTargets = OfEachCascade<pelagic_texture_targets, TextureTargets
 
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
     const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
-    auto* const ocean = new pelagic_ocean(forecast, options_of(wanted), query_tolerance_m(wanted));
+    auto* const ocean = new pelagic_ocean(forecast, ocean_options_of(wanted), query_tolerance_m(wanted));
     for (std::size_t i = 0; i < wanted.input_count; ++i) wanted.inputs[i]->has_ocean = true;
     return ocean;
 }

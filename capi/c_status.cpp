@@ -14,7 +14,7 @@ struct ErrorCallback {
     void* user = nullptr;
 };
 std::mutex callback_mutex;
-ErrorCallback callback;
+ErrorCallback error_callback;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ pelagic_status failure(pelagic_status status, const char* reason) noexcept {
         // Called without the lock, because the callback may set another callback.
         const ErrorCallback current = [] {
             const std::lock_guard lock(callback_mutex);
-            return callback;
+            return error_callback;
         }();
         if (current.function) current.function(current.user, status, last_error);
     } catch (...) {  // the status reports the error
@@ -44,5 +44,5 @@ const char* pelagic_last_error() { return pelagic::capi::last_error; }
 
 void pelagic_set_error_callback(pelagic_error_callback callback, void* user) {
     const std::lock_guard lock(pelagic::capi::callback_mutex);
-    pelagic::capi::callback = {callback, user};
+    pelagic::capi::error_callback = {callback, user};
 }

@@ -18,17 +18,16 @@
 namespace pelagic {
 namespace {
 
-using Options = HullOptions;
-constexpr NumericField<Options> fields[] = {
-    {"mass_kg", &Options::mass_kg, 1e-6, 1e10, "[1e-6, 1e10]"},
-    {"heave_damping", &Options::heave_damping, 0, 0.999, "[0, 0.999]"},
-    {"roll_damping", &Options::roll_damping, 0, 0.999, "[0, 0.999]"},
-    {"pressure_coefficient", &Options::pressure_coefficient, 0, 10, "[0, 10]"},
-    {"suction_coefficient", &Options::suction_coefficient, 0, 10, "[0, 10]"},
-    {"friction_coefficient", &Options::friction_coefficient, 0, 1, "[0, 1]"},
-    {"air_coefficient", &Options::air_coefficient, 0, 10, "[0, 10]"},
-    {"water_density_kgpm3", &Options::water_density_kgpm3, 500, 2000, "[500, 2000]"},
-    {"air_density_kgpm3", &Options::air_density_kgpm3, 0, 10, "[0, 10]"},
+constexpr NumericField<HullOptions> hull_field_table[] = {
+    {"mass_kg", &HullOptions::mass_kg, 1e-6, 1e10, "[1e-6, 1e10]"},
+    {"heave_damping", &HullOptions::heave_damping, 0, 0.999, "[0, 0.999]"},
+    {"roll_damping", &HullOptions::roll_damping, 0, 0.999, "[0, 0.999]"},
+    {"pressure_coefficient", &HullOptions::pressure_coefficient, 0, 10, "[0, 10]"},
+    {"suction_coefficient", &HullOptions::suction_coefficient, 0, 10, "[0, 10]"},
+    {"friction_coefficient", &HullOptions::friction_coefficient, 0, 1, "[0, 1]"},
+    {"air_coefficient", &HullOptions::air_coefficient, 0, 10, "[0, 10]"},
+    {"water_density_kgpm3", &HullOptions::water_density_kgpm3, 500, 2000, "[500, 2000]"},
+    {"air_density_kgpm3", &HullOptions::air_density_kgpm3, 0, 10, "[0, 10]"},
 };
 
 /// Returns whether all pivots of a symmetric matrix are at least 0, within rounding.
@@ -76,10 +75,10 @@ double plate_added_mass_kg(double density_kgpm3, double side_m, double other_m) 
 
 }  // namespace
 
-std::span<const NumericField<HullOptions>> hull_fields() { return fields; }
+std::span<const NumericField<HullOptions>> hull_fields() { return hull_field_table; }
 
 std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
-    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (std::string reason = check_fields(options, hull_field_table); !reason.empty()) return reason;
     if (options.centre_of_mass_m)
         for (int axis = 0; axis < 3; ++axis) {
             const double low = mesh.lower_m()[axis], high = mesh.upper_m()[axis],
@@ -217,7 +216,7 @@ void Hull::set_default_added_mass() {
 std::uint64_t Hull::digest() const {
     std::vector<double> numbers;
     const auto put = [&](const glm::dvec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
-    for (const NumericField<HullOptions>& field : fields) numbers.push_back(field.value_in(options_));
+    for (const NumericField<HullOptions>& field : hull_field_table) numbers.push_back(field.value_in(options_));
     put(centre_of_mass_m_);
     put(inertia_kgm2_);
     for (const auto& row : added_mass_) numbers.insert(numbers.end(), row.begin(), row.end());

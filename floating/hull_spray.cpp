@@ -16,11 +16,10 @@
 namespace pelagic {
 namespace {
 
-using Options = HullSprayOptions;
-constexpr NumericField<Options> fields[] = {
-    {"radius_m", &Options::radius_m, 0.001, 1, "[0.001, 1]"},
-    {"clump_kg", &Options::clump_kg, 1e-6, 1e6, "[1e-6, 1e6]"},
-    {"max_droplets", &Options::max_droplets, 0, static_cast<double>(Spray::max_droplets), "[0, 8192]"},
+constexpr NumericField<HullSprayOptions> hull_spray_field_table[] = {
+    {"radius_m", &HullSprayOptions::radius_m, 0.001, 1, "[0.001, 1]"},
+    {"clump_kg", &HullSprayOptions::clump_kg, 1e-6, 1e6, "[1e-6, 1e6]"},
+    {"max_droplets", &HullSprayOptions::max_droplets, 0, static_cast<double>(Spray::max_droplets), "[0, 8192]"},
 };
 
 /// Sine of 4 degrees. Trapped air cushions impacts at smaller deadrises (S.-L. Chuang, J. Ship
@@ -46,8 +45,8 @@ double thrown_part(double speed_mps, double draught_m) {
 
 }  // namespace
 
-std::span<const NumericField<HullSprayOptions>> hull_spray_fields() { return fields; }
-std::string check(const HullSprayOptions& options) { return check_fields(options, fields); }
+std::span<const NumericField<HullSprayOptions>> hull_spray_fields() { return hull_spray_field_table; }
+std::string check(const HullSprayOptions& options) { return check_fields(options, hull_spray_field_table); }
 
 HullSpray::HullSpray(const Hull& hull, const HullSprayOptions& options) : hull_(&hull), options_(options) {
     require(check(options));

@@ -15,7 +15,8 @@ constexpr float darkest_cd_m2 = 1e-5f;
 
 // shaders/film.glsl: v = y (1 + (lifted_below / y)^2)^(1/8), (v (v + a) - b) / (v (c v + d) + e).
 constexpr float lifted_below = 0.25f, darkest_lifted = 1e-5f;
-constexpr float a = 0.0245786f, b = 0.000090537f, c = 0.983729f, d = 0.4329510f, e = 0.238081f;
+constexpr float film_a = 0.0245786f, film_b = 0.000090537f, film_c = 0.983729f, film_d = 0.4329510f,
+                film_e = 0.238081f;
 
 float with_lifted_shadows(float scene) {
     const float below = lifted_below / std::max(scene, darkest_lifted);
@@ -35,12 +36,13 @@ float shown_log_average(float luminance_cd_m2) {
 
 float shown_by_film(float scene) {
     const float v = with_lifted_shadows(scene);
-    return std::clamp((v * (v + a) - b) / (v * (c * v + d) + e), 0.f, 1.f);
+    return std::clamp((v * (v + film_a) - film_b) / (v * (film_c * v + film_d) + film_e), 0.f, 1.f);
 }
 
 float film_input_of(float shown) {
-    const float square = 1 - c * shown, linear = a - d * shown;
-    const float lifted = (-linear + std::sqrt(linear * linear + 4 * square * (b + e * shown))) / (2 * square);
+    const float square = 1 - film_c * shown, linear = film_a - film_d * shown;
+    const float lifted =
+        (-linear + std::sqrt(linear * linear + 4 * square * (film_b + film_e * shown))) / (2 * square);
     // In logarithms, the slope of with_lifted_shadows() is from 0.75 to 1: each step leaves at most
     // a quarter of the error.
     float scene = lifted;

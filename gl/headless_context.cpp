@@ -11,7 +11,6 @@
 #include "pelagic/gl/errors.hpp"
 
 namespace pelagic::gl {
-namespace {
 
 // Functions of libEGL, which is loaded at run time: exports run on a server without libEGL.
 struct Egl {
@@ -56,6 +55,8 @@ struct Egl {
         return egl;
     }
 };
+
+namespace {
 
 bool lists(const char* extensions, std::string_view name) {
     std::string_view remaining = extensions ? extensions : "";

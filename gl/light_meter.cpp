@@ -6,12 +6,12 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr std::size_t cells = std::size_t{LightMeter::columns} * LightMeter::rows;
-constexpr std::size_t bytes = cells * 4 * sizeof(float);
+constexpr std::size_t meter_cells = std::size_t{LightMeter::columns} * LightMeter::rows;
+constexpr std::size_t meter_bytes = meter_cells * 4 * sizeof(float);
 
 std::vector<MeteredCell> cells_of(const float* rgba) {
-    std::vector<MeteredCell> all(cells);
-    for (std::size_t i = 0; i < cells; ++i) all[i] = {rgba[4 * i], rgba[4 * i + 1]};
+    std::vector<MeteredCell> all(meter_cells);
+    for (std::size_t i = 0; i < meter_cells; ++i) all[i] = {rgba[4 * i], rgba[4 * i + 1]};
     return all;
 }
 
@@ -25,7 +25,7 @@ struct LightMeter::State {
           target(functions, columns, rows),
           pixels(functions) {
         gl.BindBuffer(GL_PIXEL_PACK_BUFFER, pixels.name());
-        gl.BufferData(GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+        gl.BufferData(GL_PIXEL_PACK_BUFFER, meter_bytes, nullptr, GL_STREAM_READ);
     }
     ~State() {
         if (fence) gl.DeleteSync(fence);
@@ -62,7 +62,7 @@ std::vector<MeteredCell> LightMeter::measure(const TexturePart& radiance) {
     const GlStateGuard keep(gl);
     const GlTargetsGuard targets(gl);
     state_->draw(radiance);
-    std::vector<float> rgba(4 * cells);
+    std::vector<float> rgba(4 * meter_cells);
     gl.ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, rgba.data());
     return cells_of(rgba.data());
 }
@@ -88,7 +88,7 @@ std::optional<std::vector<MeteredCell>> LightMeter::finished() {
     const GlTargetsGuard targets(gl);
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, state_->pixels.name());
     std::optional<std::vector<MeteredCell>> seen;
-    if (const void* rgba = gl.MapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT))
+    if (const void* rgba = gl.MapBufferRange(GL_PIXEL_PACK_BUFFER, 0, meter_bytes, GL_MAP_READ_BIT))
         seen = cells_of(static_cast<const float*>(rgba));
     gl.UnmapBuffer(GL_PIXEL_PACK_BUFFER);
     return seen;

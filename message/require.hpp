@@ -12,4 +12,12 @@ inline void require(const std::string& reason) {
     if (!reason.empty()) throw std::invalid_argument(reason);
 }
 
+/// Returns `options` if check(options) is empty.
+/// \throws std::invalid_argument(check(options))  otherwise
+template <class Options>
+const Options& checked(const Options& options) {
+    require(check(options));
+    return options;
+}
+
 }  // namespace pelagic

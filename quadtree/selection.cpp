@@ -15,11 +15,6 @@ namespace {
 
 constexpr double furthest_m = 1e8;  // positions in steps are exact doubles up to here
 
-QuadtreeOptions checked(const QuadtreeOptions& options) {
-    require(check(options));
-    return options;
-}
-
 void check_position(const char* name, const double* values, int count) {
     for (int i = 0; i < count; ++i) {
         if (std::abs(values[i]) <= furthest_m) continue;  // false for NaN

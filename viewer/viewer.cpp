@@ -41,7 +41,7 @@ constexpr double slowest_mps = 8;  // minimum flying speed; the speed grows with
 constexpr int samples_a_pixel = 4;
 /// Target frame times, ms: 30 frames/s on a GPU, 12 frames/s on a software driver, which otherwise
 /// would need too small an image.
-constexpr double goal_ms = 33, software_goal_ms = 80;
+constexpr double gpu_goal_ms = 33, software_goal_ms = 80;
 /// Initial scale on a software driver.
 constexpr float software_first_scale = 0.42f;
 /// A static view is drawn at full size once after this time, and the image is kept.
@@ -170,7 +170,7 @@ class Viewer {
 
    private:
     RenderScale scale_from(float first) const {
-        return RenderScale(is_software_ ? software_goal_ms : goal_ms, settings_.shading, first);
+        return RenderScale(is_software_ ? software_goal_ms : gpu_goal_ms, settings_.shading, first);
     }
 
     void take_input(double passed_s) {

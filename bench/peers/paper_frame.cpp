@@ -24,7 +24,7 @@ using paper::Horizontal;
 using paper::PackedWave;
 
 constexpr std::uint32_t largest_resolution = 2048;  // maximum of a SeaState
-constexpr float two_pi = 2 * std::numbers::pi_v<float>;
+constexpr float two_pi_as_float = 2 * std::numbers::pi_v<float>;
 
 Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
 Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
@@ -40,7 +40,7 @@ Horizontal operator*(Horizontal a, Complex b) { return {a.x * b, a.z * b}; }
 /// polynomials are those of Cephes' sinf and cosf (Moshier).
 inline Complex rotation_of(float angle) {
     const float nearest = angle < 0 ? -0.5f : 0.5f;
-    const int quarter = static_cast<int>(angle * (4 / two_pi) + nearest);
+    const int quarter = static_cast<int>(angle * (4 / two_pi_as_float) + nearest);
     const float quarters = static_cast<float>(quarter);
     const float r = angle - quarters * 1.5703125f - quarters * 4.83826794896619e-4f;
     const float r2 = r * r;
@@ -56,7 +56,7 @@ inline Complex rotation_of(float angle) {
 
 /// Equation 33, with the sign of an inverse transform (errata).
 inline Complex twiddle_factor(std::uint32_t exponent, std::uint32_t resolution) {
-    return rotation_of(two_pi * static_cast<float>(exponent) / static_cast<float>(resolution));
+    return rotation_of(two_pi_as_float * static_cast<float>(exponent) / static_cast<float>(resolution));
 }
 
 /// Equation 36; C++ has no reversebits.
@@ -203,7 +203,7 @@ const PeerFrame& PaperFrame::frame_at(double time_s) {
 // late in a loop. Pelagic's integer phase is exact, and its top bit as a sign keeps the angle
 // within half a turn.
 void PaperFrame::evolve(std::uint32_t index) {
-    constexpr float radians_per_step = two_pi * 0x1p-32f;
+    constexpr float radians_per_step = two_pi_as_float * 0x1p-32f;
     const auto steps = static_cast<std::int32_t>(harmonics_[index] * turns_);
     const Complex rotation = rotation_of(static_cast<float>(steps) * radians_per_step);
 

@@ -40,11 +40,12 @@ void move(int& cell, float& within, float by) {
     within = moved - whole;
 }
 
-struct Horizontal {
+struct HorizontalDisplacement {
     float value, along_u, along_v;
 };
 
-Horizontal horizontal(const SurfaceTexels& surface, const float* plane, const Place& at, float texels_per_m) {
+HorizontalDisplacement horizontal(const SurfaceTexels& surface, const float* plane, const Place& at,
+                                  float texels_per_m) {
     const float v00 = plane[place_of(surface, at.cell_x, at.cell_z)];
     const float v10 = plane[place_of(surface, at.cell_x + 1, at.cell_z)];
     const float v01 = plane[place_of(surface, at.cell_x, at.cell_z + 1)];
@@ -78,8 +79,8 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
     Place at = world;
     float squared = 0;
     for (int step = 0;; ++step) {
-        const Horizontal dx = horizontal(surface, surface.dx, at, texels_per_m);
-        const Horizontal dz = horizontal(surface, surface.dz, at, texels_per_m);
+        const HorizontalDisplacement dx = horizontal(surface, surface.dx, at, texels_per_m);
+        const HorizontalDisplacement dz = horizontal(surface, surface.dz, at, texels_per_m);
         const float off_x = static_cast<float>(at.cell_x - world.cell_x) + (at.u - world.u) + dx.value;
         const float off_z = static_cast<float>(at.cell_z - world.cell_z) + (at.v - world.v) + dz.value;
         squared = off_x * off_x + off_z * off_z;

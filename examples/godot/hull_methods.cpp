@@ -13,7 +13,7 @@ Value save_state(HullNode& hull) {
     return Pool<std::uint8_t>(std::span<const std::uint8_t>(saved)).value();
 }
 
-const MethodOf<HullNode> methods[] = {
+const MethodOf<HullNode> hull_method_list[] = {
     {"_physics_process",
      {type_real},
      "(delta)",
@@ -41,6 +41,6 @@ const MethodOf<HullNode> methods[] = {
 
 }  // namespace
 
-std::span<const MethodOf<HullNode>> hull_methods() { return methods; }
+std::span<const MethodOf<HullNode>> hull_methods() { return hull_method_list; }
 
 }  // namespace pelagic::godot

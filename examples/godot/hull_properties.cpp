@@ -11,7 +11,7 @@
 namespace pelagic::godot {
 namespace {
 
-using Property = PropertyOf<HullNode>;
+using HullProperty = PropertyOf<HullNode>;
 
 Value value_of(const glm::dvec3& of) {
     return Value(Vector3{static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)});
@@ -22,7 +22,7 @@ glm::dvec3 dvec3_of(const Variant& value) {
     return {of.x, of.y, of.z};
 }
 
-Property option(const NumericField<HullOptions>& field) {
+HullProperty option(const NumericField<HullOptions>& field) {
     const std::string name(field.name), accepted(field.accepted);
     // ratio of the limits from which the editor's slider is exponential
     constexpr double wide = 1000;
@@ -44,7 +44,7 @@ Property option(const NumericField<HullOptions>& field) {
 }
 
 /// A vector that is null for the value that the library derives from the mesh.
-Property optional_vector(std::string name, std::optional<glm::dvec3> HullOptions::*member) {
+HullProperty optional_vector(std::string name, std::optional<glm::dvec3> HullOptions::*member) {
     return {std::move(name),
             type_vector3,
             hint_none,
@@ -65,7 +65,7 @@ Property optional_vector(std::string name, std::optional<glm::dvec3> HullOptions
 
 /// A vector of the inputs, which may change in every step. \param at  returns the vector
 template <class At>
-Property input(std::string name, At at) {
+HullProperty input(std::string name, At at) {
     return {std::move(name),
             type_vector3,
             hint_none,
@@ -82,8 +82,8 @@ Property input(std::string name, At at) {
             "a Vector3"};
 }
 
-std::vector<Property> table() {
-    std::vector<Property> all = {
+std::vector<HullProperty> hull_property_table() {
+    std::vector<HullProperty> all = {
         {"ocean", type_node_path, hint_none, "", [](const HullNode& node) { return node.ocean(); },
          [](HullNode& node, const Variant& value) { node.set_ocean(Text(value).utf8()); },
          "the path of a PelagicOcean"},
@@ -108,8 +108,8 @@ std::vector<Property> table() {
 
 }  // namespace
 
-const std::vector<Property>& hull_properties() {
-    static const std::vector<Property> all = table();
+const std::vector<HullProperty>& hull_properties() {
+    static const std::vector<HullProperty> all = hull_property_table();
     return all;
 }
 

@@ -55,7 +55,7 @@ Value with_waves(OceanNode& node, const Use& use) {
     return Value();
 }
 
-const MethodOf<OceanNode> methods[] = {
+const MethodOf<OceanNode> ocean_method_list[] = {
     {"_enter_tree", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return node.enter_tree(), Value(); }},
     {"_exit_tree", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return node.exit_tree(), Value(); }},
     {"_process",
@@ -147,6 +147,6 @@ const MethodOf<OceanNode> methods[] = {
 
 }  // namespace
 
-std::span<const MethodOf<OceanNode>> ocean_methods() { return methods; }
+std::span<const MethodOf<OceanNode>> ocean_methods() { return ocean_method_list; }
 
 }  // namespace pelagic::godot

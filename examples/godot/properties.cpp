@@ -15,7 +15,7 @@ namespace {
 double number(const Variant& value) { return call(core::variant_as_real, &value); }
 
 /// A numeric property whose values `accepts` checks.
-Property number_property(std::string name, VariantType type, std::string range, PropertyHint hint,
+OceanProperty number_property(std::string name, VariantType type, std::string range, PropertyHint hint,
                          std::function<double(const OceanSettings&)> get,
                          std::function<void(OceanSettings&, double)> set, std::function<bool(double)> accepts,
                          std::string accepted) {
@@ -40,7 +40,7 @@ bool is_whole(const NumericField<Options>& field) {
 
 /// A property of a numeric field of options, which the setting `member` holds.
 template <class Options>
-Property field_property(std::string name, Options OceanSettings::*member, const NumericField<Options>& field,
+OceanProperty field_property(std::string name, Options OceanSettings::*member, const NumericField<Options>& field,
                         std::string range, PropertyHint hint) {
     return number_property(
         std::move(name), is_whole(field) ? type_int : type_real, std::move(range), hint,
@@ -51,7 +51,7 @@ Property field_property(std::string name, Options OceanSettings::*member, const 
 }
 
 /// A property of a SeaState field, with the range in sea_state_fields().
-Property sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
+OceanProperty sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
     const auto fields = sea_state_fields();
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
@@ -60,7 +60,7 @@ Property sea_property(std::string_view name, std::string range, PropertyHint hin
 
 /// Appends a property for each field of a table. Its name is the prefix and the field's name.
 template <class Options>
-void add_fields(std::vector<Property>& all, const std::string& prefix, Options OceanSettings::*member,
+void add_fields(std::vector<OceanProperty>& all, const std::string& prefix, Options OceanSettings::*member,
                 std::span<const NumericField<Options>> fields) {
     // ratio of the limits from which the editor's slider is exponential
     constexpr double wide = 1000;
@@ -74,7 +74,7 @@ void add_fields(std::vector<Property>& all, const std::string& prefix, Options O
     }
 }
 
-Property ranged(std::string name, VariantType type, double min, double max, std::string range, std::string accepted,
+OceanProperty ranged(std::string name, VariantType type, double min, double max, std::string range, std::string accepted,
                 std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set) {
     return number_property(
         std::move(name), type, std::move(range), hint_range, std::move(get), std::move(set),
@@ -84,7 +84,7 @@ Property ranged(std::string name, VariantType type, double min, double max, std:
         std::move(accepted));
 }
 
-Property flag(std::string name, bool OceanSettings::*member) {
+OceanProperty flag(std::string name, bool OceanSettings::*member) {
     return {name,
             type_bool,
             hint_none,
@@ -99,7 +99,7 @@ Property flag(std::string name, bool OceanSettings::*member) {
 }
 
 /// A property with a list of names.
-Property choice(std::string name, std::string names, std::string OceanSettings::*member,
+OceanProperty choice(std::string name, std::string names, std::string OceanSettings::*member,
                 std::function<bool(std::string_view)> is_one) {
     return {name,
             type_string,
@@ -122,7 +122,7 @@ std::string preset_names() {
 }
 
 /// A property of the sea level or of the current, which may change in every frame.
-Property water_property(const NumericField<WaterFrame>& field) {
+OceanProperty water_property(const NumericField<WaterFrame>& field) {
     const std::string name(field.name), accepted(field.accepted);
     return {name,
             type_real,
@@ -140,7 +140,7 @@ Property water_property(const NumericField<WaterFrame>& field) {
 }
 
 /// The step of dynamic waves, by its name.
-Property step_property() {
+OceanProperty step_property() {
     static constexpr std::array<std::string_view, 2> names = {"spectral", "verlet"};
     return {"dynamic_waves_step",
             type_string,
@@ -161,7 +161,7 @@ Property step_property() {
             "spectral or verlet"};
 }
 
-Property shore_heights_property() {
+OceanProperty shore_heights_property() {
     return {"shore_heights_m",
             type_pool_real_array,
             hint_none,
@@ -181,14 +181,14 @@ Property shore_heights_property() {
             "a PoolRealArray"};
 }
 
-std::vector<Property> table() {
+std::vector<OceanProperty> ocean_property_table() {
     const auto direction = [](std::string name, double OceanSettings::*member) {
         return ranged(
             std::move(name), type_real, -360, 360, "-360,360,1", "[-360, 360]",
             [member](const OceanSettings& settings) { return settings.*member; },
             [member](OceanSettings& settings, double value) { settings.*member = value; });
     };
-    std::vector<Property> all = {
+    std::vector<OceanProperty> all = {
         choice("preset", preset_names(), &OceanSettings::preset,
                [](std::string_view name) { return name == no_preset || sea_preset_named(name); }),
         sea_property("wind_speed_mps", "0.1,60,0.1"),
@@ -237,8 +237,8 @@ std::vector<Property> table() {
 
 }  // namespace
 
-const std::vector<Property>& properties() {
-    static const std::vector<Property> all = table();
+const std::vector<OceanProperty>& properties() {
+    static const std::vector<OceanProperty> all = ocean_property_table();
     return all;
 }
 

@@ -8,9 +8,9 @@
 
 namespace pelagic::godot {
 
-using Property = PropertyOf<OceanNode>;
+using OceanProperty = PropertyOf<OceanNode>;
 
 /// Returns the properties in the order of the editor.
-const std::vector<Property>& properties();
+const std::vector<OceanProperty>& properties();
 
 }  // namespace pelagic::godot

@@ -13,7 +13,7 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float length = Boat::length_m, beam = Boat::beam_m, keel_m = -Boat::draught_m;
+constexpr float hull_length = Boat::length_m, beam = Boat::beam_m, keel_m = -Boat::draught_m;
 
 constexpr glm::vec3 antifouling(0.19f, 0.025f, 0.02f), white(0.72f, 0.71f, 0.67f), strake(0.02f, 0.09f, 0.16f),
     planks(0.33f, 0.20f, 0.10f), glass(0.02f, 0.035f, 0.045f), roof(0.46f, 0.10f, 0.03f), wood(0.24f, 0.13f, 0.06f);
@@ -41,12 +41,13 @@ glm::vec3 hull_at(float s, float v) {
     const float t = std::abs(v);
     const float rake = 0.5f * std::pow(s, 8.f) * t;  // the stem leans forward
     const float out = std::pow(std::sin(t * std::numbers::pi_v<float> / 2), 0.75f);
-    return {(s - 0.5f) * length + rake, keel + (sheer - keel) * std::pow(t, 1.7f), std::copysign(half * out, v)};
+    return {(s - 0.5f) * hull_length + rake, keel + (sheer - keel) * std::pow(t, 1.7f), std::copysign(half * out, v)};
 }
 
 glm::vec3 deck_at(float s, float v) {
     const auto [half, keel, sheer] = section_at(s);
-    return {(s - 0.5f) * length + 0.4f * std::pow(s, 8.f), sheer - 0.13f + 0.05f * (1 - v * v), v * half * 0.96f};
+    return {(s - 0.5f) * hull_length + 0.4f * std::pow(s, 8.f), sheer - 0.13f + 0.05f * (1 - v * v),
+            v * half * 0.96f};
 }
 
 glm::vec3 hull_paint(float height, float v) {

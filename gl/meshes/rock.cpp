@@ -11,8 +11,9 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr int around = 192, down = 96;
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
+
+constexpr int cells_around = 192, cells_down = 96;
 
 /// Returns a deterministic pseudo-random value in [-1, 1] for a corner of the grid.
 float value_at(glm::ivec3 corner) {
@@ -53,12 +54,12 @@ glm::vec3 on_rock(float u, float v) {
 
 std::vector<MeshVertex> rock_vertices() {
     std::vector<MeshVertex> all;
-    for (int j = 0; j <= down; ++j)
-        for (int i = 0; i <= around; ++i) {
-            const float u = 2 * pi * static_cast<float>(i) / around;
+    for (int j = 0; j <= cells_down; ++j)
+        for (int i = 0; i <= cells_around; ++i) {
+            const float u = 2 * pi_v<float> * static_cast<float>(i) / cells_around;
             // The azimuth is undefined at the poles.
-            const float v = std::clamp(pi * static_cast<float>(j) / down, 1e-3f, pi - 1e-3f);
-            const float step = 0.5f * pi / down;
+            const float v = std::clamp(pi_v<float> * static_cast<float>(j) / cells_down, 1e-3f, pi_v<float> - 1e-3f);
+            const float step = 0.5f * pi_v<float> / cells_down;
             const glm::vec3 along = on_rock(u + step, v) - on_rock(u - step, v),
                             below = on_rock(u, v + step) - on_rock(u, v - step);
             all.push_back({on_rock(u, v), glm::normalize(glm::cross(along, below)), {}});
@@ -68,11 +69,12 @@ std::vector<MeshVertex> rock_vertices() {
 
 std::vector<std::uint16_t> rock_indices() {
     std::vector<std::uint16_t> all;
-    for (int j = 0; j < down; ++j)
-        for (int i = 0; i < around; ++i) {
-            const int corner = j * (around + 1) + i;
+    for (int j = 0; j < cells_down; ++j)
+        for (int i = 0; i < cells_around; ++i) {
+            const int corner = j * (cells_around + 1) + i;
             for (const int index :
-                 {corner, corner + 1, corner + around + 1, corner + 1, corner + around + 2, corner + around + 1})
+                 {corner, corner + 1, corner + cells_around + 1, corner + 1, corner + cells_around + 2,
+                  corner + cells_around + 1})
                 all.push_back(static_cast<std::uint16_t>(index));
         }
     return all;

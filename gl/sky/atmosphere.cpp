@@ -10,7 +10,8 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
+
 constexpr int elevations = Atmosphere::lines, azimuths = 33;
 constexpr int view_samples = 40;
 
@@ -39,11 +40,11 @@ float haze_per_m(float visibility_m) { return std::max(2e-6f, 3.912f / visibilit
 
 float mie_phase(float cosine, float g) {
     const float g2 = g * g;
-    return 3 / (8 * pi) * (1 - g2) * (1 + cosine * cosine) /
+    return 3 / (8 * pi_v<float>) * (1 - g2) * (1 + cosine * cosine) /
            ((2 + g2) * std::pow(std::max(1e-4f, 1 + g2 - 2 * g * cosine), 1.5f));
 }
 
-float rayleigh_phase(float cosine) { return 3 / (16 * pi) * (1 + cosine * cosine); }
+float rayleigh_phase(float cosine) { return 3 / (16 * pi_v<float>) * (1 + cosine * cosine); }
 
 Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m) : Atmosphere(sun, visibility_m, FillLater{}) {
     for (int line = 0; line < lines; ++line) fill_line(line);
@@ -97,7 +98,7 @@ void Atmosphere::fill_line(int line) {
     const float root = static_cast<float>(line) / (elevations - 1);
     const float sine = root * root, across = std::sqrt(1 - sine * sine);
     for (int a = 0; a < azimuths; ++a) {
-        const float azimuth = pi * static_cast<float>(a) / (azimuths - 1);
+        const float azimuth = pi_v<float> * static_cast<float>(a) / (azimuths - 1);
         const float length = distance_to_height(0, sine, atmosphere_top_m);
         Scattered sum;
         glm::vec3 depth(0);
@@ -123,7 +124,7 @@ void Atmosphere::fill_line(int line) {
                 sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
             }
             const glm::vec3 scattering = rayleigh_per_m * air + haze_per_m_ * mie_albedo * haze;
-            sum.multiple += glm::exp(-(depth + 0.5f * step_depth)) * scattering * (step / (4 * pi));
+            sum.multiple += glm::exp(-(depth + 0.5f * step_depth)) * scattering * (step / (4 * pi_v<float>));
             depth += step_depth;
         }
         table_[static_cast<std::size_t>(line * azimuths + a)] = sum;
@@ -141,7 +142,8 @@ void Atmosphere::finish() {
     for (int e = 0; e < elevations; ++e)
         for (int a = 0; a < azimuths; ++a) {
             const float root = static_cast<float>(e) / (elevations - 1), sine = root * root;
-            const float azimuth = pi * static_cast<float>(a) / (azimuths - 1), across = std::sqrt(1 - sine * sine);
+            const float azimuth = pi_v<float> * static_cast<float>(a) / (azimuths - 1);
+            const float across = std::sqrt(1 - sine * sine);
             const glm::vec3 direction(across * std::cos(azimuth), sine, across * std::sin(azimuth));
             const Scattered& here = table_[static_cast<std::size_t>(e * azimuths + a)];
             const float to_sun = sun_.y * sine + std::sqrt(1 - sun_.y * sun_.y) * direction.x;
@@ -151,7 +153,7 @@ void Atmosphere::finish() {
             weights += weight;
         }
     // Integrates over the upper hemisphere only, because the sea reflects little light upwards.
-    const glm::vec3 light = first * (2 * pi / weights), ratio = second * (2 * pi / weights);
+    const glm::vec3 light = first * (2 * pi_v<float> / weights), ratio = second * (2 * pi_v<float> / weights);
     for (Scattered& entry : table_) entry.multiple *= light / (1.f - glm::min(ratio, glm::vec3(0.9f)));
 }
 
@@ -159,7 +161,7 @@ glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
     const float sun_across = std::sqrt(std::max(1e-8f, 1 - sun_.y * sun_.y));
     const float across = std::sqrt(std::max(1e-8f, direction.x * direction.x + direction.z * direction.z));
     const float cosine = (direction.x * sun_.x + direction.z * sun_.z) / (across * sun_across);
-    const float azimuth = std::acos(glm::clamp(cosine, -1.f, 1.f)) / pi * (azimuths - 1);
+    const float azimuth = std::acos(glm::clamp(cosine, -1.f, 1.f)) / pi_v<float> * (azimuths - 1);
     const float elevation = std::sqrt(std::clamp(direction.y, 0.f, 1.f)) * (elevations - 1);
     const int e = std::min(static_cast<int>(elevation), elevations - 2);
     const int a = std::min(static_cast<int>(azimuth), azimuths - 2);

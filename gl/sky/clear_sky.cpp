@@ -11,14 +11,15 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
+
 /// Irradiance of the full moon above the atmosphere, relative to the sun's.
 constexpr float full_moon = 1.f / 400'000;
 /// Radiance of the night sky, 2e-4 cd/m^2, relative to the sun's irradiance; slightly blue, as
 /// starlight is.
 constexpr glm::vec3 night_radiance = glm::vec3(0.92f, 1.0f, 1.12f) * (2e-4f / sun_illuminance_lx);
 /// Lowest elevation of the sun in the model. There, only the glow at the horizon remains.
-constexpr float lowest_modelled_rad = -6.0f * pi / 180;
+constexpr float lowest_modelled_rad = -6.0f * pi_v<float> / 180;
 /// The amount of light is interpolated between modelled and published values in this range of
 /// elevations, degrees.
 constexpr float model_alone_deg = 2, published_alone_deg = -3;
@@ -27,9 +28,10 @@ constexpr float min_light = 1.f / 32;
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-glm::vec3 direction_at(float azimuth_rad, float elevation_rad) {
-    const float across = std::cos(elevation_rad);
-    return {across * std::cos(azimuth_rad), std::sin(elevation_rad), across * std::sin(azimuth_rad)};
+/// Returns the direction to the sun of the model.
+glm::vec3 modelled_sun(SkyOptions options) {
+    options.sun_elevation_rad = std::max(options.sun_elevation_rad, lowest_modelled_rad);
+    return sun_direction(options);
 }
 
 template <class Radiance>
@@ -38,10 +40,10 @@ glm::vec3 irradiance_of(const Radiance& radiance) {
     constexpr std::uint32_t samples = 256;
     for (std::uint32_t i = 0; i < samples; ++i) {
         const glm::vec2 u = hammersley(i, samples);
-        const float across = std::sqrt(u.x), angle = 2 * pi * u.y;
+        const float across = std::sqrt(u.x), angle = 2 * pi_v<float> * u.y;
         sum += radiance(glm::vec3(across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)));
     }
-    return sum * (pi / samples);
+    return sum * (pi_v<float> / samples);
 }
 
 }  // namespace
@@ -74,8 +76,7 @@ ClearSky::ClearSky(const SkyOptions& options) : ClearSky(options, Atmosphere::Fi
 
 ClearSky::ClearSky(const SkyOptions& options, Atmosphere::FillLater later)
     : sun_elevation_rad_(options.sun_elevation_rad),
-      sun_air_(direction_at(options.sun_azimuth_rad, std::max(options.sun_elevation_rad, lowest_modelled_rad)),
-               options.visibility_m, later),
+      sun_air_(modelled_sun(options), options.visibility_m, later),
       sun_is_up_(options.sun_elevation_rad > lowest_modelled_rad) {
     const glm::vec3 sun = sun_direction(options), moon = moon_direction(options);
     // A moon in daylight adds no visible light.

@@ -12,16 +12,17 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr auto half_pi = double{std::numbers::pi_v<float> / 2}, max = double{std::numeric_limits<float>::max()};
+constexpr auto half_pi = double{std::numbers::pi_v<float> / 2},
+               max_float = double{std::numeric_limits<float>::max()};
 
 using Field = NumericField<SkyOptions>;
 constexpr std::array fields = {
-    Field{"sun_azimuth_rad", &SkyOptions::sun_azimuth_rad, -max, max, "a finite number"},
+    Field{"sun_azimuth_rad", &SkyOptions::sun_azimuth_rad, -max_float, max_float, "a finite number"},
     Field{"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
     Field{"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
     Field{"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
     Field{"cloud_seed", &SkyOptions::cloud_seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
-    Field{"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -max, max, "a finite number"},
+    Field{"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -max_float, max_float, "a finite number"},
     Field{"moon_elevation_rad", &SkyOptions::moon_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
 };
 

@@ -23,7 +23,8 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
+
 constexpr float half_max = 65504;
 /// Exposed radiance of a white card in the open. The filmic curve shows it as 80 % white.
 constexpr float white_card = 1.35f;
@@ -180,16 +181,16 @@ struct SkyBaker::State {
                 }
         const glm::vec3 key = clear->key_light().irradiance;
         sky.sun_irradiance = key * clouds->visibility(sky.sun_direction);
-        sky.sky_irradiance = irradiance * (4 * pi / weights);
+        sky.sky_irradiance = irradiance * (4 * pi_v<float> / weights);
         // Rec. 709 luminance of a white card in the open, tilted halfway from horizontal towards
         // the sun. A horizontal card would underestimate the light of an evening.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
         // A cloud in front of the sun darkens this position, not the whole view.
         const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * key);
-        const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
+        const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi_v<float>;
         // An overcast sky is as bright as the card. The sky's luminance is added, so that the sky
         // is not overexposed.
-        const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
+        const glm::vec3 scene = card + 0.6f / pi_v<float> * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
         // Luminance of a middle-grey card, as a light meter measures it.
         const float grey = 0.18f * luminance * sky.luminance_of_unit();

@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mir
     constexpr std::uint32_t most_samples = 64;
     const std::uint32_t samples = level == 1 ? 24 : most_samples;
     const auto size = static_cast<float>(mirrors[0].side);
-    const float texel_angle = 4 * pi / (6 * size * size);
+    const float texel_angle = 4 * pi_v<float> / (6 * size * size);
     /// Facets of a GGX distribution, in coordinates along tangent, across, normal.
     struct Facet {
         float tangent, across, normal;
@@ -44,9 +44,9 @@ void filter_mirror_row(const std::vector<Cube>& averages, std::vector<Cube>& mir
     for (std::uint32_t i = 0; i < samples; ++i) {
         const glm::vec2 u = hammersley(i, samples);
         const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
-        const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
+        const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi_v<float> * u.y;
         const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
-        const float density = alpha * alpha / (pi * denominator * denominator) / 4;
+        const float density = alpha * alpha / (pi_v<float> * denominator * denominator) / 4;
         const float sample_angle = 1 / (static_cast<float>(samples) * density);
         const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
                                       static_cast<float>(averages.size() - 1));

@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Returns level 0 as floats.
 Cube finest_level(const Sky& sky) {

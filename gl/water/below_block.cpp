@@ -14,12 +14,12 @@ using std::numbers::pi;
 
 /// Deepest even floor that is visible from above. In Jerlov type IB (k = 0.034 1/m at the clearest
 /// wavelength) and in more turbid water exp(-2 k d) is then below 1e-4.
-constexpr double deepest_seen_m = 150;
+constexpr double deepest_seen_floor_m = 150;
 /// Period of the patterns on sand.
 constexpr double sand_tile_m = 64;
 /// Period, in sides of the caustics, of the noise that selects their copies. The noise changes by
 /// two or three copies a side. The value is far from every integer.
-constexpr double noise_sides = 7.317;
+constexpr double caustic_noise_sides = 7.317;
 
 /// Returns w of the near plane, which is its distance ahead of the eye. The projection determines
 /// which end of the depth range is near.
@@ -91,7 +91,7 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     block.floor_mesh = {cells.x, cells.y, in_sand_tile(viewer.x), in_sand_tile(viewer.y)};
     block.floor_look = {-sea.sea.depth_m, 0.1 + 0.35 * sea.statistics.significant_wave_height_m,
                         input.eyes.empty() ? 1e-3 : pixel_of(input.eyes[0]), floor.is_sand ? 1 : 0};
-    block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_m ? 1 : 0};
+    block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_floor_m ? 1 : 0};
 
     const glm::dvec2 in_water = sea.in_water(input.viewer_m);
     place_crests(block, sea, in_water);
@@ -103,10 +103,10 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
         block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,
                                grid.sine / grid.side_m};
         const auto in_noise = [&](double value) {
-            const double sides = value / (noise_sides * grid.side_m);
+            const double sides = value / (caustic_noise_sides * grid.side_m);
             return sides - std::floor(sides);
         };
-        block.caustic_copies = {in_noise(at.along), in_noise(at.across), 1 / noise_sides, 0};
+        block.caustic_copies = {in_noise(at.along), in_noise(at.across), 1 / caustic_noise_sides, 0};
     }
 }
 

@@ -17,16 +17,16 @@ namespace pelagic::gl {
 namespace {
 
 constexpr double water_index = 1.333;
-constexpr int side = Caustics::side;
+constexpr int caustics_side = Caustics::side;
 /// Number of samples of a cell's light along each axis. They are half a texel apart and still
 /// overlap when the cell is stretched by a factor of four.
 constexpr int subsamples = 2;
 // Light is counted in integers, so that the sum does not depend on the order in which threads add.
 // A sample of mean light is 256 x 32 x 32, so a texel overflows at 4096 times the mean.
-constexpr float unit = 256;
+constexpr float light_unit = 256;
 constexpr int weight_steps = 32;
 /// Maximum radius of the blur, texels.
-constexpr int max_radius = 10;
+constexpr int max_blur_radius = 10;
 
 /// Minimum y of the direction to the sun. For a lower sun, waves would shadow each other, but
 /// hardly any light enters the water then.
@@ -51,7 +51,8 @@ glm::vec3 refracted(glm::vec3 sun, glm::vec3 normal) {
 }
 
 std::size_t index_of(int i, int j) {
-    return static_cast<std::size_t>(j & (side - 1)) * side + static_cast<std::size_t>(i & (side - 1));
+    return static_cast<std::size_t>(j & (caustics_side - 1)) * caustics_side +
+           static_cast<std::size_t>(i & (caustics_side - 1));
 }
 
 /// Returns the cascade whose focal depth is nearest depth_m, measured by their ratio.
@@ -69,7 +70,7 @@ double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
     double variance = frame.statistics.unresolved_slopes.total();
     for (const Cascade* finer = &cascade + 1; finer < frame.cascades.data() + frame.cascades.size(); ++finer)
         variance += finer->slope_variance;
-    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.grid.side_m / side);
+    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.grid.side_m / caustics_side);
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
 //   caustics rows, columns   blur
 //   caustics mips            normalises and generates the mips
 struct CausticsBaker::State {
-    static constexpr std::size_t cells = std::size_t{side} * side;
+    static constexpr std::size_t cells = std::size_t{caustics_side} * caustics_side;
 
     explicit State(const std::shared_ptr<Executor>& executor) : counts(cells) {
         surface.resize(cells);
@@ -140,15 +141,15 @@ struct CausticsBaker::State {
             };
         };
         const StageId grid =
-            graph.add({"caustics surface", side, 16, {}, each_row([this](int j) { sample_row(j); })});
+            graph.add({"caustics surface", caustics_side, 16, {}, each_row([this](int j) { sample_row(j); })});
         const StageId rays =
-            graph.add({"caustics rays", side, 16, {grid}, each_row([this](int j) { refract_row(j); })});
+            graph.add({"caustics rays", caustics_side, 16, {grid}, each_row([this](int j) { refract_row(j); })});
         const StageId splat =
-            graph.add({"caustics splat", side, 16, {rays}, each_row([this](int j) { splat_row(j); })});
+            graph.add({"caustics splat", caustics_side, 16, {rays}, each_row([this](int j) { splat_row(j); })});
         const StageId rows =
-            graph.add({"caustics rows", side, 16, {splat}, each_row([this](int j) { blur_row(j); })});
+            graph.add({"caustics rows", caustics_side, 16, {splat}, each_row([this](int j) { blur_row(j); })});
         const StageId columns =
-            graph.add({"caustics columns", side, 16, {rows}, each_row([this](int j) { blur_columns(j); })});
+            graph.add({"caustics columns", caustics_side, 16, {rows}, each_row([this](int j) { blur_columns(j); })});
         graph.add({"caustics mips", 1, 1, {columns}, [this](auto, auto) { pack(); }});
         run = executor->prepare(graph);
     }
@@ -161,11 +162,11 @@ struct CausticsBaker::State {
         const glm::vec3 sun = as_high_as_needed(options.sun);
         const auto c = static_cast<float>(cascade.grid.cosine), s = static_cast<float>(cascade.grid.sine);
         sun_in_cascade = {c * sun.x + s * sun.z, sun.y, c * sun.z - s * sun.x};
-        const double sigma = std::min(blur_of(frame, chosen, options.depth_m), max_radius / 2.5);
+        const double sigma = std::min(blur_of(frame, chosen, options.depth_m), max_blur_radius / 2.5);
         float sum = 0;
-        for (int i = -max_radius; i <= max_radius; ++i) {
+        for (int i = -max_blur_radius; i <= max_blur_radius; ++i) {
             const double offset = i / std::max(sigma, 0.3);  // 0.3 texels: no visible blur
-            sum += kernel[static_cast<std::size_t>(i + max_radius)] =
+            sum += kernel[static_cast<std::size_t>(i + max_blur_radius)] =
                 static_cast<float>(std::exp(-0.5 * offset * offset));
         }
         for (float& weight : kernel) weight /= sum;
@@ -178,7 +179,7 @@ struct CausticsBaker::State {
     void sample_row(int j) {
         const int n = cascade.resolution();
         std::vector<float> rows[6];
-        const double z = static_cast<double>(j) * n / side;
+        const double z = static_cast<double>(j) * n / caustics_side;
         const int upper = static_cast<int>(z);
         const auto fraction_z = static_cast<float>(z - upper);
         const PlaneView* const planes[] = {&cascade.dx, &cascade.height, &cascade.dz};
@@ -188,8 +189,8 @@ struct CausticsBaker::State {
                 planes[plane]->copy_row((upper + static_cast<int>(k)) % n, rows[2 * plane + k].data());
             }
         const auto c = static_cast<float>(cascade.grid.cosine), s = static_cast<float>(cascade.grid.sine);
-        for (int i = 0; i < side; ++i) {
-            const double x = static_cast<double>(i) * n / side;
+        for (int i = 0; i < caustics_side; ++i) {
+            const double x = static_cast<double>(i) * n / caustics_side;
             const auto left = static_cast<std::size_t>(x), right = (left + 1) % static_cast<std::size_t>(n);
             const auto fraction_x = static_cast<float>(x - std::floor(x));
             const auto at = [&](std::size_t plane) {
@@ -206,10 +207,10 @@ struct CausticsBaker::State {
     /// light that enters each cell, which is proportional to its area projected along the sun's
     /// rays.
     void refract_row(int j) {
-        const auto step = static_cast<float>(cascade.grid.side_m / side);
+        const auto step = static_cast<float>(cascade.grid.side_m / caustics_side);
         const auto depth = static_cast<float>(making.options.depth_m);
         const glm::vec3 flat = refracted(sun_in_cascade, {0, 1, 0});
-        for (int i = 0; i < side; ++i) {
+        for (int i = 0; i < caustics_side; ++i) {
             const auto at = [&](int x, int z) { return surface[index_of(x, z)]; };
             const glm::vec3 along = glm::vec3(2 * step, 0, 0) + at(i + 1, j) - at(i - 1, j);
             const glm::vec3 across = glm::vec3(0, 0, 2 * step) + at(i, j + 1) - at(i, j - 1);
@@ -232,10 +233,10 @@ struct CausticsBaker::State {
     }
 
     void splat_row(int j) {
-        for (int i = 0; i < side; ++i) {
+        for (int i = 0; i < caustics_side; ++i) {
             const glm::vec3 a = target[index_of(i, j)], b = target[index_of(i + 1, j)];
             const glm::vec3 c = target[index_of(i, j + 1)], d = target[index_of(i + 1, j + 1)];
-            const auto light = static_cast<std::uint32_t>(std::lround(unit * a.z));
+            const auto light = static_cast<std::uint32_t>(std::lround(light_unit * a.z));
             for (int y = 0; y < subsamples; ++y)
                 for (int x = 0; x < subsamples; ++x) {
                     const float u = (static_cast<float>(x) + 0.5f) / subsamples,
@@ -266,20 +267,20 @@ struct CausticsBaker::State {
     }
 
     void blur_row(int j) {
-        for (int i = 0; i < side; ++i) {
+        for (int i = 0; i < caustics_side; ++i) {
             float sum = 0;
-            for (int k = -max_radius; k <= max_radius; ++k)
-                sum +=
-                    kernel[static_cast<std::size_t>(k + max_radius)] * static_cast<float>(counts[index_of(i + k, j)]);
+            for (int k = -max_blur_radius; k <= max_blur_radius; ++k)
+                sum += kernel[static_cast<std::size_t>(k + max_blur_radius)] *
+                       static_cast<float>(counts[index_of(i + k, j)]);
             plain[index_of(i, j)] = sum;
         }
     }
 
     void blur_columns(int j) {
-        for (int i = 0; i < side; ++i) {
+        for (int i = 0; i < caustics_side; ++i) {
             float sum = 0;
-            for (int k = -max_radius; k <= max_radius; ++k)
-                sum += kernel[static_cast<std::size_t>(k + max_radius)] * plain[index_of(i, j + k)];
+            for (int k = -max_blur_radius; k <= max_blur_radius; ++k)
+                sum += kernel[static_cast<std::size_t>(k + max_blur_radius)] * plain[index_of(i, j + k)];
             blurred[index_of(i, j)] = sum;
         }
     }
@@ -289,12 +290,13 @@ struct CausticsBaker::State {
     void pack() {
         std::uint64_t all = 0;
         for (const std::uint32_t count : counts) all += count;
-        const double mean = static_cast<double>(all) / (static_cast<double>(side) * side);
-        making.light = mean / (subsamples * subsamples * static_cast<double>(unit) * weight_steps * weight_steps);
+        const double mean = static_cast<double>(all) / (static_cast<double>(caustics_side) * caustics_side);
+        making.light =
+            mean / (subsamples * subsamples * static_cast<double>(light_unit) * weight_steps * weight_steps);
         making.halves.clear();
         std::vector<float> level(blurred.size());
         for (std::size_t i = 0; i < level.size(); ++i) level[i] = static_cast<float>(blurred[i] / mean);
-        for (int width = side;; width /= 2) {
+        for (int width = caustics_side;; width /= 2) {
             for (const float value : level) making.halves.push_back(glm::packHalf1x16(value));
             if (width == 1) break;
             const int half = width / 2;
@@ -311,7 +313,7 @@ struct CausticsBaker::State {
     Caustics making, made;
     Cascade cascade;
     glm::vec3 sun_in_cascade{0, 1, 0};
-    std::array<float, 2 * max_radius + 1> kernel{};
+    std::array<float, 2 * max_blur_radius + 1> kernel{};
     std::vector<glm::vec3> surface;  ///< displacement along, up, across
     /// xy: texels from the corner to the point where its ray meets the plane; z: light of the cell.
     std::vector<glm::vec3> target;

@@ -15,8 +15,9 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr int n = DetailImage::side;
-constexpr float two_pi = 2 * std::numbers::pi_v<float>;
+using std::numbers::pi_v;
+
+constexpr int detail_side = DetailImage::side;
 
 void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     std::vector<glm::vec2> slopes(texels.size(), glm::vec2(0));
@@ -31,11 +32,12 @@ void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
         const float kx = std::round(k * std::cos(angle)), kz = std::round(k * std::sin(angle));
         const float phase = uniform(engine), length = std::max(1.f, std::hypot(kx, kz));
         const glm::vec2 along = glm::vec2(kx, kz) / length * std::pow(length / 3, -0.2f);
-        for (int z = 0; z < n; ++z)
-            for (int x = 0; x < n; ++x)
-                slopes[static_cast<std::size_t>(z * n + x)] +=
+        for (int z = 0; z < detail_side; ++z)
+            for (int x = 0; x < detail_side; ++x)
+                slopes[static_cast<std::size_t>(z * detail_side + x)] +=
                     along *
-                    std::cos(two_pi * ((kx * static_cast<float>(x) + kz * static_cast<float>(z)) / n + phase));
+                    std::cos(2 * pi_v<float> *
+                             ((kx * static_cast<float>(x) + kz * static_cast<float>(z)) / detail_side + phase));
     }
     double square = 0;
     for (const glm::vec2& slope : slopes) square += 0.5 * glm::dot(slope, slope);
@@ -83,22 +85,22 @@ void add_lace(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     const std::array counts = {6, 13, 29, 61};
     const std::array weights = {0.34f, 0.30f, 0.22f, 0.14f};
     std::vector<float> values(texels.size());
-    for (int z = 0; z < n; ++z)
-        for (int x = 0; x < n; ++x) {
+    for (int z = 0; z < detail_side; ++z)
+        for (int x = 0; x < detail_side; ++x) {
             float lace = 0, bend_x = 0, bend_z = 0;
             for (std::size_t layer = 0; layer < layers.size(); ++layer) {
                 // Each layer is distorted by the previous one, which turns polygons into threads.
-                const float scale = static_cast<float>(counts[layer]) / n;
+                const float scale = static_cast<float>(counts[layer]) / detail_side;
                 const float cells = static_cast<float>(counts[layer]);
-                const float u = std::fmod((static_cast<float>(x) + bend_x + n) * scale, cells);
-                const float v = std::fmod((static_cast<float>(z) + bend_z + n) * scale, cells);
+                const float u = std::fmod((static_cast<float>(x) + bend_x + detail_side) * scale, cells);
+                const float v = std::fmod((static_cast<float>(z) + bend_z + detail_side) * scale, cells);
                 const glm::vec2 d = layers[layer].nearest(u, v);
                 const float thread = 1 - std::min(1.f, (d.y - d.x) * 2.2f);
                 lace += weights[layer] * (0.65f * thread + 0.35f * (1 - std::min(1.f, d.x)));
                 bend_x = (d.x - 0.5f) * 9.f / static_cast<float>(layer + 1);
                 bend_z = (d.y - 0.8f) * 9.f / static_cast<float>(layer + 1);
             }
-            values[static_cast<std::size_t>(z * n + x)] = lace;
+            values[static_cast<std::size_t>(z * detail_side + x)] = lace;
         }
     // Ranks replace the values, so that exactly the fraction 1 - a of the plane exceeds a threshold
     // a.
@@ -108,8 +110,6 @@ void add_lace(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     for (std::size_t rank = 0; rank < order.size(); ++rank)
         texels[order[rank]].z = static_cast<float>(rank) / static_cast<float>(order.size() - 1);
 }
-
-std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 
 }  // namespace
 
@@ -121,13 +121,13 @@ const std::uint8_t* DetailImage::level(int level) const {
 
 DetailImage make_detail_image() {
     std::minstd_rand engine(7);
-    std::vector<glm::vec4> texels(std::size_t{n} * n);
+    std::vector<glm::vec4> texels(std::size_t{detail_side} * detail_side);
     add_ripples(texels, engine);
     add_lace(texels, engine);
 
     DetailImage image;
     double all = 0;
-    for (int level = 0, size = n; level < DetailImage::levels; ++level, size /= 2) {
+    for (int level = 0, size = detail_side; level < DetailImage::levels; ++level, size /= 2) {
         double square = 0;
         for (const glm::vec4& texel : texels) square += texel.x * texel.x + texel.y * texel.y;
         square /= static_cast<double>(texels.size());

@@ -13,12 +13,12 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr int n = FoamImage::side;
+constexpr int foam_side = FoamImage::side;
 
 /// Texels of a layer: the value to rank, two signed numbers, a number in [0, 1].
 using Texels = std::vector<glm::vec4>;
 
-std::size_t at(int x, int y, int side = n) {
+std::size_t at(int x, int y, int side = foam_side) {
     return static_cast<std::size_t>(y & (side - 1)) * static_cast<std::size_t>(side) +
            static_cast<std::size_t>(x & (side - 1));
 }
@@ -109,8 +109,8 @@ class Streaks {
 /// before clamping.
 void add_slopes(Texels& texels) {
     double square = 0;
-    for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) {
+    for (int y = 0; y < foam_side; ++y)
+        for (int x = 0; x < foam_side; ++x) {
             glm::vec4& texel = texels[at(x, y)];
             texel.y = texels[at(x + 1, y)].x - texels[at(x - 1, y)].x;
             texel.z = texels[at(x, y + 1)].x - texels[at(x, y - 1)].x;
@@ -143,7 +143,6 @@ Texels halved(const Texels& texels, int side) {
     return coarser;
 }
 
-std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 std::uint8_t signed_byte_of(float value) {
     return static_cast<std::uint8_t>(128 + std::lround(std::clamp(value, -1.f, 1.f) * 127));
 }
@@ -162,13 +161,17 @@ std::size_t start_of(int level, int layer) {
 class FoamBake {
    public:
     FoamBake() {
-        for (Texels& layer : layers_) layer.resize(std::size_t{n} * n);
+        for (Texels& layer : layers_) layer.resize(std::size_t{foam_side} * foam_side);
         image_.texels.resize(start_of(FoamImage::levels, 0));
-        const StageId rows = graph_.add(
-            {"foam rows", std::size_t{FoamImage::layers} * n, 16, {}, [this](std::size_t begin, std::size_t end) {
-                 for (std::size_t row = begin; row < end; ++row)
-                     fill_row(static_cast<int>(row) / n, static_cast<int>(row) % n);
-             }});
+        const StageId rows = graph_.add({"foam rows",
+                                         std::size_t{FoamImage::layers} * foam_side,
+                                         16,
+                                         {},
+                                         [this](std::size_t begin, std::size_t end) {
+                                             for (std::size_t row = begin; row < end; ++row)
+                                                 fill_row(static_cast<int>(row) / foam_side,
+                                                          static_cast<int>(row) % foam_side);
+                                         }});
         graph_.add({"foam levels", FoamImage::layers, 1, {rows}, [this](std::size_t begin, std::size_t end) {
                         for (std::size_t layer = begin; layer < end; ++layer) make_levels(static_cast<int>(layer));
                     }});
@@ -183,8 +186,8 @@ class FoamBake {
 
    private:
     void fill_row(int layer, int y) {
-        for (int x = 0; x < n; ++x) {
-            const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(n);
+        for (int x = 0; x < foam_side; ++x) {
+            const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(foam_side);
             layers_[static_cast<std::size_t>(layer)][at(x, y)] = layer == FoamImage::bubbles ? bubbles_.texel(place)
                                                                  : layer == FoamImage::lace  ? lace_.texel(place)
                                                                                              : streaks_.texel(place);
@@ -210,7 +213,7 @@ class FoamBake {
                 *to++ = signed_byte_of(texel.z);
                 *to++ = byte_of(texel.w);
             }
-            texels = halved(texels, n >> level);
+            texels = halved(texels, foam_side >> level);
         }
     }
 

@@ -15,7 +15,7 @@ namespace {
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
-Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei layers, int levels) {
+Texture make_texture_array(const Functions& gl, GLenum format, int side, GLsizei layers, int levels) {
     Texture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
     gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, layers);
@@ -61,11 +61,12 @@ FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t ca
     const GlStateGuard keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
-        set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
-        set.slopes = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
-        set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
-        set.snapshots = make_texture(gl, GL_RGBA8, resolution,
-                                     static_cast<GLsizei>(SnapshotFoam::images * foam_cascades()), levels);
+        set.displacement =
+            make_texture_array(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
+        set.slopes = make_texture_array(gl, GL_RGBA8, resolution, layers(), levels);
+        set.moments = make_texture_array(gl, GL_RGBA8, resolution, layers(), levels);
+        set.snapshots = make_texture_array(gl, GL_RGBA8, resolution,
+                                           static_cast<GLsizei>(SnapshotFoam::images * foam_cascades()), levels);
     }
 }
 

@@ -16,7 +16,8 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 /// Angular radius of the sun: 16 minutes of arc.
 constexpr float sun_radius_rad = 0.00465f;
 
@@ -26,8 +27,6 @@ constexpr float detail_fraction = 0.75f;
 /// Period of the ripples in texels of the finest cascade. The longest ripples, a third of the
 /// period, are as long as the shortest waves of the cascade.
 constexpr double detail_texels = 6;
-/// Golden ratio. Sizes of layers are related by its powers, so that they have no common period.
-constexpr double golden = 1.6180339887;
 /// Period, in ripple periods, of the noise that offsets the texture coordinates of ripples.
 /// scene.glsl has this number too.
 constexpr double ripple_noise_tiles = 13;
@@ -37,12 +36,10 @@ constexpr double layer_turns_rad[2] = {0.21, -0.47};
 constexpr double softened_horizon_rad = 0.15 * pi / 180;
 /// Period, in sides of a cascade, of the noise that varies the copies of the cascade. The value is
 /// far from every integer.
-constexpr double noise_sides = 12 * golden;
+constexpr double cascade_noise_sides = 12 * golden;
 
 /// Illuminance of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
 constexpr float star_illuminance_lx = 2.54e-6f;
-
-double fraction(double value) { return value - std::floor(value); }
 
 /// Returns the coordinates of a point in a rotated periodic square, [0, 1).
 glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
@@ -60,8 +57,9 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
         const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
         block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
                                   cascade.grid.cosine / side, cascade.grid.sine / side};
-        const double noise_m = noise_sides * side;
-        block.cascade_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
+        const double noise_m = cascade_noise_sides * side;
+        block.cascade_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m),
+                                  1 / cascade_noise_sides, 0};
         // Texels of the last mip are as long as the longest waves.
         const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
         block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};

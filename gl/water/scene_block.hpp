@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -22,6 +23,12 @@ namespace pelagic::gl {
 
 /// Maximum number of cascades that the shaders support.
 inline constexpr std::size_t max_cascades = 4;
+
+/// Golden ratio. Sizes and angles that it relates have no common period.
+inline constexpr double golden = 1.6180339887;
+
+/// Returns the fractional part, [0, 1).
+inline double fraction(double value) { return value - std::floor(value); }
 
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};

@@ -91,7 +91,7 @@ float sample_weight_of_spray(const SceneBlock& block) {
     return 1 / (1 + std::min(block.output_kind.z * luminance, 1023.f));
 }
 
-const RendererOptions& checked(const RendererOptions& options) {
+const RendererOptions& checked_renderer_options(const RendererOptions& options) {
     if (options.cascades < 1 || options.cascades > max_cascades)
         throw std::invalid_argument("RendererOptions::cascades is " + std::to_string(options.cascades) +
                                     ", expected 1 to " + std::to_string(max_cascades));
@@ -103,7 +103,7 @@ const RendererOptions& checked(const RendererOptions& options) {
 struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions),
-          options(checked(wanted)),
+          options(checked_renderer_options(wanted)),
           textures(functions, wanted.resolution, wanted.cascades),
           dynamic_waves(functions),
           shore(functions) {

@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t water_bytes = 4 * sizeof(std::uint16_t), reach_bytes = sizeof(std::uint16_t),
                       weight_bytes = sizeof(std::uint32_t);
 
-const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
-
 /// Fills height, slopes and foam. Slopes are central differences. The height is 0 on the edges of
 /// the rectangle and beyond.
 void fill_water(std::uint16_t* to, const ShoreSurface& shore) {
@@ -91,7 +89,8 @@ void ShoreTextures::upload(const ShoreSurface& shore) {
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
     const auto send = [&](GLuint texture, GLenum format, GLenum type, std::size_t from) {
         gl_.BindTexture(GL_TEXTURE_2D, texture);
-        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, columns_, rows_, format, type, texels_at(address + from));
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, columns_, rows_, format, type,
+                          reinterpret_cast<const void*>(address + from));
     };
     if (has_new_weights) send(weights(), GL_RGBA, GL_UNSIGNED_BYTE, 0);
     send(reach(), GL_RED, GL_HALF_FLOAT, reach_at);

@@ -13,10 +13,7 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double golden = 1.6180339887;
-
-double fraction(double value) { return value - std::floor(value); }
+using std::numbers::pi;
 
 /// Returns the number of cycles in a loop of waves with the wavelength, rounded so that the loop
 /// closes.
@@ -44,7 +41,7 @@ struct Octaves {
 constexpr double noise_slope_square = 0.7796;
 constexpr int period_cells = 64;
 
-Octaves octaves_of(Surface surface, double wind_mps) {
+Octaves octaves_of_surface(Surface surface, double wind_mps) {
     const double square = mean_square_slope(wind_mps);
     if (surface == Surface::coast)
         return {
@@ -55,7 +52,7 @@ Octaves octaves_of(Surface surface, double wind_mps) {
 
 void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
-    const Octaves kind = octaves_of(facts.surface, sea.wind_speed_mps);
+    const Octaves kind = octaves_of_surface(facts.surface, sea.wind_speed_mps);
     const double contraction = 1 / kind.crest_length;
     double squares = 0;
     for (std::size_t i = 0; i < block.bump_grid.size(); ++i)

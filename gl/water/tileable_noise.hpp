@@ -3,6 +3,8 @@
 // because standard distributions differ between libraries.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <random>
 #include <vector>
@@ -11,6 +13,11 @@ namespace pelagic::gl {
 
 /// Returns a uniform number in [0, 1).
 float uniform(std::minstd_rand& engine);
+
+/// Returns a number of [0, 1] as a byte. Others are clamped.
+inline std::uint8_t byte_of(float value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f);
+}
 
 /// Cellular noise: cells^2 adjacent bubbles of different sizes, one in each square of a grid. On
 /// the wall between two bubbles the distances to both centres, each less the bubble's radius, are

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* no_waves =
     "has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()";
 
-DynamicWavesOptions read_options(py::handle object) {
+DynamicWavesOptions read_dynamic_waves_options(py::handle object) {
     DynamicWavesOptions options;
     options.step = named_in<DynamicWavesStep>(object, "step");
     read_fields(object, dynamic_waves_fields(), options);
@@ -69,7 +69,7 @@ struct WavesHandle {
     }
 };
 
-WavesHandle waves_of(const std::shared_ptr<SharedOcean>& ocean) {
+WavesHandle dynamic_waves_of(const std::shared_ptr<SharedOcean>& ocean) {
     ocean->need_open();
     if (!ocean->has_dynamic_waves()) throw std::invalid_argument(std::string("the ocean ") + no_waves);
     return {ocean};
@@ -82,13 +82,13 @@ std::uint32_t add_source(const WavesHandle& handle, py::handle source) {
     return number;
 }
 
-py::bytes save_state(const WavesHandle& handle) {
+py::bytes save_dynamic_waves(const WavesHandle& handle) {
     std::vector<std::uint8_t> saved;
     handle.use_between_frames([&](DynamicWaves& waves) { saved = waves.save_state(); });
     return {reinterpret_cast<const char*>(saved.data()), saved.size()};
 }
 
-void restore_state(const WavesHandle& handle, py::handle saved) {
+void restore_dynamic_waves(const WavesHandle& handle, py::handle saved) {
     if (!py::isinstance<py::bytes>(saved))
         throw py::type_error(invalid_value_message("saved", std::string(py::str(saved.get_type().attr("__name__"))),
                                                    "bytes that save_state() returned"));
@@ -139,8 +139,8 @@ void add_waves(py::module_& module) {
             of.use([&](DynamicWaves& waves) { waves.set_rain(ours); });
         },
         py::arg("rain"), doc_of("DynamicWaves.set_rain"));
-    type.def("save_state", &save_state, doc_of("DynamicWaves.save_state"));
-    type.def("restore_state", &restore_state, py::arg("saved"), doc_of("DynamicWaves.restore_state"));
+    type.def("save_state", &save_dynamic_waves, doc_of("DynamicWaves.save_state"));
+    type.def("restore_state", &restore_dynamic_waves, py::arg("saved"), doc_of("DynamicWaves.restore_state"));
 }
 
 /// The dynamic waves of a frame.
@@ -186,11 +186,11 @@ void add_view(py::module_& module) {
 std::optional<DynamicWavesOptions> dynamic_waves_options_of(py::handle options) {
     if (options.is_none()) return {};
     require_class(options, "dynamic_waves", "DynamicWavesOptions");
-    return read_options(options);
+    return read_dynamic_waves_options(options);
 }
 
 void add_dynamic_waves(py::module_& module, FrameClass& frame, OceanClass& ocean) {
-    module.def("check_dynamic_waves_options", [](py::handle object) { read_options(object); });
+    module.def("check_dynamic_waves_options", [](py::handle object) { read_dynamic_waves_options(object); });
     module.def("check_disturbance", [](py::handle object) { read_disturbance(object); });
     module.def("check_rain", [](py::handle object) { read_rain(object); });
     module.def("dynamic_waves_fields", [] { return described(dynamic_waves_fields()); });
@@ -199,7 +199,7 @@ void add_dynamic_waves(py::module_& module, FrameClass& frame, OceanClass& ocean
     add_waves(module);
     add_view(module);
     add(frame, "dynamic_waves", &waves_of_frame);
-    add(ocean, "dynamic_waves", &waves_of);
+    add(ocean, "dynamic_waves", &dynamic_waves_of);
 }
 
 }  // namespace pelagic::python

@@ -98,7 +98,7 @@ py::object snapshots_of(const CascadeHandle& handle) {
     return py::tuple(images);
 }
 
-std::vector<CascadeHandle> cascades_of(const std::shared_ptr<FrameHandle>& frame) {
+std::vector<CascadeHandle> cascade_handles_of(const std::shared_ptr<FrameHandle>& frame) {
     const auto reader = frame->read();
     std::vector<CascadeHandle> cascades;
     for (std::size_t i = 0; i < frame->frame.cascades.size(); ++i) cascades.push_back({frame, i});
@@ -122,7 +122,7 @@ std::uint64_t checked_foam_hash(const FrameHandle& handle) {
     return foam_hash_of(handle.frame);
 }
 
-std::string text_of(const FrameBounds& bounds) {
+std::string bounds_text(const FrameBounds& bounds) {
     return "Bounds(height_min_m=" + number_text(bounds.height_min_m) +
            ", height_max_m=" + number_text(bounds.height_max_m) +
            ", horizontal_x_max_m=" + number_text(bounds.horizontal_x_max_m) +
@@ -163,7 +163,7 @@ void add_bounds(py::module_& module) {
     add(bounds, "height_max_m", [](const FrameBounds& of) { return of.height_max_m; });
     add(bounds, "horizontal_x_max_m", [](const FrameBounds& of) { return of.horizontal_x_max_m; });
     add(bounds, "horizontal_z_max_m", [](const FrameBounds& of) { return of.horizontal_z_max_m; });
-    bounds.def("__repr__", &text_of);
+    bounds.def("__repr__", &bounds_text);
 }
 
 void add_cascade(py::module_& module) {
@@ -191,13 +191,11 @@ void add_cascade(py::module_& module) {
     add(cascade, "bounds", of_cascade(+[](const Cascade& of) { return of.bounds; }));
 }
 
-using FramePointer = std::shared_ptr<FrameHandle>;
-
 FrameClass add_frame(py::module_& module) {
     FrameClass frame(module, "Frame", doc_of("Frame"));
     add(frame, "displacement", [](const FramePointer& of) { return halves_of(first_cascade(of)); });
     add(frame, "height", [](const FramePointer& of) { return plane_of(first_cascade(of), &Cascade::height, ""); });
-    add(frame, "cascades", &cascades_of);
+    add(frame, "cascades", &cascade_handles_of);
     add(frame, "time_s", [](const FrameHandle& of) { return of.frame.time_s; });
     add(frame, "bounds", [](const FrameHandle& of) { return of.frame.bounds; });
     add(frame, "sea", [](const FrameHandle& of) { return python_sea_of(of.frame.sea); });

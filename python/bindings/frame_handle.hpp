@@ -20,8 +20,10 @@ struct FrameHandle {
     std::unique_ptr<SharedOcean::Reader> read() const { return std::make_unique<SharedOcean::Reader>(ocean, number); }
 };
 
+using FramePointer = std::shared_ptr<FrameHandle>;
+
 struct CascadeHandle {
-    std::shared_ptr<FrameHandle> of;
+    FramePointer of;
     std::size_t index;
 
     /// \pre a Reader or a View exists

@@ -20,15 +20,7 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using HullPointer = std::shared_ptr<Hull>;  // pybind11 holds no pointer to const
-
-Doubles doubles_of(py::handle given, const std::string& name) {
-    Doubles array = Doubles::ensure(given);
-    if (array) return array;
-    PyErr_Clear();
-    throw std::invalid_argument(name + " can't be made an array of numbers");
-}
 
 glm::dvec3 vector_of(py::handle given, const std::string& name) {
     const Doubles array = doubles_of(given, name);
@@ -315,13 +307,13 @@ void step(const BodiesHandle& of, py::handle frame, py::handle step_s) {
     of.use([&](FloatingBodies& bodies) { bodies.step(SurfaceQuery(in->frame), seconds); });
 }
 
-py::bytes save_state(const BodiesHandle& of) {
+py::bytes save_bodies(const BodiesHandle& of) {
     std::vector<std::uint8_t> saved;
     of.use([&](FloatingBodies& bodies) { saved = bodies.save_state(); });
     return {reinterpret_cast<const char*>(saved.data()), saved.size()};
 }
 
-void restore_state(const BodiesHandle& of, py::handle saved) {
+void restore_bodies(const BodiesHandle& of, py::handle saved) {
     if (!py::isinstance<py::bytes>(saved))
         throw py::type_error(invalid_value_message("saved", std::string(py::str(saved.get_type().attr("__name__"))),
                                                    "bytes that save_state() returned"));
@@ -366,8 +358,8 @@ void add_bodies(py::module_& module) {
     type.def("loads", &loads_of, py::arg("number"), doc_of("Bodies.loads"));
     type.def("press", &press, py::arg("frame"), py::arg("tick_s"), doc_of("Bodies.press"));
     type.def("step", &step, py::arg("frame"), py::arg("step_s"), doc_of("Bodies.step"));
-    type.def("save_state", &save_state, doc_of("Bodies.save_state"));
-    type.def("restore_state", &restore_state, py::arg("saved"), doc_of("Bodies.restore_state"));
+    type.def("save_state", &save_bodies, doc_of("Bodies.save_state"));
+    type.def("restore_state", &restore_bodies, py::arg("saved"), doc_of("Bodies.restore_state"));
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-using FramePointer = std::shared_ptr<FrameHandle>;
 using OceanPointer = std::shared_ptr<SharedOcean>;
 
 FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {

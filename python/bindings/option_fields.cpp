@@ -27,6 +27,13 @@ double number_of(py::handle value, const std::string& name, bool is_whole, std::
     return number;
 }
 
+Doubles doubles_of(py::handle given, const std::string& name) {
+    Doubles array = Doubles::ensure(given);
+    if (array) return array;
+    PyErr_Clear();
+    throw std::invalid_argument(name + " can't be made an array of numbers");
+}
+
 std::size_t name_in(py::handle object, const char* field, std::span<const std::string_view> names) {
     const py::object value = object.attr(field);
     if (!py::isinstance<py::str>(value))

@@ -1,6 +1,7 @@
 // Reads options from the attributes of a Python object, by the C++ tables of their fields.
 #pragma once
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <span>
@@ -17,6 +18,12 @@ namespace pelagic::python {
 /// Converts any Python or NumPy number except bool. Throws TypeError for any other type, and
 /// std::invalid_argument for an integer beyond the range of double.
 double number_of(pybind11::handle value, const std::string& name, bool is_whole, std::string_view accepted);
+
+using Doubles = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// Converts what NumPy makes an array of numbers, of any shape. Throws std::invalid_argument for
+/// anything else.
+Doubles doubles_of(pybind11::handle given, const std::string& name);
 
 /// Returns the index in `names` of the attribute `field`. Throws TypeError unless it is a str, and
 /// std::invalid_argument if it is none of them.

@@ -17,6 +17,7 @@
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/python/bindings/option_fields.hpp"
 #include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -26,8 +27,6 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 Shape shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
 
 Shape with(Shape shape, py::ssize_t last) {
@@ -35,24 +34,17 @@ Shape with(Shape shape, py::ssize_t last) {
     return shape;
 }
 
-std::string text_of(const Shape& shape) {
+std::string shape_text(const Shape& shape) {
     std::string text = "(";
     for (std::size_t i = 0; i < shape.size(); ++i) text += (i == 0 ? "" : ", ") + number_text(shape[i]);
     return text + (shape.size() == 1 ? ",)" : ")");
-}
-
-Doubles doubles_of(py::handle given, const char* name) {
-    Doubles array = Doubles::ensure(given);
-    if (array) return array;
-    PyErr_Clear();
-    throw std::invalid_argument(std::string(name) + " can't be made an array of numbers");
 }
 
 /// Like doubles_of(), with `numbers` numbers in each element.
 Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const char* meaning) {
     Doubles array = doubles_of(given, name);
     if (array.ndim() == 0 || array.shape(array.ndim() - 1) != numbers)
-        throw std::invalid_argument(invalid_value_message(std::string(name) + ".shape", text_of(shape_of(array)),
+        throw std::invalid_argument(invalid_value_message(std::string(name) + ".shape", shape_text(shape_of(array)),
                                                           "(..., " + number_text(numbers) + "): " + meaning));
     return array;
 }
@@ -276,7 +268,7 @@ py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::han
     const Doubles moments = doubles_of(times, "times");
     if (moments.ndim() != 1)
         throw std::invalid_argument(
-            invalid_value_message("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
+            invalid_value_message("times.shape", shape_text(shape_of(moments)), "(n,): seconds"));
     const std::vector<double> times_s(moments.data(), moments.data() + moments.size());
     for (const double time_s : times_s)
         if (!std::isfinite(time_s))

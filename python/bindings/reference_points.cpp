@@ -13,6 +13,7 @@
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/python/bindings/option_fields.hpp"
 #include "pelagic/sim/query/foam_sampler.hpp"
 
 namespace py = pybind11;
@@ -20,11 +21,10 @@ namespace py = pybind11;
 namespace pelagic::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Planes = PlaneView Cascade::*[3];
 
-constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
-constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
+constexpr Planes displacement_planes = {&Cascade::dx, &Cascade::height, &Cascade::dz};
+constexpr Planes velocity_planes = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 
 /// A cascade that is sampled at many points.
 class ReferenceCascade {
@@ -86,8 +86,8 @@ void sample_cascades(const std::vector<ReferenceCascade>& cascades, const FoamSa
     double sum[3] = {}, speed[3] = {};
     for (const ReferenceCascade& cascade : cascades) {
         const ReferenceCascade::Cell cell = cascade.cell_at(x_m, z_m);
-        cascade.add(displacements, cell, sum);
-        if (out.velocity) cascade.add(velocities, cell, speed);
+        cascade.add(displacement_planes, cell, sum);
+        if (out.velocity) cascade.add(velocity_planes, cell, speed);
     }
     for (const double part : sum) *out.displacement++ = static_cast<float>(part);
     if (out.velocity)
@@ -104,9 +104,9 @@ void sample_all(const Frame& frame, const std::vector<ReferenceCascade>& cascade
     for (std::size_t t = 0; t < cascades.size(); ++t) {
         const ReferenceCascade::Cell cell = cascades[t].cell_at(x_m, z_m);
         double one[3] = {};
-        cascades[t].add(displacements, cell, one);
+        cascades[t].add(displacement_planes, cell, one);
         of_cascades[t] = {one[0], one[1], one[2]};
-        if (out.velocity) cascades[t].add(velocities, cell, speeds[t].data());
+        if (out.velocity) cascades[t].add(velocity_planes, cell, speeds[t].data());
     }
     const DrawnWater drawn = drawn_water(frame, x_m, z_m, {of_cascades.data(), cascades.size()});
     const Displacement& d = drawn.displacement;

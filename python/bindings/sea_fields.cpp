@@ -43,8 +43,6 @@ py::dict report(py::handle sea) {
     return out;
 }
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 py::array_t<double> densities(py::handle sea, const Doubles& at, const char* name,
                               std::vector<double> (*model)(const SeaState&, std::span<const double>)) {
     const std::span<const double> places(at.data(), static_cast<std::size_t>(at.size()));

@@ -22,7 +22,7 @@ using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 /// Returns true for fields that follow from the shape of heights_m.
 bool is_shape(const NumericField<ShoreOptions>& field) { return field.name == "columns" || field.name == "rows"; }
 
-ShoreOptions read_options(py::handle object) {
+ShoreOptions read_shore_options(py::handle object) {
     ShoreOptions options;
     for (const NumericField<ShoreOptions>& field : shore_fields())
         if (!is_shape(field)) field.set(options, number_in(object, field));
@@ -75,12 +75,12 @@ ShoreHandle shore_of(const std::shared_ptr<FrameHandle>& frame) {
 std::optional<ShoreOptions> shore_options_of(py::handle options) {
     if (options.is_none()) return {};
     require_class(options, "shore", "ShoreOptions");
-    return read_options(options);
+    return read_shore_options(options);
 }
 
 void add_shore(py::module_& module, FrameClass& frame) {
     using Handle = ShoreHandle;
-    module.def("check_shore_options", [](py::handle object) { read_options(object); });
+    module.def("check_shore_options", [](py::handle object) { read_shore_options(object); });
     module.def("shore_fields", &described_fields);
     py::class_<Handle> shore(module, "ShoreSurface", doc_of("ShoreSurface"));
     add(shore, "columns", [](const Handle& of) { return of.shore().columns; });

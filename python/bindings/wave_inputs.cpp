@@ -53,7 +53,7 @@ py::iterable iterable_of(py::handle object, const char* argument, const char* ac
     return py::reinterpret_borrow<py::iterable>(object);
 }
 
-AnalyticSea waves_of(py::handle waves, py::handle choppiness) {
+AnalyticSea read_analytic_sea(py::handle waves, py::handle choppiness) {
     AnalyticSea sea;
     for (const py::handle wave : iterable_of(waves, "waves", "a list of pelagic.AnalyticWave")) {
         require_class(wave, ("waves[" + number_text(sea.waves.size()) + "]").c_str(), "AnalyticWave");
@@ -113,11 +113,12 @@ void add_inputs(py::module_& module) {
     py::class_<GerstnerHandle, InputHandle, std::shared_ptr<GerstnerHandle>> waves(module, "GerstnerInput",
                                                                                    doc_of("GerstnerInput"));
     waves.def(py::init([](py::handle list, py::handle choppiness) {
-                  return std::make_shared<GerstnerHandle>(waves_of(list, choppiness));
+                  return std::make_shared<GerstnerHandle>(read_analytic_sea(list, choppiness));
               }),
               py::arg("waves") = py::tuple(), py::arg("choppiness") = 1.0, doc_of("GerstnerInput.__init__"));
     waves.def(
-        "set", [](GerstnerHandle& of, py::handle list, py::handle choppiness) { of.set(waves_of(list, choppiness)); },
+        "set",
+        [](GerstnerHandle& of, py::handle list, py::handle choppiness) { of.set(read_analytic_sea(list, choppiness)); },
         py::arg("waves"), py::arg("choppiness") = 1.0, doc_of("GerstnerInput.set"));
 
     py::class_<RippleHandle, InputHandle, std::shared_ptr<RippleHandle>> rings(module, "RippleInput",

@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-int floor_of(double x) {
+int int_floor_of(double x) {
     const int cut = static_cast<int>(x);
     return cut > x ? cut - 1 : cut;
 }
@@ -50,8 +50,8 @@ void FoldMap::mark(const Cascade& cascade) {
                 min_x = std::min(min_x, drawn_x), max_x = std::max(max_x, drawn_x);
                 min_z = std::min(min_z, drawn_z), max_z = std::max(max_z, drawn_z);
             }
-            mark_squares(floor_of(min_x - margin), floor_of(max_x + margin), floor_of(min_z - margin),
-                         floor_of(max_z + margin));
+            mark_squares(int_floor_of(min_x - margin), int_floor_of(max_x + margin), int_floor_of(min_z - margin),
+                         int_floor_of(max_z + margin));
         }
     }
 }

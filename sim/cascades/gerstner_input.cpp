@@ -17,23 +17,20 @@
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
-namespace {
-
-/// A wave on the grid of a cascade.
-struct Held {
-    std::size_t cascade;
-    GridIndex at;
-    std::uint32_t harmonic;
-    PlaneWave wave;
-    double direction_x, direction_z;
-};
-
-}  // namespace
 
 // A wave's angle at texel (i, j) is the sum of a = m i / N turns and of the angle b at the row's
 // first texel. The cosines and sines of a are a table of each wave. Those of b come from a table of
 // N fractions of a turn, so no sine is computed per texel.
 struct GerstnerInput::State {
+    /// A wave on the grid of a cascade.
+    struct Held {
+        std::size_t cascade;
+        GridIndex at;
+        std::uint32_t harmonic;
+        PlaneWave wave;
+        double direction_x, direction_z;
+    };
+
     explicit State(AnalyticSea waves) : pending(std::move(waves)) {}
 
     void resize_tables(std::size_t resolution) {
@@ -147,14 +144,14 @@ void GerstnerInput::set(const AnalyticSea& waves) {
 
 PlaneWaves GerstnerInput::held() const {
     PlaneWaves waves{.waves = {}, .choppiness = state_->choppiness};
-    for (const Held& held : state_->held) waves.waves.push_back(held.wave);
+    for (const State::Held& held : state_->held) waves.waves.push_back(held.wave);
     return waves;
 }
 
 void GerstnerInput::begin(const InputMoment& moment) {
     if (moment.place == 0) state_->hold(moment);
     for (std::size_t i = 0; i < state_->held.size(); ++i) {
-        const Held& held = state_->held[i];
+        const State::Held& held = state_->held[i];
         state_->starts[moment.place][i] =
             det::sine_cosine_of_turns(input_turns(held.wave.phase_turns, held.harmonic, moment.loop_turns));
     }
@@ -162,12 +159,13 @@ void GerstnerInput::begin(const InputMoment& moment) {
 
 bool GerstnerInput::adds_to(std::size_t cascade) const {
     const auto& held = state_->held;
-    return std::any_of(held.begin(), held.end(), [cascade](const Held& wave) { return wave.cascade == cascade; });
+    return std::any_of(held.begin(), held.end(),
+                       [cascade](const State::Held& wave) { return wave.cascade == cascade; });
 }
 
 double GerstnerInput::largest_slope(std::size_t cascade) const {
     double sum = 0;
-    for (const Held& held : state_->held)
+    for (const State::Held& held : state_->held)
         if (held.cascade == cascade) sum += two_pi * held.wave.turns_per_m() * held.wave.amplitude_m;
     return sum;
 }
@@ -179,7 +177,7 @@ void GerstnerInput::add(const InputRows& rows) const {
     for (std::size_t row = 0; row < rows.row_count; ++row) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < state_->held.size(); ++i) {
-            const Held& held = state_->held[i];
+            const State::Held& held = state_->held[i];
             if (held.cascade != rows.cascade) continue;
             waves[count] = state_->row_of(i, rows.moment.place, rows.first_row + row);
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);

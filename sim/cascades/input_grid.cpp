@@ -11,13 +11,13 @@ namespace pelagic {
 namespace {
 
 /// Texels in a wave at the end of a cascade's band, in a stack and in a single cascade.
-constexpr double texels_a_wave = 3, texels_of_one_cascade = 2;
+constexpr double texels_of_stack = 3, texels_of_one_cascade = 2;
 
 }  // namespace
 
 std::optional<std::size_t> input_cascade_of(double turns_per_m, const InputMoment& moment) {
     const auto& grids = moment.grids;
-    const double texels = grids.size() == 1 ? texels_of_one_cascade : texels_a_wave;
+    const double texels = grids.size() == 1 ? texels_of_one_cascade : texels_of_stack;
     for (std::size_t cascade = 0; cascade < grids.size(); ++cascade) {
         const double shortest = moment.resolution / (texels * grids[cascade].side_m);
         const bool is_last = cascade + 1 == grids.size();

@@ -17,7 +17,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array ripple_field_table = {
     NumericField<Ripple>{"x_m", &Ripple::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<Ripple>{"z_m", &Ripple::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<Ripple>{"wavelength_m", &Ripple::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
@@ -28,10 +28,10 @@ constexpr std::array fields = {
 
 }  // namespace
 
-std::span<const NumericField<Ripple>> ripple_fields() { return fields; }
+std::span<const NumericField<Ripple>> ripple_fields() { return ripple_field_table; }
 
 std::string check(const Ripple& ripple) {
-    if (std::string reason = check_fields(ripple, fields); !reason.empty()) return reason;
+    if (std::string reason = check_fields(ripple, ripple_field_table); !reason.empty()) return reason;
     if (two_pi * ripple.amplitude_m > ripple.wavelength_m)
         return invalid_value_message(
             "amplitude_m", ripple.amplitude_m,

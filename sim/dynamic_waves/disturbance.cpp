@@ -11,7 +11,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array disturbance_field_table = {
     NumericField<Disturbance>{"x_m", &Disturbance::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<Disturbance>{"z_m", &Disturbance::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<Disturbance>{"radius_m", &Disturbance::radius_m, 0.001, 1000, "[0.001, 1000]"},
@@ -39,8 +39,8 @@ double shape_at(const Disturbance& of, double x_m, double z_m) {
     return inside > 0 ? of.height_m * std::sqrt(inside) : 0;
 }
 
-std::span<const NumericField<Disturbance>> disturbance_fields() { return fields; }
+std::span<const NumericField<Disturbance>> disturbance_fields() { return disturbance_field_table; }
 
-std::string check(const Disturbance& disturbance) { return check_fields(disturbance, fields); }
+std::string check(const Disturbance& disturbance) { return check_fields(disturbance, disturbance_field_table); }
 
 }  // namespace pelagic

@@ -28,7 +28,7 @@ namespace {
 constexpr double clock_slack = 0x1p-16;
 /// Beyond this, doubles cannot distinguish ticks.
 constexpr double farthest_tick = 0x1p50;
-constexpr double farthest_m = 1e8, fastest_mps = 1000;  // of Disturbance
+constexpr double fastest_mps = 1000;  // of Disturbance
 
 struct SavedClock {
     std::uint64_t options;  ///< their digest_of()
@@ -200,7 +200,7 @@ void DynamicWaves::remove_source(std::uint32_t number) {
 
 void DynamicWaves::set_center(double x_m, double z_m) {
     for (const double at : {x_m, z_m})
-        if (!(at >= -farthest_m && at <= farthest_m))
+        if (!(at >= -farthest_position_m && at <= farthest_position_m))
             throw std::invalid_argument(invalid_value_message("the centre", at, "[-1e8, 1e8]"));
     state_->commands.push_back({State::Command::Kind::set_center, 0, {.x_m = x_m, .z_m = z_m}});
 }
@@ -238,8 +238,8 @@ const DynamicWavesView& DynamicWaves::view() const { return *state_->shown; }
 template <class Source>
 void DynamicWaves::State::move_to_water(Source& source, double time_s) const {
     const WaterFrame::Origin origin = water_frame.origin_at(time_s);
-    source.x_m = std::clamp(source.x_m - origin.x_m, -farthest_m, farthest_m);
-    source.z_m = std::clamp(source.z_m - origin.z_m, -farthest_m, farthest_m);
+    source.x_m = std::clamp(source.x_m - origin.x_m, -farthest_position_m, farthest_position_m);
+    source.z_m = std::clamp(source.z_m - origin.z_m, -farthest_position_m, farthest_position_m);
     source.velocity_x_mps = std::clamp(source.velocity_x_mps - water_frame.current_x_mps, -fastest_mps, fastest_mps);
     source.velocity_z_mps = std::clamp(source.velocity_z_mps - water_frame.current_z_mps, -fastest_mps, fastest_mps);
 }

@@ -19,8 +19,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double farthest_m = 1e8;
-constexpr std::int64_t max_ticks = std::int64_t{1} << 50;
+constexpr std::int64_t max_grid_ticks = std::int64_t{1} << 50;
 /// Floats between blocks of lines, so that their distance is not a power of two.
 constexpr std::size_t block_margin = 112;
 /// Foam decays as fast as that of the cascades: 9 bytes in a tenth of a second.
@@ -37,7 +36,7 @@ double damping_at_edge(const DynamicWavesOptions& options) {
     return 12 * speed / options.border_m;
 }
 
-struct SavedHeader {
+struct SavedGridHeader {
     std::int64_t first_x, first_z, ticks;
 };
 
@@ -198,7 +197,7 @@ void DynamicWaveGrid::flatten_column(std::int64_t x) {
 }
 
 void DynamicWaveGrid::set_center(double x_m, double z_m) {
-    assert(std::fabs(x_m) <= farthest_m && std::fabs(z_m) <= farthest_m);
+    assert(std::fabs(x_m) <= farthest_position_m && std::fabs(z_m) <= farthest_position_m);
     const DefaultFloatEnvironment environment;
     const std::array<std::int64_t, 2> moved = placement_.first_around(x_m, z_m);
     if (moved == placement_.first()) return;
@@ -300,7 +299,7 @@ void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) co
 }
 
 std::vector<std::uint8_t> DynamicWaveGrid::saved() const {
-    const SavedHeader header = {first_x(), first_z(), ticks_};
+    const SavedGridHeader header = {first_x(), first_z(), ticks_};
     const std::size_t row_bytes = n() * sizeof(float);
     std::vector<std::uint8_t> bytes(sizeof header + saved_texel_bytes() + sources_.saved_bytes());
     std::uint8_t* to = bytes.data();
@@ -319,19 +318,19 @@ std::vector<std::uint8_t> DynamicWaveGrid::saved() const {
 }
 
 void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
-    SavedHeader header{};
+    SavedGridHeader header{};
     const std::size_t row_bytes = n() * sizeof(float);
     if (saved.size() < sizeof header + saved_texel_bytes())
         throw std::invalid_argument(
             invalid_value_message("the saved state", number_text(saved.size()) + " bytes",
                                   number_text(sizeof header + saved_texel_bytes()) + " and those of its sources"));
     std::memcpy(&header, saved.data(), sizeof header);
-    const double max_texels = farthest_m / texel_m() + options_.resolution;
+    const double max_texels = farthest_position_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= max_texels))
             throw std::invalid_argument(
                 invalid_value_message("the saved state's first texel", first, "one within [-1e8, 1e8] m"));
-    if (header.ticks < 0 || header.ticks > max_ticks)
+    if (header.ticks < 0 || header.ticks > max_grid_ticks)
         throw std::invalid_argument(invalid_value_message("the saved state's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
     for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {

@@ -10,6 +10,9 @@
 
 namespace pelagic {
 
+/// Largest coordinate of a Disturbance.
+inline constexpr double farthest_position_m = 1e8;
+
 class GridPlacement {
    public:
     GridPlacement(int resolution, double texel_m) : resolution_(resolution), texel_m_(texel_m) {}

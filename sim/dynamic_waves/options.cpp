@@ -12,7 +12,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array dynamic_waves_field_table = {
     NumericField<DynamicWavesOptions>{"resolution", &DynamicWavesOptions::resolution, 64, 1024,
                                       "64, 128, 256, 512 or 1024", Among::powers_of_two},
     NumericField<DynamicWavesOptions>{"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
@@ -53,7 +53,7 @@ class DynamicWaveTexels {
     std::size_t last_;
 };
 
-DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double fraction) {
+DynamicWavesSample sample_between(const DynamicWavesSample& a, const DynamicWavesSample& b, double fraction) {
     const auto mixed = [&](double DynamicWavesSample::*member) {
         return a.*member + fraction * (b.*member - a.*member);
     };
@@ -64,10 +64,10 @@ DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample
 
 }  // namespace
 
-std::span<const NumericField<DynamicWavesOptions>> dynamic_waves_fields() { return fields; }
+std::span<const NumericField<DynamicWavesOptions>> dynamic_waves_fields() { return dynamic_waves_field_table; }
 
 std::string check(const DynamicWavesOptions& options) {
-    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (std::string reason = check_fields(options, dynamic_waves_field_table); !reason.empty()) return reason;
     if (options.border_m > options.side_m / 4)
         return invalid_value_message("border_m", options.border_m,
                                      "at most a quarter of side_m, " + number_text(options.side_m / 4));
@@ -91,9 +91,9 @@ DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) 
     const auto x = view.first_x + static_cast<std::int64_t>(column),
                z = view.first_z + static_cast<std::int64_t>(row);
     const DynamicWaveTexels texels(view);
-    const DynamicWavesSample above = between(texels.at(x, z), texels.at(x + 1, z), u - column);
-    const DynamicWavesSample below = between(texels.at(x, z + 1), texels.at(x + 1, z + 1), u - column);
-    return between(above, below, v - row);
+    const DynamicWavesSample above = sample_between(texels.at(x, z), texels.at(x + 1, z), u - column);
+    const DynamicWavesSample below = sample_between(texels.at(x, z + 1), texels.at(x + 1, z + 1), u - column);
+    return sample_between(above, below, v - row);
 }
 
 std::uint64_t hash_of(const DynamicWavesView& view) {

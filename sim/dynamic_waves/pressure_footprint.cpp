@@ -10,7 +10,7 @@ namespace pelagic {
 namespace {
 
 using Footprint = PressureFootprint;
-constexpr NumericField<Footprint> fields[] = {
+constexpr NumericField<Footprint> footprint_field_table[] = {
     {"x_m", &Footprint::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
     {"z_m", &Footprint::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
     {"velocity_x_mps", &Footprint::velocity_x_mps, -1000, 1000, "[-1000, 1000]"},
@@ -40,7 +40,7 @@ double depth_at(const PressureFootprint& of, double x_m, double z_m) {
 }
 
 std::string check(const PressureFootprint& footprint) {
-    if (std::string reason = check_fields(footprint, fields); !reason.empty()) return reason;
+    if (std::string reason = check_fields(footprint, footprint_field_table); !reason.empty()) return reason;
     const double length = footprint.forward_x * footprint.forward_x + footprint.forward_z * footprint.forward_z;
     if (!(std::fabs(length - 1) <= 1e-6))
         return "forward_x, forward_z is not a unit vector, its square is " + number_text(length);

@@ -27,9 +27,8 @@ constexpr double max_at_a_texel = 16;
 /// Maximum number of drops of a cell and tick. Their mean is at most 16, and the probability of 100
 /// is below the resolution of a random number of 53 bits.
 constexpr int max_in_a_cell = 100;
-constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
-constexpr std::array fields = {
+constexpr std::array rain_field_table = {
     NumericField<Rain>{"drops_per_m2_s", &Rain::drops_per_m2_s, -DBL_MAX, DBL_MAX, "a finite number"},
     NumericField<Rain>{"radius_m", &Rain::radius_m, -DBL_MAX, DBL_MAX, "a finite number"},
     NumericField<Rain>{"height_m", &Rain::height_m, -DBL_MAX, DBL_MAX, "a finite number"},
@@ -40,11 +39,11 @@ double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.
 double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
     return std::max(rain.radius_m, texel_of(water));
 }
-std::int64_t reach_of(const Rain& rain, const DynamicWavesOptions& water) {
+std::int64_t reach_in_texels(const Rain& rain, const DynamicWavesOptions& water) {
     return static_cast<std::int64_t>(std::ceil(reach_radii * drawn_radius(rain, water) / texel_of(water)));
 }
 double max_drops(const Rain& rain, const DynamicWavesOptions& water) {
-    const double side_m = static_cast<double>(2 * reach_of(rain, water) + 2) * texel_of(water);
+    const double side_m = static_cast<double>(2 * reach_in_texels(rain, water) + 2) * texel_of(water);
     return max_at_a_texel * water.ticks_per_s / (side_m * side_m);
 }
 
@@ -58,7 +57,7 @@ std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end,
 
 }  // namespace
 
-std::span<const NumericField<Rain>> rain_fields() { return fields; }
+std::span<const NumericField<Rain>> rain_fields() { return rain_field_table; }
 
 std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // without rain the other values are unused
@@ -92,7 +91,7 @@ RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
     mean_ = rain.drops_per_m2_s * cell_m * cell_m / water.ticks_per_s;
     none_ = det::exp(-mean_);
     height_ = static_cast<float>(rain.height_m * narrower * narrower);
-    reach_ = reach_of(rain, water);
+    reach_ = reach_in_texels(rain, water);
     shapes_.resize(subtexels * width());
     for (std::size_t subtexel = 0; subtexel < subtexels; ++subtexel) {
         const auto middle =

@@ -19,7 +19,6 @@ namespace pelagic {
 namespace {
 
 constexpr double gauss_reach = 3;  ///< in radii
-constexpr double farthest_m = 1e8;
 
 /// Returns the range of texels of the grid within `reach_m` of a position along an axis, its end
 /// exclusive.
@@ -31,7 +30,7 @@ std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridP
     return {std::clamp(low, first, end), std::clamp(high, first, end)};
 }
 
-struct SavedHeader {
+struct SavedSourcesHeader {
     std::int64_t next_number, lasting, waiting, settled, footprints;
     double rain_drops, rain_radius, rain_height;
     std::int64_t rain_seed;
@@ -110,7 +109,7 @@ PressureFootprint footprint_of(const SavedFootprint& saved, SavedBytes& bytes) {
 }
 
 /// Throws unless a saved number follows the last one and its tick is a completed one.
-void check_saved(std::int64_t number, std::int64_t since, std::int64_t last, const SavedHeader& header,
+void check_saved(std::int64_t number, std::int64_t since, std::int64_t last, const SavedSourcesHeader& header,
                  std::int64_t ticks) {
     if (number <= last || number >= header.next_number)
         throw std::invalid_argument(
@@ -155,7 +154,7 @@ Disturbance disturbance_of(const SavedSource& saved) {
     return source;
 }
 
-RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& water) {
+RainDrops restored_rain(const SavedSourcesHeader& saved, const DynamicWavesOptions& water) {
     if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(invalid_value_message("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
     const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
@@ -264,7 +263,7 @@ void DynamicWaveSources::add_splash(const Disturbance& of, const GridPlacement& 
 void DynamicWaveSources::add_footprint_splash(const Footprint& footprint, const GridPlacement& placement) {
     const PressureFootprint& of = footprint.of;
     const double x_m = of.x_m + footprint.moved_x_m, z_m = of.z_m + footprint.moved_z_m;
-    if (!(std::fabs(x_m) <= farthest_m && std::fabs(z_m) <= farthest_m)) return;
+    if (!(std::fabs(x_m) <= farthest_position_m && std::fabs(z_m) <= farthest_position_m)) return;
     // the rectangle, and half a cell around it
     const double ahead = (of.length_m + of.length_m / of.columns) / 2, abeam = (of.beam_m + of.beam_m / of.rows) / 2;
     const double reach_x = std::fabs(of.forward_x) * ahead + std::fabs(of.forward_z) * abeam;
@@ -408,7 +407,7 @@ void DynamicWaveSources::end_tick() {
 }
 
 std::size_t DynamicWaveSources::saved_bytes() const {
-    std::size_t bytes = sizeof(SavedHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
+    std::size_t bytes = sizeof(SavedSourcesHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
     for (const Footprint& footprint : footprints_)
         bytes += sizeof(SavedFootprint) + saved_depth_bytes(footprint.of.columns, footprint.of.rows);
     return bytes;
@@ -417,7 +416,7 @@ std::size_t DynamicWaveSources::saved_bytes() const {
 void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
     assert(bytes.size() == saved_bytes());
     const Rain& rain = rain_.rain();
-    const SavedHeader header = {next_number_,
+    const SavedSourcesHeader header = {next_number_,
                                 static_cast<std::int64_t>(sources_.size()),
                                 static_cast<std::int64_t>(waiting_.size()),
                                 static_cast<std::int64_t>(settled_),
@@ -447,7 +446,7 @@ void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
 DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
                                                 const DynamicWavesOptions& water) {
     SavedBytes from(bytes);
-    const auto header = from.next<SavedHeader>();
+    const auto header = from.next<SavedSourcesHeader>();
     const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
     constexpr auto max_of_each = static_cast<std::int64_t>(max_count);
     if (!can_be(header.lasting, max_of_each) || !can_be(header.waiting, max_of_each) ||

@@ -9,7 +9,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::size_t rows_a_job = 16;
+constexpr std::size_t tick_rows_a_job = 16;
 constexpr std::size_t foam_stack_bytes = 40 * 1024 + stack_margin;
 
 }  // namespace
@@ -23,7 +23,7 @@ FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const Alloca
 
 StageId FoamHistory::add_tick_stage(JobGraph& graph, StageId surface_done) {
     return graph.add({.name = "tick foam",
-                      .count = static_cast<std::size_t>(slots_.resolution()) / rows_a_job,
+                      .count = static_cast<std::size_t>(slots_.resolution()) / tick_rows_a_job,
                       .waits_for = {surface_done},
                       .body = for_each_item([this](std::size_t job) { tick_rows(job); }),
                       .stack_bytes = foam_stack_bytes});
@@ -43,8 +43,8 @@ void FoamHistory::tick_rows(std::size_t job) {
                         .before = maps_[1 - newest_].data(),
                         .shift_x = shift_x_,
                         .shift_z = shift_z_,
-                        .first_row = job * rows_a_job,
-                        .rows = rows_a_job,
+                        .first_row = job * tick_rows_a_job,
+                        .rows = tick_rows_a_job,
                         .after = maps_[newest_].data()});
 }
 

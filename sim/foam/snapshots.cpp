@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::size_t rows_a_job = 16;
+constexpr std::size_t snapshot_rows_a_job = 16;
 // Two rows of floats and one of bytes at the largest resolution.
 constexpr std::size_t snapshot_stack_bytes = 3 * 4 * SnapshotJob::max_resolution + stack_margin;
 
@@ -80,7 +80,7 @@ FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels, const Al
 
 std::vector<StageId> FoamSnapshots::add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) {
     std::vector<StageId> read;
-    const std::size_t jobs = static_cast<std::size_t>(slots_.resolution()) / rows_a_job;
+    const std::size_t jobs = static_cast<std::size_t>(slots_.resolution()) / snapshot_rows_a_job;
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
         read.push_back(
             graph.add({.name = stage_name("tick compression", cascade),
@@ -139,8 +139,8 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
                           .far_over_near = static_cast<float>(far / near),
                           .factor = static_cast<float>(double{bytes.factor} * near / (from.grid.side_m / n)),
                           .offset = bytes.offset,
-                          .first_row = job * rows_a_job,
-                          .rows = rows_a_job,
+                          .first_row = job * snapshot_rows_a_job,
+                          .rows = snapshot_rows_a_job,
                           .out = cascades_[cascade].compression.data()});
 }
 
@@ -153,8 +153,8 @@ void FoamSnapshots::store_rows(std::size_t cascade, std::size_t job) {
                      .shift_z = to.shift_z,
                      .weights_x = {},
                      .weights_z = {},
-                     .first_row = job * rows_a_job,
-                     .rows = rows_a_job,
+                     .first_row = job * snapshot_rows_a_job,
+                     .rows = snapshot_rows_a_job,
                      .byte = static_cast<std::uint32_t>(to.slot % 4),
                      .before = to.before,
                      .after = to.image().chains[to.image().current].data()};

@@ -17,7 +17,7 @@ void copy_all(std::span<const T> from, std::span<T> to) {
     if (!to.empty()) std::memcpy(to.data(), from.data(), from.size_bytes());
 }
 
-std::string check_cascade(const FrameBuffers& buffers, int resolution, const FrameContents& contents) {
+std::string check_buffers(const FrameBuffers& buffers, int resolution, const FrameContents& contents) {
     const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
     const std::size_t chain = mip_offset(resolution, mip_levels(resolution));
     struct Field {
@@ -61,7 +61,7 @@ std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_co
     for (const FrameBuffers& buffers : cascades) {
         if (!buffers.foam_r8.empty() && cascade_count > 1)
             return "foam_r8 is requested, but only frames of one cascade have it";
-        if (std::string reason = check_cascade(buffers, resolution, contents); !reason.empty()) return reason;
+        if (std::string reason = check_buffers(buffers, resolution, contents); !reason.empty()) return reason;
     }
     return {};
 }

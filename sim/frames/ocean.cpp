@@ -21,12 +21,6 @@ namespace {
 // docs/performance.md.
 constexpr std::size_t max_texels_without_jobs = 64 * 64;
 
-template <class Options>
-const Options& checked(const Options& options) {
-    require(check(options));
-    return options;
-}
-
 /// Returns an empty string, or which option needs planes that are off.
 std::string check_planes(const OceanOptions& options) {
     if (options.planes) return {};

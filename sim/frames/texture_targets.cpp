@@ -32,7 +32,7 @@ std::string check_chain(std::string_view name, const TextureTargets::Chain& chai
     return {};
 }
 
-std::string check_cascade(const TextureTargets& targets, int resolution, const FrameContents& contents) {
+std::string check_targets(const TextureTargets& targets, int resolution, const FrameContents& contents) {
     if (!is_multiple_of(TextureTargets::alignment, targets.displacement_rgba16f))
         return "displacement_rgba16f is " + no_multiple_of(TextureTargets::alignment);
     struct Chain {
@@ -66,7 +66,7 @@ std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_
         return "there are targets of " + number_text(cascades.size()) + " cascades, expected " +
                number_text(cascade_count);
     for (const TextureTargets& targets : cascades)
-        if (std::string reason = check_cascade(targets, resolution, contents); !reason.empty()) return reason;
+        if (std::string reason = check_targets(targets, resolution, contents); !reason.empty()) return reason;
     return {};
 }
 

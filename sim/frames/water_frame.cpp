@@ -7,7 +7,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array water_frame_field_table = {
     NumericField<WaterFrame>{"sea_level_m", &WaterFrame::sea_level_m, -1000, 1000, "[-1000, 1000]"},
     NumericField<WaterFrame>{"current_x_mps", &WaterFrame::current_x_mps, -10, 10, "[-10, 10]"},
     NumericField<WaterFrame>{"current_z_mps", &WaterFrame::current_z_mps, -10, 10, "[-10, 10]"},
@@ -15,7 +15,7 @@ constexpr std::array fields = {
 
 }  // namespace
 
-std::span<const NumericField<WaterFrame>> water_frame_fields() { return fields; }
-std::string check(const WaterFrame& water) { return check_fields(water, fields); }
+std::span<const NumericField<WaterFrame>> water_frame_fields() { return water_frame_field_table; }
+std::string check(const WaterFrame& water) { return check_fields(water, water_frame_field_table); }
 
 }  // namespace pelagic

@@ -7,7 +7,7 @@ namespace pelagic {
 namespace {
 
 /// Lower bound of the slack, below which rounding of the contraction bounds matters.
-constexpr double min_slack = 1e-3;
+constexpr double min_bound_slack = 1e-3;
 
 /// Relative tolerance of a free distance.
 constexpr double near_enough = 1.0 / 32;
@@ -38,7 +38,7 @@ HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_wav
 double HeightChange::within(double distance_m) const {
     const double stretched_m = stretch_ * distance_m;
     double reference_m = stretched_m + bounds_[0].further_m;
-    for (std::size_t i = 1; i <= count_ && bounds_[i].slack >= min_slack; ++i)
+    for (std::size_t i = 1; i <= count_ && bounds_[i].slack >= min_bound_slack; ++i)
         reference_m = std::min(reference_m, (stretched_m + bounds_[i].further_m) / bounds_[i].slack);
     double change_m = dynamic_waves_range_m_ + highest_per_m_ * distance_m;
     for (std::size_t i = 0; i < count_; ++i)

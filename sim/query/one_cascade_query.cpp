@@ -18,8 +18,8 @@ namespace {
 
 // Bounds of the search's target, texels. Floats resolve positions some texels away to 1e-6. Above
 // the upper bound, a false reference point might be accepted outside the fold map's margin.
-constexpr double min_target = 4e-6, max_target = 1.0 / 64;
-static_assert(max_target < FoldMap::margin);
+constexpr double min_cascade_target = 4e-6, max_cascade_target = 1.0 / 64;
+static_assert(max_cascade_target < FoldMap::margin);
 
 // Upper bound of Newton's steps in a cubic cell, and the residual at which they stop, as a fraction
 // of the search's target.
@@ -28,7 +28,7 @@ constexpr double same_cubic = 1.0 / 64;
 
 // Tolerance at cell edges, texels, so that rounding does not exclude a point on an edge from both
 // cells.
-constexpr double edge = 1e-7;
+constexpr double edge_tolerance = 1e-7;
 
 struct Vector {
     double x, z;
@@ -52,7 +52,7 @@ void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
         const Vector along = c + u * d;
         const double v = -dot(a + u * b, along) / dot(along, along);
         // False for 0 / 0.
-        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };
+        const auto is_inside = [](double t) { return t >= -edge_tolerance && t <= 1 + edge_tolerance; };
         if (is_inside(u) && is_inside(v)) take(std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0));
     };
     take_if_inside(constant / larger);
@@ -75,7 +75,8 @@ OneCascadeQuery::OneCascadeQuery(const Frame& frame, const Kernels& kernels, con
       foam_(frame),
       interpolation_(options.interpolation),
       texel_m_(cascade_.texel_m()),
-      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, min_target, max_target))) {}
+      target_(static_cast<float>(
+          std::clamp(options.tolerance_m * query_aim / texel_m_, min_cascade_target, max_cascade_target))) {}
 
 void OneCascadeQuery::place(PointChunk& chunk) const {
     kernels_.split_positions({.x = chunk.x,
@@ -144,8 +145,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
                                                                     double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = cascade_.bounds.horizontal_x_max_m * texels_per_m + edge;
-    const double reach_z = cascade_.bounds.horizontal_z_max_m * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.horizontal_x_max_m * texels_per_m + edge_tolerance;
+    const double reach_z = cascade_.bounds.horizontal_z_max_m * texels_per_m + edge_tolerance;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 
@@ -169,8 +170,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
         for (int i = first_x; i <= last_x; ++i) {
             const Vector v10 = corner(i + 1, j), v11 = corner(i + 1, j + 1);
             const auto straddles = [](double a, double b, double c, double d) {
-                return std::min(std::min(a, b), std::min(c, d)) <= edge &&
-                       std::max(std::max(a, b), std::max(c, d)) >= -edge;
+                return std::min(std::min(a, b), std::min(c, d)) <= edge_tolerance &&
+                       std::max(std::max(a, b), std::max(c, d)) >= -edge_tolerance;
             };
             if (straddles(v00.x, v10.x, v01.x, v11.x) && straddles(v00.z, v10.z, v01.z, v11.z)) {
                 const Vector b = v10 - v00, c = v01 - v00, d = (v11 - v01) - b;
@@ -203,8 +204,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
                                                                           double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = cascade_.bounds.horizontal_x_max_m * max_cubic_value * texels_per_m + edge;
-    const double reach_z = cascade_.bounds.horizontal_z_max_m * max_cubic_value * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.horizontal_x_max_m * max_cubic_value * texels_per_m + edge_tolerance;
+    const double reach_z = cascade_.bounds.horizontal_z_max_m * max_cubic_value * texels_per_m + edge_tolerance;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
     const double enough = target_ * same_cubic;
@@ -231,7 +232,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
             if (!is_near(along_x) || !is_near(along_z)) return;
             evaluate();
         }
-        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };
+        const auto is_inside = [](double t) { return t >= -edge_tolerance && t <= 1 + edge_tolerance; };
         if (!(dot(off, off) <= target_ * target_) || !is_inside(along_x) || !is_inside(along_z)) return;
         const double height = cell.at(surface.height, along_x, along_z).value;
         if (highest.found && height <= highest.height) return;
@@ -248,7 +249,8 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int ce
             const CascadeCell cell(surface, cell_x + i, cell_z + j, Interpolation::cubic);
             const auto may_reach = [&](const float* plane, double from) {
                 const auto [min, max] = cell.range(plane);
-                return from + min * texels_per_m <= edge && from + 1 + max * texels_per_m >= -edge;
+                return from + min * texels_per_m <= edge_tolerance &&
+                       from + 1 + max * texels_per_m >= -edge_tolerance;
             };
             if (!may_reach(surface.dx, i - u) || !may_reach(surface.dz, j - v)) continue;
             for (const double along_x : {0.25, 0.75})

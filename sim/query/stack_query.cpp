@@ -14,8 +14,8 @@ namespace {
 
 // Bounds of the search's target: the lower one in units of 1 m plus the largest displacement, the
 // upper one in finest texels. Above it, a false reference point might be accepted.
-constexpr double min_target = 1e-6, max_target = 1.0 / 64;
-static_assert(max_target < ContractionMap::margin);
+constexpr double min_stack_target = 1e-6, max_stack_target = 1.0 / 64;
+static_assert(max_stack_target < ContractionMap::margin);
 
 // Upper bounds of the sums of the cascades' contraction bytes, rounded down: without and with the
 // last cascade.
@@ -36,8 +36,8 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
         search_cascades_[t] = SearchCascade(cascades_[t], interpolation_);
         reach_m_ += static_cast<double>(search_cascades_[t].contraction.largest_m);
     }
-    target_m_ =
-        std::clamp(options.tolerance_m * query_aim, min_target * (1 + reach_m_), max_target * finest_texel_m_);
+    target_m_ = std::clamp(options.tolerance_m * query_aim, min_stack_target * (1 + reach_m_),
+                           max_stack_target * finest_texel_m_);
 }
 
 void StackQuery::place(PointChunk& chunk) const {

@@ -14,7 +14,7 @@ namespace {
 constexpr double surroundings = 1.5;
 
 // Boxes with less slack are divided, because Newton's steps would be large.
-constexpr double min_slack = 0.02, min_cubic_slack = 0.3;
+constexpr double min_linear_slack = 0.02, min_cubic_slack = 0.3;
 
 // Box size in finest texels below which the search uses Newton's method without a proof, because no
 // proof exists at overturned intersections. Reference points that are closer together count as one.
@@ -264,7 +264,8 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
 
 void StackSearch::search_box(const StackPoint& point, const Box& box, Intersections& intersections) const {
     const double small = same_intersection / cascades_.back().texels_per_m;
-    const double enough = cascades_.front().interpolation == Interpolation::cubic ? min_cubic_slack : min_slack;
+    const double enough =
+        cascades_.front().interpolation == Interpolation::cubic ? min_cubic_slack : min_linear_slack;
     // Each level of the search adds at most three boxes to the stack.
     std::array<Box, 128> waiting;
     std::size_t count = 0;

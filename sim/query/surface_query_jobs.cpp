@@ -8,7 +8,7 @@ namespace {
 // A job takes tens of microseconds, as long as waking a thread. The number of jobs in a graph is
 // fixed, so a batch is divided into that many jobs, or fewer if it is small. Results do not depend
 // on the division, because points are independent.
-constexpr std::size_t jobs = 64, min_points_a_job = 512;
+constexpr std::size_t query_jobs = 64, min_points_a_job = 512;
 
 template <class T>
 std::span<T> piece(std::span<T> all, std::size_t begin, std::size_t count) {
@@ -48,7 +48,7 @@ struct SurfaceQueryJobs::State {
 SurfaceQueryJobs::SurfaceQueryJobs(std::shared_ptr<Executor> executor) : state_(new State) {
     state_->executor = std::move(executor);
     state_->graph.add(
-        {.name = "queries", .count = jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
+        {.name = "queries", .count = query_jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
              for (std::size_t job = begin; job < end; ++job) state->run(job);
          }});
     state_->graph_run = state_->executor->prepare(state_->graph);
@@ -63,7 +63,7 @@ void SurfaceQueryJobs::sample(const SurfaceQuery& query, const SurfacePoints& po
     state_->query = &query;
     state_->points = points;
     state_->samples = samples;
-    state_->points_a_job = std::max(min_points_a_job, (count + jobs - 1) / jobs);
+    state_->points_a_job = std::max(min_points_a_job, (count + query_jobs - 1) / query_jobs);
     state_->graph_run->schedule();
     state_->graph_run->complete();
 }

@@ -18,12 +18,12 @@
 namespace pelagic {
 namespace {
 
-constexpr double lowest_m = -11000, highest_m = 9000;
+constexpr double lowest_ground_m = -11000, highest_ground_m = 9000;
 
 /// Wavelength in texels at which 97 % of the height remains in the middle between four texels.
-constexpr double texels_a_wave = 8;
+constexpr double shore_texels_a_wave = 8;
 
-constexpr std::array fields = {
+constexpr std::array shore_field_table = {
     NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
     NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
     NumericField<ShoreOptions>{"corner_x_m", &ShoreOptions::corner_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
@@ -37,16 +37,16 @@ constexpr std::array fields = {
 
 }  // namespace
 
-std::span<const NumericField<ShoreOptions>> shore_fields() { return fields; }
+std::span<const NumericField<ShoreOptions>> shore_fields() { return shore_field_table; }
 
 std::string check(const ShoreOptions& options) {
-    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (std::string reason = check_fields(options, shore_field_table); !reason.empty()) return reason;
     const std::size_t samples = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
     if (options.heights_m.size() != samples)
         return invalid_value_message("heights_m' size", options.heights_m.size(),
                                      number_text(samples) + ", columns times rows");
     for (const float height : options.heights_m)
-        if (!(static_cast<double>(height) >= lowest_m && static_cast<double>(height) <= highest_m))
+        if (!(static_cast<double>(height) >= lowest_ground_m && static_cast<double>(height) <= highest_ground_m))
             return invalid_value_message("heights_m", height, "[-11000, 9000]");
     const double shorter_m = (std::min(options.columns, options.rows) - 1) * options.metres_a_sample;
     if (options.fade_m > shorter_m / 2)
@@ -73,11 +73,11 @@ std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
     if (waves.empty()) return {};
     const double texel_m = SeaBed(options).texel_m;
     const double shortest_m = two_pi / wave_number(waves.back().omega, sea.depth_m);
-    if (!(shortest_m < texels_a_wave * texel_m)) return {};
+    if (!(shortest_m < shore_texels_a_wave * texel_m)) return {};
     const auto metres = [](double m) { return number_text(std::floor(10 * m + 0.5) / 10) + " m"; };
     return "texels of " + metres(texel_m) + " are coarse for the shore's shortest long waves, " + metres(shortest_m) +
            ", which lose more than 3 % of their height between texels; texels of " +
-           metres(std::floor(10 * shortest_m / texels_a_wave) / 10) + " do not";
+           metres(std::floor(10 * shortest_m / shore_texels_a_wave) / 10) + " do not";
 }
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {

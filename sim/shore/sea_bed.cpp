@@ -8,9 +8,11 @@
 namespace pelagic {
 namespace {
 
-constexpr int whole = 16;  // columns and rows are multiples of it
+constexpr int size_multiple = 16;  // columns and rows are multiples of it
 
-int rounded_up(double texels) { return std::max(1, static_cast<int>(std::ceil(texels / whole))) * whole; }
+int rounded_up(double texels) {
+    return std::max(1, static_cast<int>(std::ceil(texels / size_multiple))) * size_multiple;
+}
 
 }  // namespace
 

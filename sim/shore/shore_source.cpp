@@ -20,7 +20,7 @@ constexpr std::size_t groups_an_item = 64;
 constexpr std::size_t max_shelter_waves = 8;
 
 // Intervals of a cascade's table of attenuation by depth, uniform in the square root of the depth.
-constexpr int depths = 256;
+constexpr int depth_intervals = 256;
 
 // Distance from the water to which waves run up on sand, with a height that falls with each texel.
 constexpr int swash_texels = 8;
@@ -30,7 +30,7 @@ constexpr int steep_swash_texels = 2;
 constexpr double max_ground_over_swash = 2;
 
 // Lower amplitudes are set to 0, so that no sum has denormal numbers, which are slow.
-constexpr double min_amplitude_m = 1e-9;
+constexpr double min_shore_amplitude_m = 1e-9;
 
 constexpr double min_envelope_m = 1e-6;
 
@@ -135,8 +135,8 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         bake_->fade[texel] = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
     std::vector<double> depths_m;
-    for (int i = 0; i <= depths; ++i) {
-        const double root = static_cast<double>(i) / depths;
+    for (int i = 0; i <= depth_intervals; ++i) {
+        const double root = static_cast<double>(i) / depth_intervals;
         depths_m.push_back(bake_->deepest_m * root * root);
     }
     for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
@@ -201,7 +201,7 @@ void ShoreSource::bake_wave(std::size_t number) {
     run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         const double amplitude_m = wave.amplitude_m * height[texel] * bake_->fade[texel];
-        if (!(amplitude_m > min_amplitude_m)) continue;
+        if (!(amplitude_m > min_shore_amplitude_m)) continue;
         const auto [sine, cosine] =
             det::sine_cosine_of_turns((phase[texel] + refraction.corner_phase()) / two_pi + wave.phase_turns);
         float* const at = amplitudes_.data() + place_of(texel, number);
@@ -302,8 +302,8 @@ void ShoreSource::bake_weights(std::size_t row) {
         const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
         bake_->weights[0][texel] = static_cast<float>(coarsest);
         double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
-        const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
-        const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
+        const double place = depth_intervals * std::sqrt(depth_m / bake_->deepest_m);
+        const auto cell = static_cast<std::size_t>(std::min(place, depth_intervals - 1.0));
         for (std::size_t cascade = 0; cascade < bake_->depth_attenuations.size(); ++cascade) {
             const std::vector<double>& table = bake_->depth_attenuations[cascade];
             const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);

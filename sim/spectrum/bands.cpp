@@ -22,7 +22,7 @@ constexpr double min_side_m = 1, max_side_m = 1e5;
 
 /// Smallest number of texels per wavelength, and distance of a cascade's longest waves from k = 0
 /// in grid steps. The distance ensures enough directions.
-constexpr double texels_a_wave = 3;
+constexpr double band_texels_a_wave = 3;
 constexpr double steps_a_band = 6;
 
 /// Smallest ratio of the sides of consecutive cascades.
@@ -91,10 +91,10 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
     const double coarsest_m = std::clamp(
         short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false), min_side_m, max_side_m);
 
-    const double widest = n / (texels_a_wave * steps_a_band);
+    const double widest = n / (band_texels_a_wave * steps_a_band);
     double ratio = widest;
     if (count > 1) {
-        const double finest_m = two_pi / reach.end_k * n / texels_a_wave;
+        const double finest_m = two_pi / reach.end_k * n / band_texels_a_wave;
         const double wanted = det::pow(std::max(1.0, coarsest_m / finest_m), 1.0 / (count - 1));
         ratio = std::clamp(wanted, min_ratio, widest);
     }
@@ -103,7 +103,7 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
     double side_m = coarsest_m, min_k = 0;
     for (int number = 0; number < count; ++number) {
         const det::SineCosine turn = det::sine_cosine_of_turns(rotation_a_cascade * number);
-        const double max_k = two_pi * n / (texels_a_wave * side_m);
+        const double max_k = two_pi * n / (band_texels_a_wave * side_m);
         cascades.push_back({.grid = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
                             .resolution = n,
                             .number = number,
@@ -135,7 +135,7 @@ double CascadePlan::foam_weight() const {
     constexpr double full_weight_m = 5.7;
     if (min_k >= two_pi || number > 2) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
-    const double shortest_m = texels_a_wave * grid.side_m / resolution;
+    const double shortest_m = band_texels_a_wave * grid.side_m / resolution;
     return std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m));
 }
 

@@ -65,12 +65,12 @@ std::string too_long(const std::string& place, const SeaState& sea, double large
         "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
-double between(double before, double after, double weight) {
+double number_between(double before, double after, double weight) {
     return before == after ? before : (1 - weight) * before + weight * after;
 }
 
 /// Returns the direction between two directions along the shorter arc, in [-2 pi, 2 pi].
-double turned(double before, double after, double weight) {
+double direction_between(double before, double after, double weight) {
     double turn = after - before;
     while (turn > pi) turn -= two_pi;
     while (turn <= -pi) turn += two_pi;
@@ -176,14 +176,14 @@ SeaState sea_between(const SeaState& before, const SeaState& after, double weigh
         if (const auto* number = std::get_if<double SeaState::*>(&field.member))
             // A special value (`also`, such as 0 for "chosen") cannot be interpolated.
             if (before.**number != field.also && after.**number != field.also)
-                sea.** number = between(before.**number, after.**number, weight);
-    sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, weight);
+                sea.** number = number_between(before.**number, after.**number, weight);
+    sea.wind_direction_rad = direction_between(before.wind_direction_rad, after.wind_direction_rad, weight);
     if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);
 
     if (before.swell_height_m > 0 && after.swell_height_m > 0) {
         const auto energy = [](const SeaState& of) { return of.swell_height_m * of.swell_height_m; };
-        sea.swell_height_m = std::sqrt(between(energy(before), energy(after), weight));
-        sea.swell_direction_rad = turned(before.swell_direction_rad, after.swell_direction_rad, weight);
+        sea.swell_height_m = std::sqrt(number_between(energy(before), energy(after), weight));
+        sea.swell_direction_rad = direction_between(before.swell_direction_rad, after.swell_direction_rad, weight);
     } else {
         const bool comes = after.swell_height_m > 0;
         const SeaState& swell = comes ? after : before;

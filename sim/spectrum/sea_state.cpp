@@ -14,7 +14,7 @@ namespace {
 // a stack.
 constexpr int min_resolution_of_stacks = 32;
 
-constexpr std::array fields = {
+constexpr std::array sea_state_field_table = {
     SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Among::all, 0},
     SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048, or 0: chosen",
                   Among::powers_of_two, 0},
@@ -65,7 +65,7 @@ int resolution_of(const SeaState& sea) {
     return is_cascade_for_good(sea) ? 256 : 128;
 }
 
-std::span<const SeaStateField> sea_state_fields() { return fields; }
+std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table; }
 
 std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.waves) >= names_of<WaveModel>().size()) return "waves is no known model";
@@ -73,7 +73,7 @@ std::string check(const SeaState& sea) {
         return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
-    if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
+    if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
     const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0)

@@ -18,12 +18,6 @@ constexpr double jonswap_width_below_peak = 0.07;
 constexpr double jonswap_width_above_peak = 0.09;
 constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 
-// Wave numbers of the numerical integration, rad/m: from ten times the longest wind wave to a tenth
-// of a millimetre, 2 % apart.
-constexpr double min_k = 1e-5;
-constexpr double largest_k = 6e4;
-constexpr double k_ratio = 1.02;
-
 double fourth_power(double x) { return (x * x) * (x * x); }
 
 /// Returns the peak of S(omega) in deep water, rad/s: d/domega of omega^-5 exp(-b (g/(V omega))^4)
@@ -151,8 +145,8 @@ double WaveSpectrum::swell_density(double k) const {
 // Trapezoidal rule in log k. The spectrum is smooth, so the error is far below 1e-6.
 double WaveSpectrum::variance() const {
     double sum = 0;
-    const double step = det::log(k_ratio);
-    for (double k = min_k; k < largest_k; k *= k_ratio) sum += radial_density(k) * k * step;
+    const double step = det::log(scanned_k_ratio);
+    for (double k = min_scanned_k; k < max_scanned_k; k *= scanned_k_ratio) sum += radial_density(k) * k * step;
     return sum;
 }
 

@@ -29,6 +29,10 @@ inline constexpr double highest_over_depth = 0.6;
 /// Moskowitz 1964, 0.877 g / U19.5 = 0.855 g / U10, and Hs is 0.285 U10^2 / g.
 inline constexpr double full_development = 17000;
 
+/// Wave numbers of numerical integrations and searches, rad/m: from ten times the longest wind wave
+/// to a tenth of a millimetre, 2 % apart.
+inline constexpr double min_scanned_k = 1e-5, max_scanned_k = 6e4, scanned_k_ratio = 1.02;
+
 /// Returns the fetch that `jonswap` uses, metres: fetch_m, at most full_development U^2 / g.
 double effective_fetch_m(const SeaState& sea);
 

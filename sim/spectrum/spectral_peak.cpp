@@ -5,15 +5,6 @@
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
-namespace {
-
-// Wave numbers of the search, rad/m: from ten times the longest wind wave to a tenth of a
-// millimetre, 2 % apart.
-constexpr double shortest_k = 1e-5;
-constexpr double longest_k = 6e4;
-constexpr double k_ratio = 1.02;
-
-}  // namespace
 
 double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
     if (spectrum.is_physical()) return spectrum.radial_density(k);
@@ -26,15 +17,15 @@ double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k
 // Finds the maximum on a coarse grid and refines it with halved steps.
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
     const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
-    double best = shortest_k, max = density(best);
+    double best = min_scanned_k, max = density(best);
     const auto try_out = [&](double k) {
         const double here = density(k);
         if (!(here > max)) return;
         best = k;
         max = here;
     };
-    for (double k = shortest_k; k < longest_k; k *= k_ratio) try_out(k);
-    for (double step = k_ratio - 1; step > 1e-7; step *= 0.5)
+    for (double k = min_scanned_k; k < max_scanned_k; k *= scanned_k_ratio) try_out(k);
+    for (double step = scanned_k_ratio - 1; step > 1e-7; step *= 0.5)
         for (const double k : {best * (1 - step), best * (1 + step)}) try_out(k);
     return {best, angular_frequency(best, sea.depth_m)};
 }

@@ -8,8 +8,6 @@
 namespace pelagic {
 namespace {
 
-constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
-
 std::uint64_t state_of(std::uint32_t seed, int cascade, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
     const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(cascade)} << 32 | seed;

@@ -77,7 +77,7 @@ class Random {
     /// Returns a number in [0, 1).
     double next() {
         state_ += golden_gamma;
-        return static_cast<double>(split_mix(state_) >> 11) * (1.0 / 9007199254740992.0);
+        return static_cast<double>(split_mix(state_) >> 11) * two_to_minus_53;
     }
     /// Returns a number in (-1, 1), with the density of a sum of two.
     double spread() {
@@ -104,47 +104,49 @@ std::uint64_t key_of(std::uint64_t key, std::int64_t number) {
     return split_mix(key + static_cast<std::uint64_t>(number) + golden_gamma);
 }
 
-struct Stored {
+}  // namespace
+
+struct StoredDroplet {
     Flight flight;
     double launch_s;
     float lifetime_s, radius_m, growth_mps, opacity;
 };
 
 /// Droplets in the order of their launches, of which a new one replaces the oldest.
-class Ring {
+class DropletRing {
    public:
-    explicit Ring(const Allocator& memory) : droplets_(Spray::max_droplets, memory) {}
+    explicit DropletRing(const Allocator& memory) : droplets_(Spray::max_droplets, memory) {}
     void clear() { count_ = 0; }
-    void add(const Stored& droplet) {
+    void add(const StoredDroplet& droplet) {
         droplets_[next_] = droplet;
         next_ = (next_ + 1) % droplets_.size();
         count_ = std::min(count_ + 1, droplets_.size());
     }
     std::size_t count() const { return count_; }
     /// Returns a droplet; 0 is the newest.
-    const Stored& newest(std::size_t i) const {
+    const StoredDroplet& newest(std::size_t i) const {
         return droplets_[(next_ + droplets_.size() - 1 - i) % droplets_.size()];
     }
     std::size_t bytes() const { return droplets_.bytes(); }
 
    private:
-    AlignedBuffer<Stored> droplets_;
+    AlignedBuffer<StoredDroplet> droplets_;
     std::size_t next_ = 0, count_ = 0;
 };
 
 /// A cell in which water breaks.
-struct Candidate {
+struct SprayCandidate {
     double x_m, z_m;  ///< reference position
     double droplets;  ///< mean number
     std::uint64_t key;
 };
 
 /// Wind near the water.
-struct Wind {
+struct SprayWind {
     double speed_mps = 0;  ///< at 10 m
     SprayVector velocity_mps{};
 
-    static Wind of(const SeaState& sea) {
+    static SprayWind of(const SeaState& sea) {
         const auto heading = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
         const double speed = wind_near_water * sea.wind_speed_mps;
         return {sea.wind_speed_mps, {speed * heading.cosine, 0, speed * heading.sine}};
@@ -155,8 +157,10 @@ struct Wind {
     double spindrift() const { return std::clamp((speed_mps - gale_mps) / 8, 0.0, 1.0); }
 };
 
+namespace {
+
 /// Returns the wind at a droplet: gusts differ in speed and direction.
-SprayVector gust(const Wind& wind, Random& random) {
+SprayVector gust(const SprayWind& wind, Random& random) {
     const double along = 0.65 + 0.6 * random.next(), across = 0.12 * random.spread(), up = 0.06 * random.spread();
     const auto [x, y, z] = wind.velocity_mps;
     return {along * x - across * z, y + up * wind_near_water * wind.speed_mps, along * z + across * x};
@@ -164,8 +168,9 @@ SprayVector gust(const Wind& wind, Random& random) {
 
 /// Returns a droplet that leaves the water at a point. There are three kinds: drops of splashes,
 /// mist, and spindrift.
-Stored launched(const SurfacePoint& water, double tick_time_s, double tick_s, const Wind& wind, Random& random) {
-    Stored droplet;
+StoredDroplet launched(const SurfacePoint& water, double tick_time_s, double tick_s, const SprayWind& wind,
+                       Random& random) {
+    StoredDroplet droplet;
     const SprayVector& flow = water.velocity_mps;
     // The point moves with the water until the launch.
     const double after_s = tick_s * random.next();
@@ -206,7 +211,7 @@ Stored launched(const SurfacePoint& water, double tick_time_s, double tick_s, co
 
 /// Returns the droplet at an age. Its radius grows, and its opacity falls with the growth and at
 /// the end of its life.
-SprayDroplet droplet_at(const Stored& stored, double age_s) {
+SprayDroplet droplet_at(const StoredDroplet& stored, double age_s) {
     const FlightPoint point = flown(stored.flight, age_s);
     const auto age = static_cast<float>(age_s);
     const float radius = stored.radius_m + stored.growth_mps * age, lived = age / stored.lifetime_s;
@@ -272,7 +277,7 @@ struct Spray::State {
     /// Finds the cells in which water breaks. Returns their number.
     std::size_t find_candidates(const Frame& frame, const BreakingSurface& surface, std::int64_t tick, double x_m,
                                 double z_m) {
-        const double amount = options.amount * Wind::of(frame.sea).rough() * droplets_of_cell;
+        const double amount = options.amount * SprayWind::of(frame.sea).rough() * droplets_of_cell;
         if (!(amount > 0) || frame.statistics.foam_level == SeaStatistics::no_foam_level) return 0;
         const std::uint64_t key = key_of_tick(tick);
         const auto first_x = static_cast<std::int64_t>(std::floor(x_m / cell_m)) - cells_of_reach;
@@ -302,7 +307,7 @@ struct Spray::State {
 
     void launch(const Frame& frame, std::int64_t tick, double x_m, double z_m) {
         const BreakingSurface surface(frame);
-        wind = Wind::of(frame.sea);
+        wind = SprayWind::of(frame.sea);
         water_frame = frame.water_frame;
         const WaterFrame::Origin origin = water_frame.origin_at(frame.time_s);
         const std::size_t count = find_candidates(frame, surface, tick, x_m - origin.x_m, z_m - origin.z_m);
@@ -311,7 +316,7 @@ struct Spray::State {
         const double kept = std::min(1.0, max_mean_in_tick / all);
         std::size_t launches = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            const Candidate& candidate = candidates[i];
+            const SprayCandidate& candidate = candidates[i];
             Random random(split_mix(candidate.key));
             const auto droplets = static_cast<int>(std::floor(candidate.droplets * kept + random.next()));
             for (int n = 0; n < droplets && launches < max_in_tick; ++n, ++launches) {
@@ -329,7 +334,7 @@ struct Spray::State {
         const WaterFrame::Origin origin = water_frame.origin_at(emitter.time_s);
         for (int n = 0; n < emitter.count; ++n) {
             const SprayVector place = random.in_ball(), change = random.in_ball();
-            Stored droplet;
+            StoredDroplet droplet;
             droplet.flight = {
                 .start_m = {emitter.x_m - origin.x_m, emitter.y_m - origin.y_m, emitter.z_m - origin.z_m},
                 .start_mps = {emitter.velocity_x_mps - water_frame.current_x_mps, emitter.velocity_y_mps,
@@ -359,9 +364,9 @@ struct Spray::State {
         return droplet;
     }
 
-    void show(const Ring& ring, double time_s) {
+    void show(const DropletRing& ring, double time_s) {
         for (std::size_t i = 0; i < ring.count() && shown_count < max_droplets; ++i) {
-            const Stored& stored = ring.newest(i);
+            const StoredDroplet& stored = ring.newest(i);
             const double age_s = time_s - stored.launch_s;
             if (age_s >= 0 && age_s < static_cast<double>(stored.lifetime_s))
                 shown[shown_count++] = in_world(droplet_at(stored, age_s), time_s);
@@ -371,13 +376,13 @@ struct Spray::State {
     SprayOptions options;
     std::int64_t ticks_a_loop;  ///< 0: no loop
     double tick_s, cell_m;
-    Ring emitted, of_crests;
-    AlignedBuffer<Candidate> candidates;
+    DropletRing emitted, of_crests;
+    AlignedBuffer<SprayCandidate> candidates;
     AlignedBuffer<SprayDroplet> shown;
     std::size_t shown_count = 0;
     /// Ticks that of_crests holds, none if the first is after the last.
     std::int64_t first_tick = 0, last_tick = -1;
-    Wind wind;
+    SprayWind wind;
     WaterFrame water_frame;  ///< of the last tick; flights are in the water's frame
 };
 

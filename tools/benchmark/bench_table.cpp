@@ -50,17 +50,17 @@ void print_line(std::string line) {
     std::printf("%s\n", line.c_str());
 }
 
-/// left_aligned() and right() pad a text with blanks to `width` characters. Longer texts are not
-/// truncated.
+/// left_aligned() and right_aligned() pad a text with blanks to `width` characters. Longer texts
+/// are not truncated.
 std::string left_aligned(const std::string& text, std::size_t width) {
     return text + std::string(width - std::min(width, text.size()), ' ');
 }
-std::string right(const std::string& text, std::size_t width) {
+std::string right_aligned(const std::string& text, std::size_t width) {
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
 std::string cells(const std::string& ms, const std::string& instructions, const std::string& gb_per_s) {
-    return "|" + right(ms, 8) + right(instructions, 8) + right(gb_per_s, 7);
+    return "|" + right_aligned(ms, 8) + right_aligned(instructions, 8) + right_aligned(gb_per_s, 7);
 }
 
 /// Returns the instructions counted on this machine, or stored ones with an asterisk.
@@ -126,14 +126,14 @@ void print_threads(const Timings& timings) {
     print_line("");
     print_line("Frames on several threads, " + std::string(name_of(last.isa)) + ": ms, and speedup over one thread");
     std::string heading = "threads";
-    for (const std::string& sea : seas) heading += "|" + right(sea, 14);
+    for (const std::string& sea : seas) heading += "|" + right_aligned(sea, 14);
     print_line(heading);
     for (const int threads : thread_counts(last.threads)) {
-        std::string line = right(number_text(threads), 7);
+        std::string line = right_aligned(number_text(threads), 7);
         for (const std::string& sea : seas) {
             char speedup[40];
             std::snprintf(speedup, sizeof speedup, "%.2f", ms_on(sea, 1) / ms_on(sea, threads));
-            line += "|" + right(three_digits(ms_on(sea, threads)), 8) + right(speedup, 6);
+            line += "|" + right_aligned(three_digits(ms_on(sea, threads)), 8) + right_aligned(speedup, 6);
         }
         print_line(line);
     }
@@ -142,7 +142,7 @@ void print_threads(const Timings& timings) {
 void print_machine(const std::string& machine, const std::string& isa, const std::map<int, double>& ms,
                    const std::set<int>& sizes) {
     std::string line = left_aligned(machine.substr(0, 39), 40) + left_aligned(isa, 8);
-    for (const int n : sizes) line += right(ms.contains(n) ? three_digits(ms.at(n)) : "-", 9);
+    for (const int n : sizes) line += right_aligned(ms.contains(n) ? three_digits(ms.at(n)) : "-", 9);
     print_line(line);
 }
 
@@ -156,7 +156,7 @@ void print_machines(const Timings& timings) {
     }
     print_line("");
     std::string heading = left_aligned("Comparison of machines: ms per frame, N =", 48);
-    for (const int n : sizes) heading += right(number_text(n), 9);
+    for (const int n : sizes) heading += right_aligned(number_text(n), 9);
     print_line(heading);
     for (const auto& [isa, frames] : here) print_machine("this machine", std::string(name_of(isa)), frames.ms, sizes);
     for (const MachineFrames& stored : stored_frames()) {

@@ -14,28 +14,28 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kib = 1024, mib = 1024 * kib;
+constexpr std::size_t bytes_a_kib = 1024, bytes_a_mib = 1024 * bytes_a_kib;
 
 /// Larger caches are shared by many cores, and a copy in this size is no faster or slower.
-constexpr std::size_t max_bytes_in_cache = 32 * mib;
-constexpr std::size_t max_bytes_in_memory = 512 * mib;
+constexpr std::size_t max_bytes_in_cache = 32 * bytes_a_mib;
+constexpr std::size_t max_bytes_in_memory = 512 * bytes_a_mib;
 
 /// Parts of a copy. The C library copies larger parts with stores that bypass the cache, which
 /// frames do not use.
-constexpr std::size_t part = kib;
+constexpr std::size_t copy_part_bytes = bytes_a_kib;
 
 /// Returns the maximum speed of copies between the halves of a buffer.
 double copy_gb_per_s(std::size_t bytes) {
     std::vector<char> buffer(bytes, 1);
-    const std::size_t half = bytes / 2 / part * part;
-    const std::size_t copies = std::max<std::size_t>(1, mib / half);
+    const std::size_t half = bytes / 2 / copy_part_bytes * copy_part_bytes;
+    const std::size_t copies = std::max<std::size_t>(1, bytes_a_mib / half);
     double best = 0;
     const Clock::time_point begin = Clock::now();
     do {
         const Clock::time_point start = Clock::now();
         for (std::size_t i = 0; i < copies; ++i)
-            for (std::size_t at = 0; at < half; at += part) {
-                std::memcpy(buffer.data() + half + at, buffer.data() + at, part);
+            for (std::size_t at = 0; at < half; at += copy_part_bytes) {
+                std::memcpy(buffer.data() + half + at, buffer.data() + at, copy_part_bytes);
                 __asm__ volatile("" : : "r"(buffer.data()) : "memory");
             }
         const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
@@ -46,7 +46,8 @@ double copy_gb_per_s(std::size_t bytes) {
 
 std::string size_text(std::size_t bytes) {
     if (bytes == 0) return "-";
-    return bytes < mib ? number_text(bytes / kib) + " KiB" : number_text(bytes / mib) + " MiB";
+    return bytes < bytes_a_mib ? number_text(bytes / bytes_a_kib) + " KiB"
+                               : number_text(bytes / bytes_a_mib) + " MiB";
 }
 
 /// Returns the level that takes longest; null if the sea has not been counted.

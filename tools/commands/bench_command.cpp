@@ -53,7 +53,7 @@ void add_instructions(Json& json, const FrameTiming& frame, const std::string& j
 }
 
 /// Returns an object with the keys of bench/results, and additional keys.
-Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
+Json frame_timing_as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
     Json json = {{"cascades", frame.cascades},
                  {"n", frame.resolution},
                  {"isa", name_of(frame.isa)},
@@ -79,12 +79,12 @@ Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
     return json;
 }
 
-Json as_json(const Timings& timings) {
+Json timings_as_json(const Timings& timings) {
     Json rows = Json::array();
     const FrameTiming* on_one_thread = nullptr;
     for (const FrameTiming& frame : timings.frames) {
         if (frame.threads == 1) on_one_thread = &frame;
-        rows.push_back(as_json(frame, *on_one_thread));
+        rows.push_back(frame_timing_as_json(frame, *on_one_thread));
     }
     Json json = {{"version", PELAGIC_VERSION}, {"cpu", cpu_name()}, {"compiler", compiler_name()}};
     if (!timings.no_counter.empty()) json["no_instruction_counter"] = timings.no_counter;
@@ -93,8 +93,8 @@ Json as_json(const Timings& timings) {
 }
 
 /// Returns the timings, with the memory levels and the bytes that each row's frame moves there.
-Json as_json(const Timings& timings, const std::vector<MemoryLevel>& levels) {
-    Json json = as_json(timings);
+Json timings_as_json(const Timings& timings, const std::vector<MemoryLevel>& levels) {
+    Json json = timings_as_json(timings);
     json["memory_levels"] = Json::array();
     for (const MemoryLevel& level : levels)
         json["memory_levels"].push_back(
@@ -185,7 +185,8 @@ void BenchCommand::run() {
             plan, [&](const std::string& sea, double fraction) { progress.show("sea " + sea, fraction); });
     }
     if (prints_json || file) {
-        const std::string text = (bytes_ ? as_json(timings, levels) : as_json(timings)).dump(2) + "\n";
+        const std::string text =
+            (bytes_ ? timings_as_json(timings, levels) : timings_as_json(timings)).dump(2) + "\n";
         if (file) file->write(text);
         if (prints_json) {
             std::printf("%s", text.c_str());

@@ -106,7 +106,7 @@ constexpr double min_shown = 1e-9;
 
 /// Formats a value for the table. --json prints all digits.
 /// \param digits  significant digits: 4 for computed values, 6 for options
-std::string value_text(const Json& value, int digits) {
+std::string printed_value(const Json& value, int digits) {
     if (value.is_null()) return "not measured";
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number_float()) return value.dump();
@@ -128,10 +128,10 @@ void print_section(const char* title, const Json& values, int digits = 4) {
             std::string parts;
             for (const auto& [name, part] : value.items())
                 parts += (parts.empty() ? "" : ", ") +
-                         (part.is_null() ? "not " + name : name + " " + value_text(shown(key, part), digits));
+                         (part.is_null() ? "not " + name : name + " " + printed_value(shown(key, part), digits));
             std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
         } else {
-            std::printf("  %-28s%s\n", key.c_str(), value_text(shown(key, value), digits).c_str());
+            std::printf("  %-28s%s\n", key.c_str(), printed_value(shown(key, value), digits).c_str());
         }
     }
 }
@@ -204,9 +204,9 @@ Json foam_for_people(Json foam) {
 }
 
 /// Prints a summary of five lines.
-void print_summary(const Json& json) {
+void print_sea_summary(const Json& json) {
     const Json &sea = json.at("sea"), &waves = json.at("waves"), &computing = json.at("computing");
-    const auto number = [](const Json& value) { return value_text(value, 3); };
+    const auto number = [](const Json& value) { return printed_value(value, 3); };
     const auto row = [](const char* name, const std::string& text) { std::printf("%-10s%s\n", name, text.c_str()); };
     const auto step = [](const Json& of) { return of.at("number").dump() + ", " + of.at("name").get<std::string>(); };
     const std::string preset = json.value("preset", ""), model = sea.at("waves");
@@ -234,8 +234,8 @@ void print_summary(const Json& json) {
                         " threads, " + number(computing.at("memory_bytes").get<double>() / 1e6) + " MB");
 }
 
-void print_table(const Json& json) {
-    print_summary(json);
+void print_sea_table(const Json& json) {
+    print_sea_summary(json);
     const bool has_spectrum = json.at("sea").at("waves") == "spectrum";
     print_section("\nSea", sea_for_people(json.at("sea")), 6);
     print_section("Waves", waves_for_people(json.at("waves"), has_spectrum));
@@ -304,7 +304,7 @@ void InfoCommand::run() {
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());
     else
-        print_table(json);
+        print_sea_table(json);
 }
 
 void InfoCommand::measure() const {

@@ -41,7 +41,7 @@ struct FolderNames {
     bool has_record = false, has_sea_json = false;  ///< of a merged or unsharded export
 };
 
-FolderNames names_in(const OutputFolder& folder) {
+FolderNames names_in_folder(const OutputFolder& folder) {
     FolderNames names;
     folder.for_each_name([&](const std::string& name) {
         if (const auto shard = shard_of_record(name)) names.shards[shard->count].insert(shard->index);
@@ -280,7 +280,7 @@ void MergeCommand::run() {
     const OutputFolder folder = open_export("DIR", *folder_, Sync::yes);
     std::optional<FolderLock> lock;
     if (!no_lock_) lock.emplace(folder, "DIR");
-    FolderNames names = names_in(folder);
+    FolderNames names = names_in_folder(folder);
     if (names.shards.empty()) {
         if (!names.has_record)
             throw bad_value("DIR", *folder_,

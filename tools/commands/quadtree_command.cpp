@@ -32,16 +32,16 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double aspect = 16.0 / 9;
+constexpr double view_aspect = 16.0 / 9;
 constexpr double latest_s = 1e9;
 
 std::span<const std::byte> as_bytes(const Bytes& bytes) { return std::as_bytes(std::span(bytes)); }
 
 /// Returns one view, or two for eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
-    if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
-    return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(aspect),
-            camera.moved_right(eyes_apart_m / 2).clip_from_world(aspect)};
+    if (eyes_apart_m == 0) return {camera.clip_from_world(view_aspect)};
+    return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(view_aspect),
+            camera.moved_right(eyes_apart_m / 2).clip_from_world(view_aspect)};
 }
 
 /// Returns the median time of a selection in microseconds, over 101 calls.
@@ -56,7 +56,8 @@ double microseconds_of(Selection& selection, const SelectionInput& input) {
     return all[50];
 }
 
-Json statistics_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views, double microseconds) {
+Json quadtree_statistics_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views,
+                              double microseconds) {
     Json levels = Json::array();
     for (int level = 0; level <= list.grid.deepest_level; ++level)
         levels.push_back({{"level", level},
@@ -79,7 +80,7 @@ Json statistics_json(const DrawList& list, const QuadtreeOptions& options, std::
             {"batches", batches}};
 }
 
-void print_table(const Json& json) {
+void print_quadtree_table(const Json& json) {
     std::printf("%-18s%g m, %d steps a patch side, lod scale %g\n", "grid", json.at("size_m").get<double>(),
                 json.at("vertices").get<int>(), json.at("lod_scale").get<double>());
     for (const char* name : {"views", "instances", "triangles", "nodes_visited", "microseconds"})
@@ -179,7 +180,7 @@ void QuadtreeCommand::run() {
     const double microseconds = microseconds_of(selection, input);
     const DrawList& list = selection.list();
 
-    const Json statistics = statistics_json(list, options, views.size(), microseconds);
+    const Json statistics = quadtree_statistics_json(list, options, views.size(), microseconds);
     if (obj || ply || gltf) {
         const Mesh mesh = mesh_of(list, frame);
         if (obj) obj->write(mesh_as_obj(mesh, ObjDigits::all));
@@ -194,7 +195,7 @@ void QuadtreeCommand::run() {
         for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
         svg->write(plan_as_svg(list, all, frusta, camera.position_m));
     }
-    print_table(statistics);
+    print_quadtree_table(statistics);
 }
 
 }  // namespace

@@ -373,7 +373,7 @@ class Files {
 Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 /// Returns the light of a scene, except the image of the sky.
-Json as_json(const gl::Sky& sky) {
+Json sky_as_json(const gl::Sky& sky) {
     return {{"sun_direction", values(sky.sun_direction)},
             {"sun_irradiance", values(sky.unit * sky.sun_irradiance)},
             {"sky_irradiance", values(sky.unit * sky.sky_irradiance)},
@@ -381,7 +381,7 @@ Json as_json(const gl::Sky& sky) {
             {"exposure", sky.exposure / sky.unit}};
 }
 
-Json as_json(const gl::WaterOptics& water) {
+Json water_as_json(const gl::WaterOptics& water) {
     return {{"absorption_per_m", values(water.absorption_per_m)},
             {"scattering_per_m", values(water.scattering_per_m)},
             {"backscattering_per_m", values(water.backscattering_per_m)}};
@@ -409,7 +409,7 @@ struct Outputs {
 };
 
 /// Renders and writes all images. Returns their statistics.
-Json write_images(const RenderOptions& options, const gl::Sky& sky, const Outputs& outputs, Progress& progress) {
+Json render_images(const RenderOptions& options, const gl::Sky& sky, const Outputs& outputs, Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;
     OfflineRenderer maker(options, sky, progress);
     std::optional<Film> film;
@@ -432,7 +432,7 @@ Json write_images(const RenderOptions& options, const gl::Sky& sky, const Output
     return maker.statistics();
 }
 
-void print_summary(const RenderOptions& options, const Json& json, std::size_t frames) {
+void print_render_summary(const RenderOptions& options, const Json& json, std::size_t frames) {
     if (!options.sky_file.empty())
         std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
     if (!json.contains("statistics")) {
@@ -463,7 +463,8 @@ void run_render(const RenderOptions& options) {
         const HeldStop whole_file;
         outputs.panorama->write(std::as_bytes(std::span(exr)));
     }
-    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
+    Json json = {
+        {"version", PELAGIC_VERSION}, {"sky", sky_as_json(sky)}, {"water", water_as_json(options.scene.water)}};
     if (!outputs.frames.empty()) {
         const std::filesystem::path& first = options.file.empty() ? options.hdr_file : options.file;
         json.update({{"file", options.file_of(first, outputs.frames.front()).string()},
@@ -472,7 +473,7 @@ void run_render(const RenderOptions& options) {
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
                      {"weather", weather_as_json(options.scene.sea)},
-                     {"statistics", write_images(options, sky, outputs, *progress)}});
+                     {"statistics", render_images(options, sky, outputs, *progress)}});
         json["statistics"]["sky_ms"] = sky_ms;
     }
     progress.reset();
@@ -481,7 +482,7 @@ void run_render(const RenderOptions& options) {
     if (options.json)
         std::printf("%s\n", json.dump(2).c_str());
     else if (!is_quiet())
-        print_summary(options, json, outputs.frames.size());
+        print_render_summary(options, json, outputs.frames.size());
 }
 
 class RenderCommand final : public Command {

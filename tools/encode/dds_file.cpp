@@ -9,12 +9,12 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::array<unsigned char, 4> magic = {'D', 'D', 'S', ' '}, dx10 = {'D', 'X', '1', '0'};
+constexpr std::array<unsigned char, 4> dds_magic = {'D', 'D', 'S', ' '}, dx10 = {'D', 'X', '1', '0'};
 
 // DDS_HEADER.dwFlags and dwCaps, DDS_PIXELFORMAT.dwFlags.
 constexpr std::uint32_t has_caps = 0x1, has_height = 0x2, has_width = 0x4, has_pitch = 0x8, has_pixel_format = 0x1000,
                         has_level_count = 0x20000;
-constexpr std::uint32_t is_complex = 0x8, is_texture = 0x1000, is_mipmapped = 0x400000;
+constexpr std::uint32_t caps_complex = 0x8, caps_texture = 0x1000, caps_mipmapped = 0x400000;
 constexpr std::uint32_t has_four_letters = 0x4;
 // DDS_HEADER_DXT10.
 constexpr std::uint32_t two_dimensions = 3, alpha_is_custom = 4, alpha_is_absent = 0;
@@ -30,10 +30,6 @@ std::uint32_t dxgi_format(const Texture& texture) {
     return formats[static_cast<std::size_t>(texture.sample)][static_cast<std::size_t>(texture.channels) / 2];
 }
 
-void append_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
-    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint32_t>(word));
-}
-
 void append_zeros(Bytes& bytes, std::size_t words) { bytes.resize(bytes.size() + 4 * words); }
 
 }  // namespace
@@ -42,7 +38,7 @@ Bytes dds_file(const Texture& texture) {
     assert(check(texture).empty());
     const bool has_levels = texture.levels.size() > 1;
     const auto width = static_cast<std::size_t>(texture.width), height = static_cast<std::size_t>(texture.height);
-    Bytes file(magic.begin(), magic.end());
+    Bytes file(dds_magic.begin(), dds_magic.end());
     // DDS_HEADER, 124 bytes
     append_words(file, {124, has_caps | has_height | has_width | has_pitch | has_pixel_format |
                                  (has_levels ? has_level_count : 0)});
@@ -52,7 +48,7 @@ Bytes dds_file(const Texture& texture) {
     append_words(file, {32, has_four_letters});
     file.insert(file.end(), dx10.begin(), dx10.end());
     append_zeros(file, 5);
-    append_words(file, {is_texture | (has_levels ? is_complex | is_mipmapped : 0)});
+    append_words(file, {caps_texture | (has_levels ? caps_complex | caps_mipmapped : 0)});
     append_zeros(file, 4);
     // DDS_HEADER_DXT10: not a cube map, array size 1
     append_words(file, {dxgi_format(texture), two_dimensions, 0, 1});

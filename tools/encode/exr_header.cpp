@@ -9,10 +9,10 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::uint32_t magic = 20000630;
+constexpr std::uint32_t exr_magic = 20000630;
 constexpr std::uint32_t several_parts = 0x1000;  // multi-part flag in the version field
 constexpr std::size_t max_attributes = 4000;
-constexpr std::size_t max_bytes = std::size_t{1} << 20;
+constexpr std::size_t max_header_bytes = std::size_t{1} << 20;
 constexpr std::size_t bytes_behind_channel = 16;  // type, linearity, steps in x and y
 
 /// Reads values from the front. Throws std::runtime_error at the end of the bytes.
@@ -58,8 +58,8 @@ std::size_t channels_in(std::span<const unsigned char> list) {
 }  // namespace
 
 ExrHeaderSize read_exr_header(std::span<const unsigned char> file) {
-    HeaderReader reader(file.first(std::min(file.size(), max_bytes)));
-    if (reader.number() != magic) throw std::runtime_error("it is no EXR file");
+    HeaderReader reader(file.first(std::min(file.size(), max_header_bytes)));
+    if (reader.number() != exr_magic) throw std::runtime_error("it is no EXR file");
     const bool has_parts = (reader.number() & several_parts) != 0;
     ExrHeaderSize size;
     do {

@@ -6,16 +6,16 @@ namespace pelagic::tools {
 namespace {
 
 // Threads and address space are measured on Debian 12.
-constexpr CodecLibrary library = {.file = "pelagic_images.so",
-                                  .use = "writes and reads images",
-                                  .table = "pelagic_image_codec",
-                                  .threads = 4,
-                                  .address_space = std::size_t{448} << 20};
+constexpr CodecLibrary image_library = {.file = "pelagic_images.so",
+                                        .use = "writes and reads images",
+                                        .table = "pelagic_image_codec",
+                                        .threads = 4,
+                                        .address_space = std::size_t{448} << 20};
 
 }  // namespace
 
 const ImageCodec& image_codec() {
-    static const auto& codec = *static_cast<const ImageCodec*>(load_table(library));
+    static const auto& codec = *static_cast<const ImageCodec*>(load_table(image_library));
     return codec;
 }
 

@@ -52,10 +52,6 @@ SampleRange range_of(Sample sample) {
     return {};
 }
 
-void append_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
-    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint32_t>(word));
-}
-
 void append_long_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
     for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint64_t>(word));
 }

@@ -53,13 +53,6 @@ std::string names_of_columns() {
     return names;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 class EventReader {
    public:
     EventReader(const std::string& name, EventFile& file) : name_(name), file_(file) {}

@@ -13,7 +13,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr std::size_t frame_digits = 4;
-constexpr int max_cascades = 4, max_level = mip_levels(2048) - 1;
+constexpr int max_named_cascades = 4, max_level = mip_levels(2048) - 1;
 
 bool is_extension(std::string_view text, MapKind map) {
     if (text == "tif" || text == "ktx2" || text == "dds") return true;
@@ -45,7 +45,7 @@ class NameReader {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
         if (map == all_maps.end() && take(name_of(MapKind::dynamic_waves))) return MapKind::dynamic_waves;
-        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, max_cascades - 1))) return {};
+        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, max_named_cascades - 1))) return {};
         return *map;
     }
     /// Reads an optional "_mip2" if the map has mip levels.

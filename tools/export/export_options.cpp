@@ -18,7 +18,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int max_frames = 1'000'000;
+constexpr int max_export_frames = 1'000'000;
 constexpr double latest_start_s = 1e9;
 constexpr double max_fps = 1000;
 constexpr double default_fps = 24;
@@ -107,7 +107,7 @@ std::vector<FrameRange> one_run(int first, int count, const std::string& option,
 int frames_of_a_loop(double loop_period_s, double fps) {
     const double frames = loop_period_s * fps, whole = std::round(frames);
     // The rounding error of the product is far smaller.
-    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > max_frames)
+    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > max_export_frames)
         throw InputError("--frames is loop, expected a loop of whole frames, 1 to 1000000: --loop-period " +
                          number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
                          number_text(frames) + "; --loop-period " + number_text(std::max(whole, 1.0) / fps) +
@@ -253,8 +253,9 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
         throw InputError((loop_frames ? "--loop-frames is " + *loop_frames : "--frames is loop") +
                          ", expected a number of --frames with --weather: it is no loop");
     if (loop_frames) {
-        times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, max_frames),
-                               "--loop-frames", *loop_frames);
+        times.ranges =
+            one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, max_export_frames),
+                    "--loop-frames", *loop_frames);
         return times;
     }
     times.fps = default_fps;
@@ -276,8 +277,8 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
                             "numbers from --start-number, " + number_text(times.start_number) + ", on");
         times.ranges = *ranges;
     } else if (frames) {
-        times.ranges =
-            one_run(times.start_number, whole_number_in("--frames", *frames, 1, max_frames), "--frames", *frames);
+        times.ranges = one_run(times.start_number, whole_number_in("--frames", *frames, 1, max_export_frames),
+                               "--frames", *frames);
     }
     return times;
 }

@@ -30,8 +30,8 @@ constexpr int film_width = 640, film_height = 360;
 constexpr std::size_t strip_frames = 8, strip_columns = 2;
 
 // Layout of the sheet, in pixels.
-constexpr int cells_a_row = 4, cell = 444, margin = 24, line = 28;
-constexpr int sheet_width = cells_a_row * (cell + margin) + margin, still_height = 660;
+constexpr int cells_a_row = 4, cell_side = 444, margin = 24, line_height = 28;
+constexpr int sheet_width = cells_a_row * (cell_side + margin) + margin, still_height = 660;
 constexpr int small_text = 2, large_text = 4;
 constexpr Colour paper = {24, 28, 32}, ink = {232, 236, 240}, pale_ink = {150, 160, 170};
 
@@ -110,7 +110,7 @@ struct Cell {
 Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
     const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     const MapImage map = map_image(cascade, part.map, 0, options);
-    MapPreview shown = preview_of(map, cell);
+    MapPreview shown = preview_of(map, cell_side);
     const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
     Cell result{std::move(shown.image),
                 {file.name, rounded_text(cascade.grid.side_m, 3) + " m, " + side + " x " + side,
@@ -134,27 +134,27 @@ std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
 }
 
 RgbaImage sheet_of(const std::vector<std::string>& titles, const RgbaImage& still, const std::vector<Cell>& cells) {
-    constexpr int texts_height = 4 * line + margin;
-    const int head = margin + 2 * line + static_cast<int>(titles.size() - 1) * line;
+    constexpr int texts_height = 4 * line_height + margin;
+    const int head = margin + 2 * line_height + static_cast<int>(titles.size() - 1) * line_height;
     const int rows = (static_cast<int>(cells.size()) + cells_a_row - 1) / cells_a_row;
-    RgbaImage sheet(sheet_width, head + still.height() + margin + rows * (cell + texts_height), paper);
+    RgbaImage sheet(sheet_width, head + still.height() + margin + rows * (cell_side + texts_height), paper);
     int y = margin;
     for (const std::string& title : titles) {
         const bool is_first = &title == &titles.front();
         sheet.write(margin, y, title, is_first ? ink : pale_ink, is_first ? large_text : small_text);
-        y += is_first ? 2 * line : line;
+        y += is_first ? 2 * line_height : line_height;
     }
     sheet.paste(margin, head, still);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const int row = static_cast<int>(i) / cells_a_row, column = static_cast<int>(i) % cells_a_row;
-        const int left = margin + column * (cell + margin);
-        const int top = head + still.height() + margin + row * (cell + texts_height);
+        const int left = margin + column * (cell_side + margin);
+        const int top = head + still.height() + margin + row * (cell_side + texts_height);
         sheet.paste(left, top, cells[i].image);
-        int text_top = top + cell + line / 2;
+        int text_top = top + cell_side + line_height / 2;
         for (const std::string& text : cells[i].texts) {
             const bool is_name = &text == &cells[i].texts.front();
             sheet.write(left, text_top, text, is_name ? ink : pale_ink, small_text);
-            text_top += line;
+            text_top += line_height;
         }
     }
     return sheet;
@@ -178,7 +178,7 @@ void write_bytes(const OutputFolder& folder, const char* name, const std::vector
     folder.write(name, std::as_bytes(std::span(bytes)));
 }
 
-void write_image(const OutputFolder& folder, const char* name, const RgbaImage& image) {
+void write_preview_png(const OutputFolder& folder, const char* name, const RgbaImage& image) {
     write_bytes(folder, name, encode_png(image.pixels(), image.width(), image.height()));
 }
 
@@ -216,7 +216,7 @@ class FilmMaker {
             return (folder.path() / preview_film_name).string() + ": " + what + ", " + rounded_text(fps, 4) +
                    " a second";
         }
-        write_image(folder, preview_strip_name, strip_of(strip));
+        write_preview_png(folder, preview_strip_name, strip_of(strip));
         folder.remove(preview_film_name);
         return (folder.path() / preview_strip_name).string() + ": " + number_text(strip.size()) + " of the first " +
                what + ", and no film: " + encoded.reason;
@@ -243,8 +243,9 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
                             rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";
     ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
     const RgbaImage image = preview_of(still, still.draw(frame));
-    write_image(folder, preview_sheet_name,
-                sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
+    write_preview_png(
+        folder, preview_sheet_name,
+        sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
     const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
     std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
                 (folder.path() / preview_sheet_name).c_str(), sea.c_str(), film.c_str(),

@@ -40,7 +40,7 @@ MapImage without_bytes(MapImage image) {
 }
 
 /// Returns "Dx = R m; height = G m; Dz = B m", or "normal_x = 2 R - 1; ...".
-std::string text_of(std::span<const ChannelMeaning> channels) {
+std::string channels_text(std::span<const ChannelMeaning> channels) {
     std::string text;
     for (const ChannelMeaning& channel : channels) {
         if (!text.empty()) text += "; ";
@@ -75,7 +75,7 @@ void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const
         attributes.emplace_back("pelagic:" + layer + name, std::move(value));
     };
     add("map", std::string(name_of(part.map)));
-    add("channels", text_of(channel_meanings(part.map, options)));
+    add("channels", channels_text(channel_meanings(part.map, options)));
     add("cascade", part.cascade);
     add("side_m", cascade.grid.side_m);
     add("rotation_cosine", cascade.grid.cosine);
@@ -122,7 +122,7 @@ ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& 
         part.attributes.emplace_back(std::string("pelagic:") + name, std::move(value));
     };
     add("map", std::string(name_of(of.map)));
-    add("channels", text_of(channel_meanings(of.map, maps)));
+    add("channels", channels_text(channel_meanings(of.map, maps)));
     add("texel_m", water.texel_m);
     add("x_m_of_column_0", static_cast<double>(water.first_x) * water.texel_m);
     add("lowest_z_m", static_cast<double>(water.first_z) * water.texel_m);

@@ -17,7 +17,7 @@ namespace {
 
 /// Returns the mip levels of a flipbook. The smallest has one texel for each frame; smaller levels
 /// would mix frames.
-int levels_of(const ExportOptions& options) {
+int flipbook_levels(const ExportOptions& options) {
     return is_texture(options.maps.format) && options.maps.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
 
@@ -39,7 +39,7 @@ class Flipbook : public SequenceOutput {
         for (Atlas& atlas : atlases_) {
             const Cascade& cascade = frame.cascades[static_cast<std::size_t>(atlas.cascade)];
             const std::vector<MapImage> levels =
-                map_levels(cascade, atlas.map, 0, levels_of(options_), options_.maps);
+                map_levels(cascade, atlas.map, 0, flipbook_levels(options_), options_.maps);
             if (atlas.levels.empty())
                 for (const MapImage& level : levels) atlas.levels.push_back(empty_level(level));
             for (std::size_t level = 0; level < levels.size(); ++level)
@@ -84,7 +84,7 @@ class Flipbook : public SequenceOutput {
                                        {"fps", times.fps.value_or(count / times.loop_period_s)},
                                        {"loop", !times.fps},
                                        {"side", resolution_of(options_.sea.sea)},
-                                       {"levels", levels_of(options_)},
+                                       {"levels", flipbook_levels(options_)},
                                        {"channels", channels_as_json(options_.maps, false)}};
         for (const Atlas& atlas : atlases_)
             json["files"].push_back({{"name", flipbook_name(options_.maps, atlas.map, atlas.cascade)},

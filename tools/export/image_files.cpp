@@ -16,7 +16,7 @@ bool has_levels_within(const ExportOptions& options, MapKind map) {
 
 /// Returns the number of stored mip levels. Formats with levels in a file store those of every map;
 /// other formats store levels of maps that have a mip chain.
-int levels_of(const ExportOptions& options, MapKind map) {
+int stored_levels(const ExportOptions& options, MapKind map) {
     if (!options.maps.mips) return 1;
     return has_levels_within(options, map) || has_chain(map) ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
@@ -38,7 +38,7 @@ ImageDescription description_of(MapKind map, const TextureImage& image, const Ma
             .has_unassociated_alpha = map == MapKind::gradient};
 }
 
-TextureImage square(MapImage image) {
+TextureImage as_texture_image(MapImage image) {
     return {image.side, image.side, image.channels, image.sample, std::move(image.pixels)};
 }
 
@@ -46,7 +46,7 @@ std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
     std::vector<ImagePart> parts;
     for (int cascade = 0; cascade < cascades_of(options.sea.sea); ++cascade)
         for (const MapKind map : options.maps.maps) {
-            const int levels = levels_of(options, map);
+            const int levels = stored_levels(options, map);
             const int levels_a_part = has_levels_within(options, map) ? levels : 1;
             for (int level = 0; level < levels; level += levels_a_part)
                 parts.push_back({.map = map, .cascade = cascade, .first_level = level, .levels = levels_a_part});
@@ -91,15 +91,15 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
     const ImagePart& part = file.parts.front();
     if (options.maps.is_exr(part.map)) return exr_codec().encode(exr_file(file, frame, number, options));
     if (part.map == MapKind::dynamic_waves)
-        return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))},
+        return encode_pixels(part.map, {as_texture_image(dynamic_waves_map_image(frame.dynamic_waves, options.maps))},
                              options.maps);
     const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))
         for (MapImage& level : map_levels(cascade, part.map, 0, part.levels, options.maps))
-            levels.push_back(square(std::move(level)));
+            levels.push_back(as_texture_image(std::move(level)));
     else
-        levels.push_back(square(map_image(cascade, part.map, part.first_level, options.maps)));
+        levels.push_back(as_texture_image(map_image(cascade, part.map, part.first_level, options.maps)));
     return encode_pixels(part.map, levels, options.maps);
 }
 

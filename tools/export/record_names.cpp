@@ -18,18 +18,21 @@ struct NameAroundShard {
     }
 };
 
-constexpr NameAroundShard records{"sea", ".json"}, journals{".pelagic-export", ".jsonl"}, locks{".sea", ".lock"};
+constexpr NameAroundShard record_files{"sea", ".json"}, journal_files{".pelagic-export", ".jsonl"},
+    lock_files{".sea", ".lock"};
 
 }  // namespace
 
-std::string record_name(const std::optional<Shard>& shard) { return shard ? records.of(shard) : "sea_files.json"; }
-std::string journal_name(const std::optional<Shard>& shard) { return journals.of(shard); }
-std::string lock_name_of(const Shard& shard) { return locks.of(shard); }
+std::string record_name(const std::optional<Shard>& shard) {
+    return shard ? record_files.of(shard) : "sea_files.json";
+}
+std::string journal_name(const std::optional<Shard>& shard) { return journal_files.of(shard); }
+std::string lock_name_of(const Shard& shard) { return lock_files.of(shard); }
 
-std::optional<Shard> shard_of_record(std::string_view name) { return records.shard_in(name); }
+std::optional<Shard> shard_of_record(std::string_view name) { return record_files.shard_in(name); }
 
 bool is_of_shard(std::string_view name) {
-    return records.shard_in(name) || journals.shard_in(name) || locks.shard_in(name);
+    return record_files.shard_in(name) || journal_files.shard_in(name) || lock_files.shard_in(name);
 }
 
 bool is_record_name(std::string_view name) {

@@ -5,7 +5,7 @@
 namespace pelagic::tools {
 namespace {
 
-std::optional<Shard> parsed(std::string_view text, std::string_view between) {
+std::optional<Shard> parsed_shard(std::string_view text, std::string_view between) {
     const std::size_t middle = text.find(between);
     if (middle == std::string_view::npos) return {};
     const auto index = parse_integer(text.substr(0, middle));
@@ -23,10 +23,10 @@ std::string written(const Shard& shard, const char* between) {
 std::string text_of(const Shard& shard) { return written(shard, "/"); }
 std::string mark_of(const Shard& shard) { return written(shard, "-of-"); }
 
-std::optional<Shard> parse_shard(std::string_view text) { return parsed(text, "/"); }
+std::optional<Shard> parse_shard(std::string_view text) { return parsed_shard(text, "/"); }
 
 std::optional<Shard> shard_named(std::string_view text) {
-    const std::optional<Shard> shard = parsed(text, "-of-");
+    const std::optional<Shard> shard = parsed_shard(text, "-of-");
     return shard && mark_of(*shard) == text ? shard : std::nullopt;
 }
 

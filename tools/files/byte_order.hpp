@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -23,6 +26,11 @@ void append_number_bytes(Bytes& bytes, Number number) {
 template <class Number>
 void append_little_endian(Bytes& bytes, Number number) {
     append_number_bytes<std::endian::little>(bytes, number);
+}
+
+/// Appends each word as 4 bytes, least significant first.
+inline void append_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
+    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint32_t>(word));
 }
 
 /// Appends the bytes of the number, most significant first.

@@ -9,7 +9,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double step_s = 1.0 / HullPlayer::steps_per_s;
+constexpr double hull_step_s = 1.0 / HullPlayer::steps_per_s;
 
 std::int64_t first_step(double first_s) {
     return static_cast<std::int64_t>(std::floor((first_s - HullPlayer::launch_s) * HullPlayer::steps_per_s));
@@ -40,11 +40,11 @@ Frame HullPlayer::frame_at(std::int64_t step) {
 void HullPlayer::step() {
     FloatingHull& body = bodies_[0];
     const Frame frame = frame_at(step_);
-    wake_->press(frame, body.state, body.loads, step_s);
+    wake_->press(frame, body.state, body.loads, hull_step_s);
     waves_.follow_hull(body.state.position_m.x, body.state.position_m.z);
     body.inputs.force.force_n = launch_.thrust_n * glm::mat3_cast(body.state.orientation)[0];
     before_ = body.state;
-    hulls_.step(SurfaceQuery(frame), bodies_, step_s);
+    hulls_.step(SurfaceQuery(frame), bodies_, hull_step_s);
     ++step_;
 }
 
@@ -52,7 +52,7 @@ HullMoment HullPlayer::at(double time_s) {
     while (time_of(step_) < time_s) step();
     const FloatingHull& body = bodies_[0];
     // of the last step; 1 at its end
-    const double along = std::clamp(1 - (time_of(step_) - time_s) / step_s, 0.0, 1.0);
+    const double along = std::clamp(1 - (time_of(step_) - time_s) / hull_step_s, 0.0, 1.0);
     HullMoment moment{.state = body.state};
     HullState& state = moment.state;
     state.position_m = glm::mix(before_.position_m, body.state.position_m, along);

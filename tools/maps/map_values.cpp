@@ -97,7 +97,7 @@ std::vector<float> foam(const Cascade& cascade) {
     return values;
 }
 
-std::vector<float> values_of(const Cascade& cascade, MapKind map, const MapOptions& options) {
+std::vector<float> values_of_map(const Cascade& cascade, MapKind map, const MapOptions& options) {
     switch (map) {
         case MapKind::displacement: return vectors({cascade.dx, cascade.height, cascade.dz}, options);
         case MapKind::velocity: return vectors({cascade.velocity_x, cascade.velocity_y, cascade.velocity_z}, options);
@@ -116,7 +116,8 @@ std::vector<float> values_of(const Cascade& cascade, MapKind map, const MapOptio
 }  // namespace
 
 MapValues map_values(const Cascade& cascade, MapKind map, const MapOptions& options) {
-    return {.side = cascade.resolution(), .channels = channels_of(map), .values = values_of(cascade, map, options)};
+    return {
+        .side = cascade.resolution(), .channels = channels_of(map), .values = values_of_map(cascade, map, options)};
 }
 
 MapValues halved(const MapValues& finer) {

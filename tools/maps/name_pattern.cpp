@@ -6,7 +6,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t longest = 100, max_digits = 9;
+constexpr std::size_t max_pattern_length = 100, max_digits = 9;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter_or_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -20,7 +20,7 @@ struct Field {
 };
 
 /// Returns the number field if the text has exactly one.
-std::optional<Field> field_of(std::string_view text) {
+std::optional<Field> number_field_in(std::string_view text) {
     const std::size_t begin = text.find_first_of("#%");
     if (begin == std::string_view::npos) return {};
     Field field{begin, begin, 1};
@@ -40,7 +40,7 @@ std::optional<Field> field_of(std::string_view text) {
     return is_only_one && field.digits <= max_digits ? std::optional(field) : std::nullopt;
 }
 
-std::string number_of(int frame, std::size_t digits) {
+std::string padded_number(int frame, std::size_t digits) {
     std::string number = std::to_string(frame);
     return std::string(digits > number.size() ? digits - number.size() : 0, '0') + number;
 }
@@ -50,8 +50,8 @@ std::string number_of(int frame, std::size_t digits) {
 bool NamePattern::is_meant(std::string_view text) { return text.find_first_of("#%") != std::string_view::npos; }
 
 std::optional<NamePattern> NamePattern::parse(std::string_view text) {
-    const auto field = field_of(text);
-    if (!field || text.size() > longest || text.front() == '.' || text.front() == '-') return {};
+    const auto field = number_field_in(text);
+    if (!field || text.size() > max_pattern_length || text.front() == '.' || text.front() == '-') return {};
     const auto is_plain = [](char c) { return c > ' ' && c < 127 && c != '/' && c != '\\'; };
     if (!std::all_of(text.begin(), text.end(), is_plain)) return {};
     const std::string_view end = text.substr(field->end);
@@ -72,7 +72,7 @@ std::string NamePattern::name(std::string_view mark, int frame, std::string_view
         if (!name.empty() && name.back() != separator) name += separator;
         name.append(mark) += separator;
     }
-    name += number_of(frame, digits_);
+    name += padded_number(frame, digits_);
     return name.append(".").append(extension);
 }
 

@@ -12,9 +12,7 @@
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr double two_pi = 2 * std::numbers::pi;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Linear conversion of a pixel's number c: scale c + offset.
 struct Line {
@@ -29,12 +27,12 @@ struct Channel {
 
 /// Equations 50 and 51 with rounding: byte b represents values from (b - 128) / 127.5 to (b - 127)
 /// / 127.5, whose middle is 2 b / 255 - 1.
-constexpr Line from_minus_one = {2, -1};
+constexpr Line scaled_from_minus_one = {2, -1};
 constexpr std::array<double, 2> both_signs = {-1, 1}, one_sign = {0, 1};
 
 std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
     const bool is_z_up = options.up_axis == UpAxis::z;
-    const Line of_normals = is_floating(options.sample_of(map)) ? Line{} : from_minus_one;
+    const Line of_normals = is_floating(options.sample_of(map)) ? Line{} : scaled_from_minus_one;
     const Line in_metres{.scale = 1 / static_cast<double>(units_per_metre(options.unit))};
     switch (map) {
         case MapKind::displacement:
@@ -44,9 +42,9 @@ std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
             return {
                 {"velocity_x", "m/s", in_metres}, {"velocity_y", "m/s", in_metres}, {"velocity_z", "m/s", in_metres}};
         case MapKind::gradient:
-            return {{"normal_x", "1", from_minus_one, both_signs},
-                    {is_z_up ? "normal_y" : "normal_z", "1", from_minus_one, both_signs},
-                    {"jacobian", "1", from_minus_one, both_signs},
+            return {{"normal_x", "1", scaled_from_minus_one, both_signs},
+                    {is_z_up ? "normal_y" : "normal_z", "1", scaled_from_minus_one, both_signs},
+                    {"jacobian", "1", scaled_from_minus_one, both_signs},
                     {"smoothness", "1", {}, one_sign}};
         case MapKind::normal:
             return {{"normal_right", "1", of_normals, both_signs},
@@ -80,19 +78,19 @@ Sample stored_sample(MapKind map, const MapOptions& options) {
     return options.is_exr(map) && !is_floating(sample) ? Sample::half : sample;
 }
 
-Json list_of(MapKind map, const MapOptions& options) {
-    Json list = Json::array();
+OrderedJson channel_list(MapKind map, const MapOptions& options) {
+    OrderedJson list = OrderedJson::array();
     for (const ChannelMeaning& channel : channel_meanings(map, options)) {
-        Json entry = {{"channel", channel.channel}, {"name", channel.name},
-                      {"unit", channel.unit},       {"type", type_name(stored_sample(map, options))},
-                      {"scale", channel.scale},     {"offset", channel.offset}};
+        OrderedJson entry = {{"channel", channel.channel}, {"name", channel.name},
+                             {"unit", channel.unit},       {"type", type_name(stored_sample(map, options))},
+                             {"scale", channel.scale},     {"offset", channel.offset}};
         if (channel.range[0] < channel.range[1]) entry["range"] = channel.range;
         list.push_back(entry);
     }
     return list;
 }
 
-Json as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
+OrderedJson line_as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
 
 /// Offset of a texel's position per row of the image, computed from the offset per row of the
 /// cascade.
@@ -110,27 +108,27 @@ double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
 
 /// Returns the reference positions of a cascade's texels: x and the second axis as linear functions
 /// of column and row.
-Json cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
+OrderedJson cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
     const CascadeGrid& grid = cascade.grid;
     const double texel_m = grid.side_m / cascade.resolution, sign = sign_of_z(options.up_axis);
-    const auto place = [&](double column_m, double row_m) -> Json {
+    const auto place = [&](double column_m, double row_m) -> OrderedJson {
         const RowPlaces rows(row_m, cascade.resolution, options.rows);
         // + 0.0 converts -0 to 0.
         return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};
     };
     const std::string other = other_axis(options.up_axis);
-    Json json = {{"in_file_names", cascade.number == 0 ? "" : "c" + std::to_string(cascade.number)},
-                 {"side_m", grid.side_m},
-                 {"resolution", cascade.resolution},
-                 {"rotation", {{"cosine", grid.cosine}, {"sine", sign * grid.sine + 0.0}}},
-                 {"x_m", place(grid.cosine * texel_m, -grid.sine * texel_m)},
-                 {other + "_m", place(sign * grid.sine * texel_m, sign * grid.cosine * texel_m)}};
+    OrderedJson json = {{"in_file_names", cascade.number == 0 ? "" : "c" + std::to_string(cascade.number)},
+                        {"side_m", grid.side_m},
+                        {"resolution", cascade.resolution},
+                        {"rotation", {{"cosine", grid.cosine}, {"sine", sign * grid.sine + 0.0}}},
+                        {"x_m", place(grid.cosine * texel_m, -grid.sine * texel_m)},
+                        {other + "_m", place(sign * grid.sine * texel_m, sign * grid.cosine * texel_m)}};
     if (cascade.min_k > 0) json["longest_wave_m"] = two_pi / cascade.min_k;
     if (cascade.is_banded()) json["shortest_wave_m"] = two_pi / cascade.max_k;
     return json;
 }
 
-Json axes_as_json(UpAxis up) {
+OrderedJson axes_as_json(UpAxis up) {
     if (up == UpAxis::z) return {{"east", "+x"}, {"north", "+y"}, {"up", "+z"}};
     return {{"east", "+x"}, {"up", "+y"}, {"south", "+z"}};
 }
@@ -149,34 +147,34 @@ std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& opti
     return meanings;
 }
 
-Json channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
-    Json maps = Json::object();
-    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(map, options);
+OrderedJson channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
+    OrderedJson maps = OrderedJson::object();
+    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = channel_list(map, options);
     if (has_dynamic_waves)
-        maps[std::string(name_of(MapKind::dynamic_waves))] = list_of(MapKind::dynamic_waves, options);
+        maps[std::string(name_of(MapKind::dynamic_waves))] = channel_list(MapKind::dynamic_waves, options);
     return maps;
 }
 
-Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
+OrderedJson layout_as_json(const Forecast& forecast, const MapOptions& options) {
     const std::vector<CascadePlan> plans = plan_cascades(forecast);
     const CascadePlan& first = plans.front();
     const double n = first.resolution, side_m = first.grid.side_m, texel_m = side_m / n;
     const RowPlaces rows(sign_of_z(options.up_axis) * texel_m, first.resolution, options.rows);
-    Json cascades = Json::array();
+    OrderedJson cascades = OrderedJson::array();
     for (const CascadePlan& plan : plans) cascades.push_back(cascade_as_json(plan, options));
     return {{"axes", axes_as_json(options.up_axis)},
             {"row_0", "upper edge of the image"},
-            {"x_m_of_column", as_json({texel_m, 0})},
-            {std::string(other_axis(options.up_axis)) + "_m_of_row", as_json({rows.a_row, rows.offset})},
-            {"u_of_column", as_json({1 / n, 0.5 / n})},
-            {"v_down_of_row", as_json({1 / n, 0.5 / n})},
+            {"x_m_of_column", line_as_json({texel_m, 0})},
+            {std::string(other_axis(options.up_axis)) + "_m_of_row", line_as_json({rows.a_row, rows.offset})},
+            {"u_of_column", line_as_json({1 / n, 0.5 / n})},
+            {"v_down_of_row", line_as_json({1 / n, 0.5 / n})},
             {"repeats_after_m", side_m},
             {"cascades", cascades},
             {"colour", false},
             {"alpha_is_opacity", false}};
 }
 
-Json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& options) {
+OrderedJson dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& options) {
     const double sign = sign_of_z(options.up_axis), texel_m = grid.texel_m;
     const RowPlaces rows(sign * texel_m, grid.resolution, options.rows);
     const double first_row_m = sign * static_cast<double>(grid.first_z) * texel_m;
@@ -184,9 +182,9 @@ Json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& opti
             {"texel_m", texel_m},
             {"first_x", grid.first_x},
             {"first_z", grid.first_z},
-            {"x_m_of_column", as_json({texel_m, static_cast<double>(grid.first_x) * texel_m + 0.0})},
+            {"x_m_of_column", line_as_json({texel_m, static_cast<double>(grid.first_x) * texel_m + 0.0})},
             {std::string(other_axis(options.up_axis)) + "_m_of_row",
-             as_json({rows.a_row, rows.offset + first_row_m + 0.0})}};
+             line_as_json({rows.a_row, rows.offset + first_row_m + 0.0})}};
 }
 
 std::string pixel_meaning() {

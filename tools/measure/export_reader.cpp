@@ -17,49 +17,40 @@
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/record/export_record.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Size limit of sea.json, in bytes: enough for more than 100,000 frames.
-constexpr std::size_t max_record_bytes = std::size_t{256} << 20;
-constexpr int deepest_level = 8;  ///< sea.json has five levels
+constexpr std::size_t max_sea_json_bytes = std::size_t{256} << 20;
+constexpr int max_sea_json_levels = 8;  ///< sea.json has five levels
 
 /// Limit of plausible heights, in metres. A larger value is not a height in metres.
 constexpr float highest_m = 1e4f;
 
-Json parsed(const std::string& text, const std::string& place) {
+ReadJson parsed_sea_json(const std::string& text, const std::string& place) {
     bool is_deep = false;
-    const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
-        is_deep = is_deep || depth > deepest_level;
+    const auto check_depth = [&](int depth, ReadJson::parse_event_t, ReadJson&) {
+        is_deep = is_deep || depth > max_sea_json_levels;
         return !is_deep;
     };
-    const Json json = Json::parse(text, check_depth, false);
+    const ReadJson json = ReadJson::parse(text, check_depth, false);
     if (json.is_discarded() || is_deep || !json.is_object())
         throw InputError(place + ": malformed JSON, expected a sea.json of pelagic export");
     return json;
 }
 
-/// Returns the value of a key of an object; null if there is none.
-const Json& value_of(const Json& json, const char* key) {
-    static const Json none;
-    if (!json.is_object()) return none;
-    const auto found = json.find(key);
-    return found == json.end() ? none : *found;
-}
-
 /// Returns the image names of the frame's heights, of the coarsest cascade and of as many finer
 /// ones as the frame lists, as the export names them. If files hold all maps, every cascade has the
 /// same name.
-std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t max_cascades) {
-    const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
+std::vector<std::string> heights_names(const ReadJson& frame, const MapOptions& options, std::size_t max_cascades) {
+    const ReadJson &files = value_of(frame, "files"), &number = value_of(frame, "frame");
     if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
     const auto is_listed = [&](const std::string& name) {
         return std::any_of(files.begin(), files.end(),
-                           [&](const Json& file) { return value_of(file, "name") == name; });
+                           [&](const ReadJson& file) { return value_of(file, "name") == name; });
     };
     std::vector<std::string> names;
     if (options.pack != Pack::files) {
@@ -78,18 +69,18 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
 
 /// Reads the storage of heights from the record's pixel description. An export without displacement
 /// has none; another check rejects it.
-StoredHeights stored_heights(const Json& record, const std::filesystem::path& place) {
+StoredHeights stored_heights(const ReadJson& record, const std::filesystem::path& place) {
     StoredHeights stored;
     const auto reject = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
-    if (const Json& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
+    if (const ReadJson& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
         if (rows != "top" && rows != "bottom") throw reject("export's rows are neither top nor bottom");
         stored.overturned_rows = rows == "bottom";
     }
-    const Json& channels = value_of(value_of(record, "channels"), "displacement");
+    const ReadJson& channels = value_of(value_of(record, "channels"), "displacement");
     if (channels.is_null()) return stored;
-    for (const Json& channel : channels) {
+    for (const ReadJson& channel : channels) {
         if (value_of(channel, "name") != "height") continue;
-        const Json &letter = value_of(channel, "channel"), &scale = value_of(channel, "scale");
+        const ReadJson &letter = value_of(channel, "channel"), &scale = value_of(channel, "scale");
         const std::size_t number =
             letter.is_string() ? std::string("RGB").find(letter.get<std::string>()) : std::string::npos;
         // The scale is 1 for metres, 0.01 for centimetres.
@@ -105,14 +96,14 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
 
 /// Returns the options that determine the names of images. If the record has others, its images are
 /// not found.
-MapOptions names_in(const Json& record) {
+MapOptions naming_options_in(const ReadJson& record) {
     MapOptions options;
-    const Json& how = value_of(record, "export");
+    const ReadJson& how = value_of(record, "export");
     for (const ImageFormat format : values_of<ImageFormat>())
         if (value_of(how, "format") == name_of(format)) options.format = format;
     for (const Pack pack : values_of<Pack>())
         if (value_of(how, "pack") == name_of(pack)) options.pack = pack;
-    if (const Json& names = value_of(how, "names"); names.is_string())
+    if (const ReadJson& names = value_of(how, "names"); names.is_string())
         options.names = NamePattern::parse(names.get<std::string>());
     return options;
 }
@@ -134,31 +125,31 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
 ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
     : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
     const std::filesystem::path place = folder / sea_json_name;
-    const std::optional<std::string> text = folder_.read_text(sea_json_name, max_record_bytes);
+    const std::optional<std::string> text = folder_.read_text(sea_json_name, max_sea_json_bytes);
     if (!text) throw InputError(place.string() + " is missing: expected a finished export");
-    if (text->size() > max_record_bytes)
-        throw InputError(place.string() + " has more than " + number_text(max_record_bytes >> 20) + " MiB");
-    const Json record = parsed(*text, place.string());
+    if (text->size() > max_sea_json_bytes)
+        throw InputError(place.string() + " has more than " + number_text(max_sea_json_bytes >> 20) + " MiB");
+    const ReadJson record = parsed_sea_json(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
     cascades_ = plan_cascades(forecast_of(sea_));
     stored_ = stored_heights(record, place);
 
-    const MapOptions maps = names_in(record);
+    const MapOptions maps = naming_options_in(record);
     is_packed_ = maps.pack != Pack::files;
     if (maps.format == ImageFormat::dds)
         throw InputError(place.string() +
                          ": the maps are dds textures, expected an export with --format exr, tif or ktx2");
     if (is_packed_ && value_of(value_of(record, "channels"), "displacement").is_null())
         throw InputError(place.string() + " names no displacement, expected an export with --maps displacement");
-    const Json& frames = value_of(record, "frames");
+    const ReadJson& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
         throw InputError(place.string() + " has no frames, expected a finished export");
     frames_there_ = frames.size();
     std::vector<double> times_s;
-    for (const Json& frame : frames) {
+    for (const ReadJson& frame : frames) {
         if (names_.size() == max_frames) break;
         const std::string where = place.string() + ": frame " + number_text(names_.size());
-        const Json& time = value_of(frame, "time_s");
+        const ReadJson& time = value_of(frame, "time_s");
         if (!time.is_number() || !std::isfinite(time.get<double>()))
             throw InputError(where + " has no time_s, expected a number");
         times_s.push_back(time.get<double>());

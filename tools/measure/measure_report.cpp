@@ -16,8 +16,6 @@
 namespace pelagic::tools {
 namespace {
 
-double degrees(double radians) { return radians * (180 / std::numbers::pi); }
-
 /// Returns a measured spectrum with the model's values at its points.
 Json spectrum_json(const std::vector<SpectrumPoint>& found, const char* at, const char* unit, auto model) {
     std::vector<double> places;
@@ -71,11 +69,13 @@ ComponentPeaks component_peaks(const std::vector<SpectrumPoint>& found, const Se
 
 /// Returns measured, drawn and expected statistics. A drawn value is null if it can be measured
 /// from frames only.
-Json statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
+Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
     const auto three = [](Json measured, Json drawn, Json expected) -> Json {
         return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
     };
-    const auto direction = [](double WaveDirections::*angle, const WaveDirections& of) { return degrees(of.*angle); };
+    const auto direction = [](double WaveDirections::*angle, const WaveDirections& of) {
+        return in_degrees(of.*angle);
+    };
     const auto directions = [&](double WaveDirections::*angle) {
         return three(found.directions ? Json(direction(angle, *found.directions)) : Json(),
                      direction(angle, report.drawn_directions), direction(angle, report.expected_directions));
@@ -150,7 +150,7 @@ Json measure_export(const std::filesystem::path& folder) {
         json["cascades"].push_back({{"side_m", cascade.grid.side_m}, {"resolution", cascade.resolution}});
     json["cascades_there"] = plan_cascades(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
-    json["waves"] = statistics_json(found, sea, report);
+    json["waves"] = wave_statistics_json(found, sea, report);
     json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
                                          [&](const auto& at) { return model_by_frequency(sea, at); });
     json["by_wave_number"] = spectrum_json(found.by_wave_number, "wave_number_rad_per_m", "m3",

@@ -7,14 +7,14 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double width = 560, height = 420;  ///< of a panel's axes, in SVG units
-constexpr double left = 110, top = 100, below = 80, right = 30;
+constexpr double panel_width = 560, panel_height = 420;  ///< of a panel's axes, in SVG units
+constexpr double left_margin = 110, top_margin = 100, bottom_margin = 80, right_margin = 30;
 constexpr double max_decades = 5;  ///< below the largest density; smaller densities are omitted
 constexpr const char* found_colour = "#d62728";
 constexpr const char* model_colour = "#1f77b4";
 
 template <class... Values>
-std::string line(const char* format, Values... values) {
+std::string plot_text(const char* format, Values... values) {
     char text[400];
     std::snprintf(text, sizeof text, format, values...);
     return text;
@@ -53,7 +53,8 @@ Axis axis_over(const std::vector<double>& values, double decades, double size) {
 }
 
 std::string axes_as_svg(const Axis& across, const Axis& up, const SpectrumPanel& panel) {
-    std::string svg = line("<rect width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"black\"/>\n", width, height);
+    std::string svg =
+        plot_text("<rect width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"black\"/>\n", panel_width, panel_height);
     const auto each_tick = [](const Axis& axis, auto draw) {
         for (double decade = std::floor(axis.min); decade <= axis.max; ++decade)
             for (const double factor : axis.ticks)
@@ -61,18 +62,19 @@ std::string axes_as_svg(const Axis& across, const Axis& up, const SpectrumPanel&
                     draw(axis.place(value), value);
     };
     each_tick(across, [&](double x, double value) {
-        svg += line("<path d=\"M%.1f 0V%g\" stroke=\"#ddd\"/>\n", x, height);
-        svg += line("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%g</text>\n", x, height + 26, value);
+        svg += plot_text("<path d=\"M%.1f 0V%g\" stroke=\"#ddd\"/>\n", x, panel_height);
+        svg += plot_text("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%g</text>\n", x, panel_height + 26, value);
     });
     each_tick(up, [&](double y, double value) {
-        svg += line("<path d=\"M0 %.1fH%g\" stroke=\"#ddd\"/>\n", height - y, width);
-        svg += line("<text x=\"-8\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", height - y + 5, value);
+        svg += plot_text("<path d=\"M0 %.1fH%g\" stroke=\"#ddd\"/>\n", panel_height - y, panel_width);
+        svg += plot_text("<text x=\"-8\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", panel_height - y + 5, value);
     });
-    svg += line("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", width / 2, height + 56) + panel.at_label +
-           "</text>\n";
-    svg += line("<text transform=\"translate(%g %g) rotate(-90)\" text-anchor=\"middle\">", -80.0, height / 2) +
+    svg += plot_text("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", panel_width / 2, panel_height + 56) +
+           panel.at_label + "</text>\n";
+    svg += plot_text("<text transform=\"translate(%g %g) rotate(-90)\" text-anchor=\"middle\">", -80.0,
+                     panel_height / 2) +
            panel.density_label + "</text>\n";
-    svg += line("<text x=\"0\" y=\"-12\">") + panel.title + "</text>\n";
+    svg += plot_text("<text x=\"0\" y=\"-12\">") + panel.title + "</text>\n";
     return svg;
 }
 
@@ -85,7 +87,8 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
             is_down = false;
             continue;
         }
-        path += line("%c%.1f %.1f", is_down ? 'L' : 'M', across.place(point.at), height - up.place(point.*density));
+        path += plot_text("%c%.1f %.1f", is_down ? 'L' : 'M', across.place(point.at),
+                          panel_height - up.place(point.*density));
         is_down = true;
     }
     return "<path d=\"" + path + "\" fill=\"none\" " + style + "/>\n";
@@ -94,32 +97,35 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
 std::string panel_as_svg(const SpectrumPanel& panel) {
     std::vector<double> places, densities;
     for (const PlottedPoint& point : panel.points) densities.insert(densities.end(), {point.found, point.model});
-    const Axis up = axis_over(densities, max_decades, height);
+    const Axis up = axis_over(densities, max_decades, panel_height);
     for (const PlottedPoint& point : panel.points)
         if (up.holds(point.found) || up.holds(point.model)) places.push_back(point.at);
-    const Axis across = axis_over(places, 300, width);
-    const std::string found = line("stroke=\"%s\" stroke-width=\"2\"", found_colour);
-    const std::string expected = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", model_colour);
+    const Axis across = axis_over(places, 300, panel_width);
+    const std::string found = plot_text("stroke=\"%s\" stroke-width=\"2\"", found_colour);
+    const std::string expected = plot_text("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", model_colour);
     return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::model, expected.c_str()) +
            curve_as_svg(across, up, panel, &PlottedPoint::found, found.c_str()) +
-           line("<text x=\"%g\" y=\"25\" text-anchor=\"end\" fill=\"%s\">found</text>\n", width - 10, found_colour) +
-           line("<text x=\"%g\" y=\"47\" text-anchor=\"end\" fill=\"%s\">expected</text>\n", width - 10,
-                model_colour);
+           plot_text("<text x=\"%g\" y=\"25\" text-anchor=\"end\" fill=\"%s\">found</text>\n", panel_width - 10,
+                     found_colour) +
+           plot_text("<text x=\"%g\" y=\"47\" text-anchor=\"end\" fill=\"%s\">expected</text>\n", panel_width - 10,
+                     model_colour);
 }
 
 }  // namespace
 
 std::string spectra_as_svg(const std::string& title, const std::vector<SpectrumPanel>& panels) {
-    const double step = left + width + right;
+    const double step = left_margin + panel_width + right_margin;
     const double whole = step * static_cast<double>(panels.size());
-    std::string svg = line(
+    std::string svg = plot_text(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" "
         "font-size=\"16\">\n",
-        whole, top + height + below);
+        whole, top_margin + panel_height + bottom_margin);
     svg += "<title>" + title + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    svg += line("<text x=\"%g\" y=\"40\" text-anchor=\"middle\" font-size=\"20\">", whole / 2) + title + "</text>\n";
+    svg += plot_text("<text x=\"%g\" y=\"40\" text-anchor=\"middle\" font-size=\"20\">", whole / 2) + title +
+           "</text>\n";
     for (std::size_t i = 0; i < panels.size(); ++i)
-        svg += line("<g transform=\"translate(%g %g)\">\n", left + step * static_cast<double>(i), top) +
+        svg += plot_text("<g transform=\"translate(%g %g)\">\n", left_margin + step * static_cast<double>(i),
+                         top_margin) +
                panel_as_svg(panels[i]) + "</g>\n";
     return svg + "</svg>\n";
 }

@@ -11,7 +11,7 @@
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // OpenGL's constants, which glTF uses.
 constexpr int a_byte = 5120, an_unsigned_byte = 5121, an_unsigned_int = 5125, a_float = 5126;
@@ -41,8 +41,8 @@ std::int8_t signed_byte_of(float number) {
 /// Returns a dielectric material with the roughness of water seen from near. With foam, the base
 /// colour is foam's, because vertex colours can only darken it. Without foam, it is the dark blue
 /// of deep water.
-Json water(bool has_foam) {
-    const Json colour = has_foam ? Json{0.85, 0.88, 0.9, 1} : Json{0.004, 0.022, 0.035, 1};
+OrderedJson water(bool has_foam) {
+    const OrderedJson colour = has_foam ? OrderedJson{0.85, 0.88, 0.9, 1} : OrderedJson{0.004, 0.022, 0.035, 1};
     return {{"name", "water"},
             {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.15}}},
             {"doubleSided", true}};
@@ -77,8 +77,9 @@ GlbFile::GlbFile(const Mesh& first, std::size_t frames) : first_(first) {
 
 void GlbFile::add(const Mesh& mesh) {
     assert(mesh.positions.size() == first_.positions.size() && mesh.foam.size() == first_.foam.size());
-    Json target = {{"POSITION", add_floats(differences(first_.positions, mesh.positions), 3, Bounds::min_and_max)},
-                   {"NORMAL", add_floats(differences(first_.normals, mesh.normals), 3, Bounds::none)}};
+    OrderedJson target = {
+        {"POSITION", add_floats(differences(first_.positions, mesh.positions), 3, Bounds::min_and_max)},
+        {"NORMAL", add_floats(differences(first_.normals, mesh.normals), 3, Bounds::none)}};
     if (!mesh.foam.empty()) {
         std::vector<std::int8_t> greys;
         for (std::size_t v = 0; v < mesh.foam.size(); ++v)
@@ -90,20 +91,20 @@ void GlbFile::add(const Mesh& mesh) {
 
 Bytes GlbFile::finish(double fps, bool closes) {
     const std::size_t indices = add_triangles();
-    Json primitive = {{"attributes", attributes_}, {"indices", indices}, {"material", 0}};
-    Json mesh = {{"name", "sea"}};
+    OrderedJson primitive = {{"attributes", attributes_}, {"indices", indices}, {"material", 0}};
+    OrderedJson mesh = {{"name", "sea"}};
     if (!targets_.empty()) {
         primitive["targets"] = targets_;
         mesh["weights"] = std::vector<int>(targets_.size(), 0);
     }
-    mesh["primitives"] = Json::array({primitive});
-    Json json = {{"asset", {{"version", "2.0"}, {"generator", "Pelagic " PELAGIC_VERSION}}},
-                 {"scene", 0},
-                 {"scenes", {{{"nodes", {0}}}}},
-                 {"nodes", {{{"name", "sea"}, {"mesh", 0}}}},
-                 {"meshes", Json::array({mesh})},
-                 {"materials", Json::array({water(!first_.foam.empty())})}};
-    if (!targets_.empty()) json["animations"] = Json::array({animation(fps, closes)});
+    mesh["primitives"] = OrderedJson::array({primitive});
+    OrderedJson json = {{"asset", {{"version", "2.0"}, {"generator", "Pelagic " PELAGIC_VERSION}}},
+                        {"scene", 0},
+                        {"scenes", {{{"nodes", {0}}}}},
+                        {"nodes", {{{"name", "sea"}, {"mesh", 0}}}},
+                        {"meshes", OrderedJson::array({mesh})},
+                        {"materials", OrderedJson::array({water(!first_.foam.empty())})}};
+    if (!targets_.empty()) json["animations"] = OrderedJson::array({animation(fps, closes)});
     json["accessors"] = accessors_;
     json["bufferViews"] = views_;
     json["buffers"] = {{{"byteLength", buffer_.size()}}};
@@ -120,7 +121,7 @@ Bytes GlbFile::finish(double fps, bool closes) {
     return file;
 }
 
-Json GlbFile::animation(double fps, bool closes) {
+OrderedJson GlbFile::animation(double fps, bool closes) {
     const std::size_t targets = targets_.size(), keys = targets + 1 + (closes ? 1 : 0);
     std::vector<float> times_s, weights(keys * targets, 0);
     for (std::size_t key = 0; key < keys; ++key) {

@@ -21,22 +21,22 @@
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::json;
+using GltfJson = nlohmann::json;
 
 /// Limits of the JSON. An exporter's files have about ten levels, and ten values a node.
-constexpr int deepest_level = 32;
-constexpr std::size_t max_values = 200'000;
+constexpr int max_json_levels = 32;
+constexpr std::size_t max_json_values = 200'000;
 
 // OpenGL's constants, which glTF uses.
-constexpr std::uint64_t an_unsigned_byte = 5121, an_unsigned_short = 5123, an_unsigned_int = 5125, a_float = 5126,
-                        triangle_list = 4;
+constexpr std::uint64_t component_unsigned_byte = 5121, component_unsigned_short = 5123,
+                        component_unsigned_int = 5125, component_float = 5126, mode_triangles = 4;
 
-std::span<const unsigned char> as_bytes(std::string_view text) {
+std::span<const unsigned char> unsigned_bytes(std::string_view text) {
     return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-std::uint32_t number_at(std::string_view bytes, std::size_t offset) {
-    return little_endian<std::uint32_t>(as_bytes(bytes.substr(offset, 4)));
+std::uint32_t little_endian_word_at(std::string_view bytes, std::size_t offset) {
+    return little_endian<std::uint32_t>(unsigned_bytes(bytes.substr(offset, 4)));
 }
 
 /// Decodes base64 (RFC 4648). Returns none for other characters.
@@ -88,7 +88,7 @@ bool is_inside(const std::string& path) {
 
 /// An object of the file, and its name in messages.
 struct Element {
-    const Json& json;
+    const GltfJson& json;
     std::string name;
 };
 
@@ -101,11 +101,11 @@ struct Elements {
     template <class Number>
     Number at(std::size_t element, std::size_t index = 0) const {
         return little_endian<Number>(
-            as_bytes(bytes.substr(element * stride + index * sizeof(Number), sizeof(Number))));
+            unsigned_bytes(bytes.substr(element * stride + index * sizeof(Number), sizeof(Number))));
     }
     std::uint32_t index_at(std::size_t element) const {
-        if (component == an_unsigned_byte) return at<std::uint8_t>(element);
-        if (component == an_unsigned_short) return at<std::uint16_t>(element);
+        if (component == component_unsigned_byte) return at<std::uint8_t>(element);
+        if (component == component_unsigned_short) return at<std::uint16_t>(element);
         return at<std::uint32_t>(element);
     }
 };
@@ -118,8 +118,8 @@ class GltfReader {
     }
 
     HullFile read() {
-        const Json& asset = member(root_, "asset");
-        const Json& version = member({asset, "asset"}, "version");
+        const GltfJson& asset = member(root_, "asset");
+        const GltfJson& version = member({asset, "asset"}, "version");
         if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2."))
             reject("asset.version is " + version.dump().substr(0, 40) + ", expected 2.0");
         if (const auto required = root_.json.find("extensionsRequired"); required != root_.json.end())
@@ -144,15 +144,16 @@ class GltfReader {
     std::string_view json_chunk(std::string_view bytes) {
         const auto chunk = [&](std::string_view type) -> std::string_view {
             if (bytes.size() < 8 || bytes.substr(4, 4) != type) return {};
-            const std::size_t size = number_at(bytes, 0);
+            const std::size_t size = little_endian_word_at(bytes, 0);
             if (size > bytes.size() - 8) reject("a chunk has fewer bytes than it states");
             const std::string_view content = bytes.substr(8, size);
             bytes.remove_prefix(8 + size);
             return content;
         };
-        if (bytes.size() < 12 || number_at(bytes, 4) != 2 || number_at(bytes, 8) > bytes.size())
+        if (bytes.size() < 12 || little_endian_word_at(bytes, 4) != 2 ||
+            little_endian_word_at(bytes, 8) > bytes.size())
             reject("the header is that of another version or of a longer file, expected binary glTF 2.0");
-        bytes = bytes.substr(0, number_at(bytes, 8));
+        bytes = bytes.substr(0, little_endian_word_at(bytes, 8));
         bytes.remove_prefix(std::min<std::size_t>(bytes.size(), 12));
         const std::string_view json = chunk("JSON");
         if (json.empty()) reject("the first chunk is not JSON");
@@ -162,22 +163,22 @@ class GltfReader {
 
     void parse(std::string_view text) {
         std::size_t values = 0;
-        const auto limit = [&](int depth, Json::parse_event_t, Json&) {
-            if (depth > deepest_level) reject("JSON has more than " + number_text(deepest_level) + " levels");
-            if (++values > max_values) reject("JSON has more than " + number_text(max_values) + " values");
+        const auto limit = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
+            if (depth > max_json_levels) reject("JSON has more than " + number_text(max_json_levels) + " levels");
+            if (++values > max_json_values) reject("JSON has more than " + number_text(max_json_values) + " values");
             return true;
         };
         try {
-            json_ = Json::parse(text, limit);
-        } catch (const Json::parse_error& error) {
+            json_ = GltfJson::parse(text, limit);
+        } catch (const GltfJson::parse_error& error) {
             reject("JSON is invalid at byte " + number_text(error.byte));
-        } catch (const Json::exception&) {
+        } catch (const GltfJson::exception&) {
             reject("JSON has a number that is too large");
         }
         if (!json_.is_object()) reject("JSON is no object");
     }
 
-    const Json& member(const Element& object, const char* key) const {
+    const GltfJson& member(const Element& object, const char* key) const {
         if (!object.json.is_object()) reject(object.name + " is no object");
         const auto found = object.json.find(key);
         if (found == object.json.end()) reject(object.name + "." + key + " is missing");
@@ -193,22 +194,22 @@ class GltfReader {
     std::uint64_t whole(const Element& object, const char* key, std::uint64_t absent) const {
         return has(object, key) ? whole(object, key) : absent;
     }
-    std::uint64_t as_whole(const Json& value, const std::string& name) const {
+    std::uint64_t as_whole(const GltfJson& value, const std::string& name) const {
         constexpr std::uint64_t largest = 0xffffffff;
         if (!value.is_number_unsigned() || value.get<std::uint64_t>() > largest)
             reject(name + " is " + value.dump().substr(0, 40) + ", expected a whole number");
         return value.get<std::uint64_t>();
     }
 
-    const Json& array(const Element& object, const char* key) const {
-        const Json& list = member(object, key);
+    const GltfJson& array(const Element& object, const char* key) const {
+        const GltfJson& list = member(object, key);
         if (!list.is_array()) reject(object.name + "." + key + " is no array");
         return list;
     }
 
     /// Returns an element of one of the file's arrays.
     Element element(const char* list_name, std::uint64_t number) const {
-        const Json& list = array(root_, list_name);
+        const GltfJson& list = array(root_, list_name);
         const std::string name = std::string(list_name) + "[" + number_text(number) + "]";
         if (number >= list.size()) reject(name + " does not exist");
         return {list[static_cast<std::size_t>(number)], name};
@@ -219,7 +220,7 @@ class GltfReader {
     std::array<double, Count> numbers(const Element& object, const char* key,
                                       std::array<double, Count> absent) const {
         if (!has(object, key)) return absent;
-        const Json& list = array(object, key);
+        const GltfJson& list = array(object, key);
         bool is_valid = list.size() == Count;
         for (std::size_t i = 0; i < Count && is_valid; ++i) {
             is_valid = list[i].is_number();
@@ -247,7 +248,7 @@ class GltfReader {
                       std::vector<std::pair<std::uint64_t, glm::dmat4>>& nodes) {
         if (!has(object, key)) return;
         visited_.resize(array(root_, "nodes").size());
-        for (const Json& value : array(object, key)) {
+        for (const GltfJson& value : array(object, key)) {
             const std::uint64_t number = as_whole(value, object.name + "." + key);
             const Element node = element("nodes", number);
             if (visited_[static_cast<std::size_t>(number)]) reject(node.name + " has two parents, expected a tree");
@@ -264,20 +265,20 @@ class GltfReader {
         if (has(node, "skin")) reject(node.name + " has a skin, expected a rigid mesh");
         const Element mesh = element("meshes", whole(node, "mesh"));
         std::size_t number = 0;
-        for (const Json& primitive : array(mesh, "primitives"))
+        for (const GltfJson& primitive : array(mesh, "primitives"))
             take_primitive({primitive, mesh.name + ".primitives[" + number_text(number++) + "]"}, world);
     }
 
     void take_primitive(const Element& primitive, const glm::dmat4& world) {
-        if (const std::uint64_t mode = whole(primitive, "mode", triangle_list); mode != triangle_list)
+        if (const std::uint64_t mode = whole(primitive, "mode", mode_triangles); mode != mode_triangles)
             reject(primitive.name + ".mode is " + number_text(mode) + ", expected 4, triangles");
-        const Json& attributes = member(primitive, "attributes");
+        const GltfJson& attributes = member(primitive, "attributes");
         const Elements positions =
-            elements(whole({attributes, primitive.name + ".attributes"}, "POSITION"), "VEC3", {a_float});
+            elements(whole({attributes, primitive.name + ".attributes"}, "POSITION"), "VEC3", {component_float});
         std::optional<Elements> indices;
         if (has(primitive, "indices"))
             indices = elements(whole(primitive, "indices"), "SCALAR",
-                               {an_unsigned_byte, an_unsigned_short, an_unsigned_int});
+                               {component_unsigned_byte, component_unsigned_short, component_unsigned_int});
         const std::size_t corners = indices ? indices->count : positions.count;
         if (corners % 3 != 0)
             reject(primitive.name + " has " + number_text(corners) + " corners, expected triangles");
@@ -310,16 +311,16 @@ class GltfReader {
     Elements elements(std::uint64_t number, std::string_view type, std::initializer_list<std::uint64_t> components) {
         const Element accessor = element("accessors", number);
         if (has(accessor, "sparse")) reject(accessor.name + " is sparse, expected values in a buffer");
-        if (member(accessor, "type") != Json(type)) reject(accessor.name + ".type is not " + std::string(type));
+        if (member(accessor, "type") != GltfJson(type)) reject(accessor.name + ".type is not " + std::string(type));
         Elements values;
         values.component = whole(accessor, "componentType");
         if (std::find(components.begin(), components.end(), values.component) == components.end())
             reject(accessor.name + ".componentType is " + number_text(values.component) +
                    ", expected float for positions, and unsigned integers for indices");
         const std::uint64_t count = whole(accessor, "count"), offset = whole(accessor, "byteOffset", 0);
-        const std::uint64_t component_bytes = values.component == an_unsigned_byte    ? 1
-                                              : values.component == an_unsigned_short ? 2
-                                                                                      : 4;
+        const std::uint64_t component_bytes = values.component == component_unsigned_byte    ? 1
+                                              : values.component == component_unsigned_short ? 2
+                                                                                             : 4;
         const std::uint64_t bytes = component_bytes * (type == "VEC3" ? 3 : 1);
 
         const Element view = element("bufferViews", whole(accessor, "bufferView"));
@@ -356,7 +357,7 @@ class GltfReader {
     }
 
     std::string content_of(const Element& buffer) const {
-        const Json& uri = member(buffer, "uri");
+        const GltfJson& uri = member(buffer, "uri");
         if (!uri.is_string()) reject(buffer.name + ".uri is no text");
         const std::string& text = uri.get_ref<const std::string&>();
         if (text.starts_with("data:")) {
@@ -376,7 +377,7 @@ class GltfReader {
 
     const std::filesystem::path& file_;
     std::string name_;
-    Json json_;
+    GltfJson json_;
     Element root_;
     std::string_view binary_chunk_;
     std::map<std::uint64_t, std::string> buffers_;  ///< those that were read

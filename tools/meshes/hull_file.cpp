@@ -10,12 +10,12 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view obj_blanks = " \t\r";
 
 /// Removes the first word of a line and returns it; empty at the end.
 std::string_view take_word(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(std::min(line.find_first_not_of(obj_blanks), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(obj_blanks));
     line.remove_prefix(word.size());
     return word;
 }

@@ -26,7 +26,7 @@ constexpr std::array<const char*, 9> level_colours = {"#440154", "#46327e", "#36
 constexpr double plan_side = 1000;  ///< side of the square in SVG units
 
 template <class... Values>
-std::string line(const char* format, Values... values) {
+std::string plan_text(const char* format, Values... values) {
     char text[400];
     std::snprintf(text, sizeof text, format, values...);
     return text;
@@ -102,7 +102,7 @@ std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<co
     const double scale = plan_side / grid.size_m();
     const auto to_plan = [&](glm::dvec2 p) { return (p - low) * scale; };
 
-    std::string svg = line(
+    std::string svg = plan_text(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 -20 %g %g\" font-family=\"sans-serif\" "
         "font-size=\"18\">\n<rect x=\"-20\" y=\"-20\" width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
         plan_side + 300, plan_side + 40);
@@ -112,7 +112,7 @@ std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<co
     for (const PatchInstance& patch : all.instances) {
         const glm::dvec2 corner = to_plan(rest_position(grid, patch, 0, 0));
         const double side = grid.patch_size_m(patch.level) * scale;
-        svg += line(
+        svg += plan_text(
             "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"%s\" fill-opacity=\"%s\" "
             "stroke=\"black\" stroke-width=\"0.7\"/>\n",
             corner.x, corner.y, side, side, level_colours[patch.level], is_drawn.contains(key(patch)) ? "1" : "0.18");
@@ -121,29 +121,29 @@ std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<co
         const std::vector<glm::dvec2> seen = footprint(view, low, high);
         if (seen.empty()) continue;
         svg += "<polygon points=\"";
-        for (const glm::dvec2 p : seen) svg += line("%.2f,%.2f ", to_plan(p).x, to_plan(p).y);
+        for (const glm::dvec2 p : seen) svg += plan_text("%.2f,%.2f ", to_plan(p).x, to_plan(p).y);
         svg += "\" fill=\"none\" stroke=\"#d62728\" stroke-width=\"3\"/>\n";
     }
     const glm::dvec2 viewer = to_plan({viewer_m.x, viewer_m.z});
     if (viewer.x >= 0 && viewer.y >= 0 && viewer.x <= plan_side && viewer.y <= plan_side)
-        svg +=
-            line("<circle cx=\"%.2f\" cy=\"%.2f\" r=\"6\" fill=\"#d62728\" stroke=\"white\" stroke-width=\"2\"/>\n",
-                 viewer.x, viewer.y);
+        svg += plan_text(
+            "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"6\" fill=\"#d62728\" stroke=\"white\" stroke-width=\"2\"/>\n",
+            viewer.x, viewer.y);
 
     double y = 20;
     const double x = plan_side + 20;
     const auto text = [&](const std::string& words) {
-        svg += line("<text x=\"%g\" y=\"%g\">%s</text>\n", x, y, words.c_str());
+        svg += plan_text("<text x=\"%g\" y=\"%g\">%s</text>\n", x, y, words.c_str());
         y += 30;
     };
     text(number_text(grid.size_m()) + " m, x right, z down");
     for (int level = 0; level <= grid.deepest_level; ++level) {
         const auto at = static_cast<std::size_t>(level);
         if (all.statistics.patches_by_level[at] == 0) continue;
-        svg +=
-            line("<rect x=\"%g\" y=\"%g\" width=\"18\" height=\"18\" fill=\"%s\"/>\n", x, y - 15, level_colours[at]);
-        svg += line("<text x=\"%g\" y=\"%g\">level %d: %u of %u</text>\n", x + 26, y, level,
-                    drawn.statistics.patches_by_level[at], all.statistics.patches_by_level[at]);
+        svg += plan_text("<rect x=\"%g\" y=\"%g\" width=\"18\" height=\"18\" fill=\"%s\"/>\n", x, y - 15,
+                         level_colours[at]);
+        svg += plan_text("<text x=\"%g\" y=\"%g\">level %d: %u of %u</text>\n", x + 26, y, level,
+                         drawn.statistics.patches_by_level[at], all.statistics.patches_by_level[at]);
         y += 30;
     }
     if (!views.empty()) text("red: seen at y = 0");

@@ -11,7 +11,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double furthest_m = 1e7;
+constexpr double furthest_camera_m = 1e7;
 constexpr glm::dvec3 default_position_m{0, 8, 0}, default_target_m{60, 0, 60};
 constexpr double default_fov_deg = 60;
 
@@ -22,7 +22,7 @@ glm::dvec3 point(const std::string& option, const std::string& text) {
     glm::dvec3 all;
     for (int axis = 0; axis < 3; ++axis) {
         const auto number = parse_number(parts[static_cast<std::size_t>(axis)]);
-        if (!number || std::abs(*number) > furthest_m) throw reject();
+        if (!number || std::abs(*number) > furthest_camera_m) throw reject();
         all[axis] = *number;
     }
     return all;

@@ -12,9 +12,11 @@ constexpr void require_toml(bool condition) {
     if (!condition) throw NotToml();
 }
 }  // namespace pelagic::tools
+#pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expr) ::pelagic::tools::require_toml(static_cast<bool>(expr))
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -27,7 +29,7 @@ std::string place_of(const std::filesystem::path& file, const toml::source_regio
     return file.string() + ":" + number_text(source.begin.line);
 }
 
-std::string value_text(const toml::node& node, const std::string& place, std::string_view key) {
+std::string toml_value_text(const toml::node& node, const std::string& place, std::string_view key) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* whole = node.as_integer()) return number_text(whole->get());
     if (const auto* number = node.as_floating_point()) return number_text(number->get());
@@ -65,7 +67,7 @@ void require_few_levels(std::string_view text, const std::filesystem::path& file
     }
 }
 
-toml::table parsed(std::string_view text, const std::filesystem::path& file) {
+toml::table parsed_toml(std::string_view text, const std::filesystem::path& file) {
     require_few_levels(text, file);
     try {
         return toml::parse(text);
@@ -77,8 +79,8 @@ toml::table parsed(std::string_view text, const std::filesystem::path& file) {
     }
 }
 
-std::vector<ConfigEntry> entries_of(const toml::table& table, const std::filesystem::path& file,
-                                    std::span<const std::string> known) {
+std::vector<ConfigEntry> entries_of_table(const toml::table& table, const std::filesystem::path& file,
+                                          std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
     for (const auto& [name, node] : table) {
         const std::string key(name.str());
@@ -89,7 +91,7 @@ std::vector<ConfigEntry> entries_of(const toml::table& table, const std::filesys
         if (std::find(known.begin(), known.end(), key) == known.end())
             throw InputError(place + ": unknown key " + key + ", expected " + list_of(known) +
                              nearest_hint(key, known));
-        entries.push_back({key, value_text(node, place, key), place, node.is_string()});
+        entries.push_back({key, toml_value_text(node, place, key), place, node.is_string()});
     }
     return entries;
 }
@@ -105,13 +107,13 @@ std::vector<std::string> change_keys() { return {"from", "over", "swell_from"}; 
 
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known) {
-    return entries_of(parsed(text, file), file, known);
+    return entries_of_table(parsed_toml(text, file), file, known);
 }
 
 WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& file,
                             std::span<const std::string> known) {
     constexpr std::string_view change_key = "change";
-    toml::table table = parsed(text, file);
+    toml::table table = parsed_toml(text, file);
     WeatherConfig weather;
     if (const toml::node* changes = table.get(change_key)) {
         if (!changes->is_array_of_tables())
@@ -119,10 +121,11 @@ WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& 
         std::vector<std::string> keys = change_keys();
         keys.insert(keys.end(), known.begin(), known.end());
         for (const toml::node& change : *changes->as_array())
-            weather.changes.push_back({place_of(file, change.source()), entries_of(*change.as_table(), file, keys)});
+            weather.changes.push_back(
+                {place_of(file, change.source()), entries_of_table(*change.as_table(), file, keys)});
         table.erase(change_key);
     }
-    weather.first = entries_of(table, file, known);
+    weather.first = entries_of_table(table, file, known);
     return weather;
 }
 

@@ -20,7 +20,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr const char* an_image = "a PNG or EXR image, each side from 2 to 4096 pixels";
-constexpr std::size_t max_bytes = std::size_t{256} << 20;
+constexpr std::size_t max_depth_image_bytes = std::size_t{256} << 20;
 constexpr double default_size_m = 1000, default_low_m = -20, default_high_m = 10;
 
 std::pair<double, double> two_numbers(const char* option, const std::string& text, double max, const char* accepted) {
@@ -42,7 +42,7 @@ void require_few_channels(std::size_t channels) {
 /// Returns the first channel of an image: 0 (black) to 1 (white) of a PNG, the stored values of an
 /// EXR.
 ShoreOptions read_heights(const std::string& file, const std::string& extension) {
-    const std::string bytes = InputFile("--floor", file, an_image).read_all(max_bytes);
+    const std::string bytes = InputFile("--floor", file, an_image).read_all(max_depth_image_bytes);
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     ShoreOptions field;
     try {

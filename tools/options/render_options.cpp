@@ -14,7 +14,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int max_frames = 100'000;
+constexpr int max_rendered_frames = 100'000;
 constexpr const char *default_file = "sea.png", *image_extension = ".png", *film_extension = ".mp4";
 constexpr double default_film_s = 5;
 
@@ -116,7 +116,7 @@ RenderOptions RenderFlags::resolve() const {
         options.time_s = number_in(option, text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
     });
     given("frames", [&](const auto& option, const auto& text) {
-        options.frames = whole_number_in(option, text, 1, max_frames);
+        options.frames = whole_number_in(option, text, 1, max_rendered_frames);
     });
     given("rock", [&](const auto& option, const auto& text) {
         options.rock_m = rock_place(option, text);

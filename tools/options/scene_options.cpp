@@ -16,7 +16,6 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr int max_pixels_a_side = 8192;
 
 void read_size(SceneOptions& options, const std::string& text) {

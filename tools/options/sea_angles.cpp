@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::array angles = {
+constexpr std::array angle_fields = {
     SeaAngle{"wind_direction_rad", "wind_direction_deg", &SeaState::wind_direction_rad,
              &ResolvedSea::wind_direction_deg},
     SeaAngle{"swell_direction_rad", "swell_direction_deg", &SeaState::swell_direction_rad,
@@ -17,12 +17,12 @@ constexpr std::array angles = {
 
 }  // namespace
 
-std::span<const SeaAngle> sea_angles() { return angles; }
+std::span<const SeaAngle> sea_angles() { return angle_fields; }
 
 const SeaAngle* sea_angle(std::string_view field) {
-    const auto found =
-        std::find_if(angles.begin(), angles.end(), [&](const auto& angle) { return angle.field == field; });
-    return found == angles.end() ? nullptr : found;
+    const auto found = std::find_if(angle_fields.begin(), angle_fields.end(),
+                                    [&](const auto& angle) { return angle.field == field; });
+    return found == angle_fields.end() ? nullptr : found;
 }
 
 }  // namespace pelagic::tools

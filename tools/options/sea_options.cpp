@@ -16,8 +16,6 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180;
-
 /// A numeric flag and its field of SeaState.
 struct SeaFlag {
     std::string_view flag;

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ inline Forecast forecast_of(const ResolvedSea& sea) {
                                     .swell_from_m = change.swell_from_m});
     return forecast;
 }
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180;
+inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// An angle, in radians in a SeaState and in degrees on the command line and in files.
 struct SeaAngle {

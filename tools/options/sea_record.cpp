@@ -9,7 +9,7 @@
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string key_without_unit(std::string key) {
     for (const std::string_view unit : {"_mps", "_deg", "_m", "_s"})
@@ -17,19 +17,20 @@ std::string key_without_unit(std::string key) {
     return key;
 }
 
-Json parse(std::string_view text, const std::filesystem::path& file) {
+OrderedJson parse(std::string_view text, const std::filesystem::path& file) {
     try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
+        return OrderedJson::parse(text);
+    } catch (const OrderedJson::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw InputError(file.string() + ":" + number_text(1 + std::count(text.begin(), end, '\n')) +
                          ": malformed JSON, expected a sea.json of pelagic export");
-    } catch (const Json::exception&) {  // for instance a number that exceeds the range of double
+    } catch (const OrderedJson::exception&) {  // for instance a number that exceeds the range of double
         throw InputError(file.string() + ": malformed JSON, expected a sea.json of pelagic export");
     }
 }
 
-std::vector<ConfigEntry> entries_of(const Json& sea, const std::string& place, std::span<const std::string> known) {
+std::vector<ConfigEntry> entries_of_sea(const OrderedJson& sea, const std::string& place,
+                                        std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
     for (const auto& [name, value] : sea.items()) {
         const std::string key = key_without_unit(name);
@@ -45,12 +46,12 @@ std::vector<ConfigEntry> entries_of(const Json& sea, const std::string& place, s
     return entries;
 }
 
-std::vector<ConfigEntry> sea_of(const Json& record, const std::filesystem::path& file,
+std::vector<ConfigEntry> sea_of(const OrderedJson& record, const std::filesystem::path& file,
                                 std::span<const std::string> known) {
     const auto sea = record.find("sea");
     if (sea == record.end() || !sea->is_object())
         throw InputError(file.string() + " holds no sea, expected a sea.json of pelagic export");
-    return entries_of(*sea, file.string() + ": sea", known);
+    return entries_of_sea(*sea, file.string() + ": sea", known);
 }
 
 }  // namespace
@@ -62,19 +63,19 @@ std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::file
 
 WeatherConfig parse_weather_record(std::string_view text, const std::filesystem::path& file,
                                    std::span<const std::string> known) {
-    const Json record = parse(text, file);
+    const OrderedJson record = parse(text, file);
     WeatherConfig weather{sea_of(record, file, known), {}};
     const auto changes = record.find("weather");
     if (changes == record.end()) return weather;
     const std::string place = file.string() + ": weather";
     if (!changes->is_array()) throw InputError(place + " is no list, expected a sea.json of pelagic export");
-    for (const Json& change : *changes) {
+    for (const OrderedJson& change : *changes) {
         if (!change.is_object() || !change.contains("sea") || !change["sea"].is_object())
             throw InputError(place + " has a change without a sea, expected a sea.json of pelagic export");
-        Json times = change;
+        OrderedJson times = change;
         times.erase("sea");
-        weather.changes.push_back({place, entries_of(times, place, change_keys())});
-        for (ConfigEntry& entry : entries_of(change["sea"], place, known))
+        weather.changes.push_back({place, entries_of_sea(times, place, change_keys())});
+        for (ConfigEntry& entry : entries_of_sea(change["sea"], place, known))
             weather.changes.back().entries.push_back(std::move(entry));
     }
     return weather;

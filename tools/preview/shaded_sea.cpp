@@ -41,44 +41,44 @@ glm::vec3 horizontal(const det::SineCosine& azimuth) {
     return {static_cast<float>(azimuth.cosine), 0, static_cast<float>(azimuth.sine)};
 }
 
-struct View {
-    glm::vec3 eye{0}, forward{0}, right{0}, up{0};
-    float tangent = 0;  ///< tangent of half the vertical field of view
-    float aspect = 1;
-
-    /// Returns the direction of an image position, of length 1 along `forward`.
-    /// \param at  -1 to 1 in the image, x to the right, y up
-    glm::vec3 ray(glm::vec2 at) const { return forward + tangent * (aspect * at.x * right + at.y * up); }
-
-    struct Seen {
-        glm::vec2 at;
-        float depth;
-    };
-    Seen seen(const glm::vec3& point) const {
-        const glm::vec3 away = point - eye;
-        const float depth = glm::dot(away, forward);
-        const float scale = 1 / (tangent * depth);
-        return {{glm::dot(away, right) * scale / aspect, glm::dot(away, up) * scale}, depth};
-    }
-};
-
-/// A reference point at its displaced position.
-struct GridPoint {
-    glm::vec2 pixel{0};  ///< in samples from the upper left corner
-    /// Infinite for points behind the eye, which are not drawn.
-    float depth = std::numeric_limits<float>::infinity();
-    glm::vec3 light{0};
-};
-
-/// Vertical extent of one row of reference points in the image. A band of the image skips rows
-/// outside of it.
-struct Extent {
-    float top = std::numeric_limits<float>::infinity(), bottom = -std::numeric_limits<float>::infinity();
-};
-
 }  // namespace
 
 struct ShadedSea::State {
+    struct View {
+        glm::vec3 eye{0}, forward{0}, right{0}, up{0};
+        float tangent = 0;  ///< tangent of half the vertical field of view
+        float aspect = 1;
+
+        /// Returns the direction of an image position, of length 1 along `forward`.
+        /// \param at  -1 to 1 in the image, x to the right, y up
+        glm::vec3 ray(glm::vec2 at) const { return forward + tangent * (aspect * at.x * right + at.y * up); }
+
+        struct Seen {
+            glm::vec2 at;
+            float depth;
+        };
+        Seen seen(const glm::vec3& point) const {
+            const glm::vec3 away = point - eye;
+            const float depth = glm::dot(away, forward);
+            const float scale = 1 / (tangent * depth);
+            return {{glm::dot(away, right) * scale / aspect, glm::dot(away, up) * scale}, depth};
+        }
+    };
+
+    /// A reference point at its displaced position.
+    struct GridPoint {
+        glm::vec2 pixel{0};  ///< in samples from the upper left corner
+        /// Infinite for points behind the eye, which are not drawn.
+        float depth = std::numeric_limits<float>::infinity();
+        glm::vec3 light{0};
+    };
+
+    /// Vertical extent of one row of reference points in the image. A band of the image skips rows
+    /// outside of it.
+    struct Extent {
+        float top = std::numeric_limits<float>::infinity(), bottom = -std::numeric_limits<float>::infinity();
+    };
+
     State(const SeaState& sea, int width, int height, std::shared_ptr<Executor> executor_to_use);
 
     void place_row(std::size_t row);
@@ -182,7 +182,7 @@ void ShadedSea::State::place_row(std::size_t row) {
     extents[row] = extent;
 }
 
-GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
+auto ShadedSea::State::point_at(const glm::vec2& at) const -> GridPoint {
     const glm::vec3 ray = view.ray(at);
     const glm::vec3 rest = view.eye + view.eye.y / -ray.y * ray;
     const float distance = glm::length(rest - view.eye);

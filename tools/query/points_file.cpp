@@ -21,13 +21,6 @@ constexpr std::size_t max_line_length = std::size_t{1} << 16;
 constexpr std::size_t max_block_text = std::size_t{4} << 20;
 constexpr std::size_t buffer_size = 2 * max_line_length;
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::optional<double> coordinate(std::string_view text) {
     const auto value = parse_number(text);
     return value && std::fabs(*value) <= farthest_m ? value : std::nullopt;

@@ -15,11 +15,11 @@ namespace {
 
 /// Maximum depth of JSON; records have five levels. Some functions of the library recurse for each
 /// level.
-constexpr int deepest_level = 8;
+constexpr int max_record_levels = 8;
 
-ReadJson parsed(std::string_view text) {
+ReadJson parsed_record(std::string_view text) {
     const auto check_depth = [](int depth, ReadJson::parse_event_t, ReadJson&) {
-        if (depth > deepest_level) throw DamagedRecord();
+        if (depth > max_record_levels) throw DamagedRecord();
         return true;
     };
     try {
@@ -29,16 +29,8 @@ ReadJson parsed(std::string_view text) {
     }
 }
 
-/// Returns the value of a key; null if there is none, or if `json` is not an object.
-const ReadJson& value_of(const ReadJson& json, const std::string& key) {
-    static const ReadJson none;
-    if (!json.is_object()) return none;
-    const auto found = json.find(key);
-    return found == json.end() ? none : *found;
-}
-
-std::string text_of(const ReadJson& json) { return json.is_string() ? json.get<std::string>() : std::string(); }
-double number_of(const ReadJson& json) { return json.is_number() ? json.get<double>() : 0; }
+std::string text_or_empty(const ReadJson& json) { return json.is_string() ? json.get<std::string>() : std::string(); }
+double number_or_zero(const ReadJson& json) { return json.is_number() ? json.get<double>() : 0; }
 
 /// Returns the file names of a frame, in the order of the records.
 std::vector<std::string> file_names(const ExportOptions& options, int frame) {
@@ -50,28 +42,36 @@ std::vector<std::string> file_names(const ExportOptions& options, int frame) {
 
 }  // namespace
 
+const ReadJson& value_of(const ReadJson& json, const std::string& key) {
+    static const ReadJson none;
+    if (!json.is_object()) return none;
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+}
+
 std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOptions& options) {
     const ReadJson& number = value_of(entry, "frame");
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > FrameTimes::largest_number ||
         !options.times.contains(number.get<int>()))
         return {};
     const bool has_foam = options.has_foam();
-    FrameRecord record{.frame = number.get<int>(),
-                       .time_s = options.times.time_of(number.get<int>()),
-                       .hash = text_of(value_of(entry, "hash")),
-                       .foam_hash = has_foam ? text_of(value_of(entry, "foam_hash")) : "",
-                       .dynamic_waves_hash = options.events ? text_of(value_of(entry, "dynamic_waves_hash")) : "",
-                       .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
-                       .height_min_m = number_of(value_of(entry, "height_min_m")),
-                       .height_max_m = number_of(value_of(entry, "height_max_m")),
-                       .files = {}};
+    FrameRecord record{
+        .frame = number.get<int>(),
+        .time_s = options.times.time_of(number.get<int>()),
+        .hash = text_or_empty(value_of(entry, "hash")),
+        .foam_hash = has_foam ? text_or_empty(value_of(entry, "foam_hash")) : "",
+        .dynamic_waves_hash = options.events ? text_or_empty(value_of(entry, "dynamic_waves_hash")) : "",
+        .significant_wave_height_m = number_or_zero(value_of(entry, "significant_wave_height_m")),
+        .height_min_m = number_or_zero(value_of(entry, "height_min_m")),
+        .height_max_m = number_or_zero(value_of(entry, "height_max_m")),
+        .files = {}};
     const ReadJson& files = value_of(entry, "files");
     const std::vector<std::string> names = file_names(options, record.frame);
     if (files.size() != names.size() || has_foam == record.foam_hash.empty() ||
         options.events.has_value() == record.dynamic_waves_hash.empty())
         return {};
     for (std::size_t i = 0; i < names.size(); ++i)
-        record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
+        record.files.push_back({names[i], files.is_array() ? text_or_empty(value_of(files[i], "xxh3")) : ""});
     // The time and the names in `record` are computed here, so an entry with others differs. The
     // digest in the entry must match too.
     if (entry != ReadJson(frame_as_json(record))) return {};
@@ -91,9 +91,9 @@ ReadJson options_in(const ReadJson& head) {
 namespace {
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
-    if (std::string text = text_of(name); is_image_name(text, options.maps.names) ||
-                                          is_mesh_name(text, options.maps.names) || is_flipbook_name(text) ||
-                                          text == events_copy_name)
+    if (std::string text = text_or_empty(name); is_image_name(text, options.maps.names) ||
+                                                is_mesh_name(text, options.maps.names) || is_flipbook_name(text) ||
+                                                text == events_copy_name)
         earlier.images.push_back(std::move(text));
 }
 
@@ -120,13 +120,13 @@ std::string clipped(std::string text) {
 }  // namespace
 
 EarlierExport parse_journal(std::string_view text, const ExportOptions& options) {
-    const ReadJson header = parsed(next_line(text));
+    const ReadJson header = parsed_record(next_line(text));
     EarlierExport earlier{value_of(header, "options"), {}, {}};
     const ReadJson& replaced = value_of(header, "replaced_files");
     if (!earlier.options.is_object() || !replaced.is_array()) throw DamagedRecord();
     for (const ReadJson& name : replaced) take_name(name, options, earlier);
     while (!text.empty()) try {
-            take_frame(parsed(next_line(text)), options, earlier);
+            take_frame(parsed_record(next_line(text)), options, earlier);
         } catch (const DamagedRecord&) {
             // The last line is incomplete if the export was killed while it wrote the line. Ignore
             // the frame.
@@ -135,7 +135,7 @@ EarlierExport parse_journal(std::string_view text, const ExportOptions& options)
 }
 
 EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options) {
-    const ReadJson json = parsed(text);
+    const ReadJson json = parsed_record(text);
     const ReadJson& frames = value_of(json, "frames");
     EarlierExport earlier{options_in(json), {}, {}};
     if (!frames.is_array()) throw DamagedRecord();

@@ -22,6 +22,9 @@ namespace pelagic::tools {
 /// new key with all others.)
 using ReadJson = nlohmann::json;
 
+/// Returns the value of a key; null if there is none, or if `json` is not an object.
+const ReadJson& value_of(const ReadJson& json, const std::string& key);
+
 /// Thrown for a record that is malformed, nested too deeply, or has no options.
 struct DamagedRecord : std::runtime_error {
     DamagedRecord() : std::runtime_error("the record is damaged") {}

@@ -16,7 +16,7 @@ constexpr const char* frames_key = "frames";
 constexpr std::size_t max_element_bytes = std::size_t{64} << 20;
 
 /// Limit of nested objects and lists, not counting the list of frames. Records have five levels.
-constexpr std::size_t deepest_level = 8;
+constexpr std::size_t max_nested_levels = 8;
 
 /// Reads the file piece by piece. Throws DamagedRecord if the head or a frame exceeds the size
 /// limit.
@@ -100,7 +100,7 @@ class RecordParser : public nlohmann::json_sax<ReadJson> {
         return end_element();
     }
     bool begin(ReadJson&& value) {
-        if (open_.size() == deepest_level) return false;
+        if (open_.size() == max_nested_levels) return false;
         open_.push_back(put(std::move(value)));
         return true;
     }

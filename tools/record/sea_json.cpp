@@ -12,8 +12,6 @@
 namespace pelagic::tools {
 namespace {
 
-double degrees(double radians) { return radians * (180 / std::numbers::pi); }
-
 Json files_as_json(const std::vector<FileRecord>& files) {
     Json list = Json::array();
     for (const FileRecord& file : files) list.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
@@ -155,10 +153,10 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
                  {"tm02_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
                  {"zero_crossing_period_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
                  {"peak_wavelength_m", expected.peak_wavelength_m},
-                 {"mean_direction_deg",
-                  both(degrees(report.expected_directions.mean_rad), degrees(report.drawn_directions.mean_rad))},
-                 {"directional_spread_deg",
-                  both(degrees(report.expected_directions.spread_rad), degrees(report.drawn_directions.spread_rad))},
+                 {"mean_direction_deg", both(in_degrees(report.expected_directions.mean_rad),
+                                             in_degrees(report.drawn_directions.mean_rad))},
+                 {"directional_spread_deg", both(in_degrees(report.expected_directions.spread_rad),
+                                                 in_degrees(report.drawn_directions.spread_rad))},
                  {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
                  {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
                  {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
@@ -203,7 +201,7 @@ Json foam_as_json(const Frame& frame) {
             {"ramp", SnapshotFoam::ramp},
             {"fade_s", report.fade_s},
             {"drift_mps", report.drift_mps},
-            {"drift_direction_deg", degrees(report.drift_direction_rad)},
+            {"drift_direction_deg", in_degrees(report.drift_direction_rad)},
             {"cascades", cascades}};
 }
 

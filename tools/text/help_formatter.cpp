@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t columns = 100, name_columns = 30;
+constexpr std::size_t help_columns = 100, name_columns = 30;
 
 constexpr std::array groups = {
     help_group::output,        help_group::input, help_group::frames,      help_group::maps,
@@ -34,7 +34,7 @@ std::string entry(const std::string& name, const std::string& description) {
         const bool opens = word.front() == '[' || word.front() == '(';
         if (std::string next; opens && (word.back() == ',' || word.back() == ':') && words >> next)
             word += " " + next;
-        if (column > name_columns && column + 1 + word.size() > columns) break_line();
+        if (column > name_columns && column + 1 + word.size() > help_columns) break_line();
         if (column > name_columns) text += ' ', ++column;
         text += word;
         column += word.size();

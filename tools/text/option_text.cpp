@@ -41,6 +41,13 @@ int whole_number_in(const std::string& option, const std::string& text, int min,
     return static_cast<int>(*value);
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::vector<std::string> split_at_commas(std::string_view text) {
     std::vector<std::string> parts(1);
     for (const char c : text) {

@@ -52,6 +52,9 @@ std::string alternatives(const Names& names) {
     return text;
 }
 
+/// Returns the text without the spaces, tabs and carriage returns at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// Splits "a,b" into {"a", "b"}. Empty pieces are kept.
 std::vector<std::string> split_at_commas(std::string_view text);
 

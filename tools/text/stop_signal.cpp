@@ -14,12 +14,12 @@ volatile std::sig_atomic_t caught = 0;
 extern "C" void note_signal(int signal) { caught = signal; }
 
 volatile std::sig_atomic_t is_held = 0;
-const char* end_line = "";
+const char* closing_line = "";
 const char* clear_progress = "";
 
 /// Ends the program. Async-signal-safe: called from a signal handler.
 void end_now() {
-    for (const char* text : {clear_progress, end_line})
+    for (const char* text : {clear_progress, closing_line})
         if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
     ::_exit(128 + caught);
 }
@@ -50,7 +50,7 @@ void catch_stop_signals() { handle_stop_signals(note_signal); }
 int stop_signal() { return caught; }
 
 void end_on_stop_signals(const char* line) {
-    end_line = line;
+    closing_line = line;
     if (::isatty(STDERR_FILENO) == 1) clear_progress = "\r\033[K";
     handle_stop_signals(end_at_signal);
 }
