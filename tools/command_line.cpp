@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pelagic/tools/commands/command.hpp"
+#include "pelagic/tools/encode/codec_library.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/notes.hpp"
@@ -207,6 +208,9 @@ void describe_command_line(const std::function<void(const CLI::App&)>& take) {
 }
 
 int run_command_line(int argc, const char* const* argv) {
+#if defined(PELAGIC_HAS_IMAGES)
+    keep_dependencies_single_threaded();
+#endif
     try {
         const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
         return CommandLine(words).run(words);

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -53,6 +54,8 @@ std::string missing_resource(const CodecLibrary& library) {
 }
 
 }  // namespace
+
+void keep_dependencies_single_threaded() { ::setenv("OPENBLAS_NUM_THREADS", "1", 0); }
 
 const void* load_table(const CodecLibrary& library) {
     const std::filesystem::path file = path_of(library);

@@ -18,6 +18,10 @@ struct CodecLibrary {
     std::size_t address_space;
 };
 
+/// Keeps dependencies from starting threads that have no work here: OpenImageIO may load OpenBLAS,
+/// whose threads try to allocate memory until they succeed. Call it before other threads exist.
+void keep_dependencies_single_threaded();
+
 /// Loads the library from its path relative to the tool and returns its table. The library is never
 /// unloaded. Throws FileError that names the library file.
 const void* load_table(const CodecLibrary& library);
