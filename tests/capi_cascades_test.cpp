@@ -19,11 +19,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-void expect_invalid(pelagic_status status, const std::string& line) {
-    EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT);
-    EXPECT_EQ(pelagic_last_error(), line);
-}
-
 pelagic_ocean_options serial_options(const COceanExecutor& serial) {
     auto options = sized<pelagic_ocean_options>();
     options.executor = serial.get();
@@ -34,12 +29,6 @@ class CInterfaceCascades : public testing::Test {
    protected:
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
-    static pelagic_frame complete(pelagic_ocean* ocean, double time_s) {
-        auto frame = sized<pelagic_frame>();
-        EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
-        return frame;
-    }
     static std::vector<pelagic_cascade> cascades_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
         std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count),
                                               sized<pelagic_cascade>());
@@ -73,8 +62,8 @@ TEST_F(CInterfaceCascades, TexturesOnlyAreBitIdenticalAndHaveNoPlanes) {
     const COcean usual = ocean_of(stack_sea(3), serial.get());
     options.textures_only = 1;
     const COcean textures = ocean_of(stack_sea(3), options);
-    const auto expected = cascades_of(usual.get(), complete(usual.get(), 4));
-    const auto cascades = cascades_of(textures.get(), complete(textures.get(), 4));
+    const auto expected = cascades_of(usual.get(), complete(usual, 4));
+    const auto cascades = cascades_of(textures.get(), complete(textures, 4));
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(cascades[i].height.data, nullptr);
         EXPECT_EQ(std::memcmp(cascades[i].displacement_rgba16f, expected[i].displacement_rgba16f, 8 * 32 * 32), 0);
@@ -84,13 +73,13 @@ TEST_F(CInterfaceCascades, TexturesOnlyAreBitIdenticalAndHaveNoPlanes) {
     options.queries = 1;
     const pelagic_sea sea = stack_sea(3);
     pelagic_ocean* made = nullptr;
-    expect_invalid(pelagic_ocean_create(&sea, &options, &made),
-                   "queries cannot be combined with an ocean without planes");
+    expect_rejected(pelagic_ocean_create(&sea, &options, &made),
+                    "queries cannot be combined with an ocean without planes");
 }
 
 TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
     const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
-    const pelagic_frame frame = complete(usual.get(), 4);
+    const pelagic_frame frame = complete(usual, 4);
     const std::vector<pelagic_cascade> expected = cascades_of(usual.get(), frame);
     std::vector<ApplicationTextures> memory(3);
     std::vector<pelagic_texture_targets> targets;
@@ -111,13 +100,13 @@ TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
     }
 
     targets[0].cascade_count = 2;
-    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
-                   "targets.cascade_count is 2, expected 3, with as many structs one after the other");
+    expect_rejected(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
+                    "targets.cascade_count is 2, expected 3, with as many structs one after the other");
     targets[0].cascade_count = 3;
     targets[1].moments_rgba8[2] = nullptr;
-    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
-                   "targets: moments_rgba8 lacks level 2, expected 6 levels");
-    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, nullptr), "targets is NULL, expected a pointer");
+    expect_rejected(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
+                    "targets: moments_rgba8 lacks level 2, expected 6 levels");
+    expect_rejected(pelagic_ocean_schedule_into(elsewhere.get(), 5, nullptr), "targets is NULL, expected a pointer");
 }
 
 bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
@@ -131,7 +120,7 @@ TEST_F(CInterfaceCascades, TheFrameHoldsItsCoarsestCascade) {
     ASSERT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
     EXPECT_EQ(info.cascade_count, 3);
     EXPECT_EQ(info.resolution, 32);
-    const pelagic_frame frame = complete(ocean.get(), 3);
+    const pelagic_frame frame = complete(ocean, 3);
     ASSERT_EQ(frame.cascade_count, 3);
     const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     EXPECT_EQ(frame.resolution, 32);
@@ -188,7 +177,7 @@ TEST_F(CInterfaceCascades, OptionsSelectTheDataOfACascade) {
         pelagic_ocean_options options = serial_options(serial);
         options.slopes = options.gradients = is_asked;
         const COcean one = ocean_of(small_sea(32), options), two = ocean_of(stack_sea(2), options);
-        const pelagic_frame frame = complete(one.get(), 1), stack = complete(two.get(), 1);
+        const pelagic_frame frame = complete(one, 1), stack = complete(two, 1);
         const std::vector<pelagic_cascade> alone = cascades_of(one.get(), frame),
                                            cascades = cascades_of(two.get(), stack);
         ASSERT_EQ(alone.size(), 1u);
@@ -213,24 +202,26 @@ TEST_F(CInterfaceCascades, OptionsSelectTheDataOfACascade) {
 
 TEST_F(CInterfaceCascades, AnInvalidCascadeIndexIsNamed) {
     const COcean one = ocean_of(small_sea(), serial.get()), two = ocean_of(stack_sea(2), serial.get());
-    complete(one.get(), 0), complete(two.get(), 0);
+    complete(one, 0), complete(two, 0);
     pelagic_cascade cascade, untouched;
     std::memset(&cascade, 0xAB, sizeof cascade);
     cascade.struct_size = sizeof cascade;
     std::memcpy(&untouched, &cascade, sizeof cascade);
-    expect_invalid(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, expected 0");
-    expect_invalid(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, expected 0 to 1");
-    expect_invalid(pelagic_ocean_cascade(two.get(), -1, &cascade), "index is -1, expected 0 to 1");
-    expect_invalid(pelagic_ocean_cascade(two.get(), INT32_MIN, &cascade), "index is -2147483648, expected 0 to 1");
+    expect_rejected(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, expected 0");
+    expect_rejected(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, expected 0 to 1");
+    expect_rejected(pelagic_ocean_cascade(two.get(), -1, &cascade), "index is -1, expected 0 to 1");
+    expect_rejected(pelagic_ocean_cascade(two.get(), INT32_MIN, &cascade), "index is -2147483648, expected 0 to 1");
     EXPECT_EQ(std::memcmp(&cascade, &untouched, sizeof cascade), 0);
     const pelagic_sea lone = small_sea(32), more = stack_sea(3);
-    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &lone), "cascades is 1, expected 2, as the ocean was built");
-    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, expected 2, as the ocean was built");
+    expect_rejected(pelagic_ocean_schedule_sea(two.get(), &lone),
+                    "cascades is 1, expected 2, as the ocean was built");
+    expect_rejected(pelagic_ocean_schedule_sea(two.get(), &more),
+                    "cascades is 3, expected 2, as the ocean was built");
 }
 
 TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
-    const pelagic_frame first = complete(ocean.get(), 1);
+    const pelagic_frame first = complete(ocean, 1);
     const pelagic_cascade before = cascades_of(ocean.get(), first)[1];
     const float height = texel_of(before.height, 3, 4);
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
@@ -246,7 +237,7 @@ TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
     ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &storm), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
     EXPECT_EQ(cascades_of(ocean.get(), second)[0].side_m, first.patch_size_m);
-    const pelagic_frame third = complete(ocean.get(), 3);
+    const pelagic_frame third = complete(ocean, 3);
     EXPECT_GT(third.patch_size_m, first.patch_size_m);
     EXPECT_EQ(cascades_of(ocean.get(), third)[0].side_m, third.patch_size_m);
 }
@@ -337,7 +328,7 @@ TEST_F(CInterfaceCascades, DecodedSlopesSumToTheSurfacesSlopes) {
     pelagic_sea sea = stack_sea(4, 64);
     sea.wind_direction_rad = 0.7;
     const COcean ocean = ocean_of(sea, serial.get());
-    const pelagic_frame frame = complete(ocean.get(), 5);
+    const pelagic_frame frame = complete(ocean, 5);
     const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     const std::vector<ExactCascade> exact_cascades(cascades.begin(), cascades.end());
     std::mt19937 random(3);
@@ -393,7 +384,7 @@ pelagic_cascade level_of(pelagic_cascade cascade, int level) {
 // level 1, because level 0 is sharpened for the filter (docs/theory.md).
 TEST_F(CInterfaceCascades, TheLastLevelHasZeroSlopeAndTheTotalVariance) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
-    for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean.get(), 3))) {
+    for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean, 3))) {
         double whole[8] = {};
         const pelagic_cascade last = level_of(cascade, cascade.levels - 1), first = level_of(cascade, 1);
         ASSERT_EQ(last.resolution, 1);
@@ -432,7 +423,7 @@ TEST_F(CInterfaceCascades, AQueryReturnsTheDisplacedSumOfCascades) {
     pelagic_sea sea = stack_sea(3);
     sea.choppiness = 0.3;
     const COcean ocean = ocean_of(sea, serial.get());
-    const pelagic_frame frame = complete(ocean.get(), 2);
+    const pelagic_frame frame = complete(ocean, 2);
     const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     constexpr std::size_t count = 200;
     std::vector<double> x(count), z(count), heights(count);
@@ -496,7 +487,7 @@ TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
     for (StackArrays& cascade : computed) to.push_back(cascade.view());
     copies[0].cascade_count = to[0].cascade_count = 3;
 
-    const pelagic_frame frame = complete(ocean.get(), 4);
+    const pelagic_frame frame = complete(ocean, 4);
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), copies.data()), PELAGIC_OK) << pelagic_last_error();
     pelagic_bounds bounds{};
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, to.data(), &bounds), PELAGIC_OK) << pelagic_last_error();
@@ -529,13 +520,13 @@ TEST_F(CInterfaceCascades, CascadesOfFrameAtAreAvailableBeforeTheFirstComplete) 
     auto cascade = sized<pelagic_cascade>();
     ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), 1, &cascade), PELAGIC_OK) << pelagic_last_error();
     const COcean other = ocean_of(stack_sea(2), serial.get());
-    const pelagic_cascade expected = cascades_of(other.get(), complete(other.get(), 4))[1];
+    const pelagic_cascade expected = cascades_of(other.get(), complete(other, 4))[1];
     EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, expected.slopes_rgba8, 4 * 1024), 0);
 }
 
 TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     const COcean ocean = ocean_of(stack_sea(2), serial_options(serial));
-    complete(ocean.get(), 0);
+    complete(ocean, 0);
     std::vector<StackArrays> arrays(2, StackArrays(32));
     const auto expect_line = [&](const std::string& line, void (*change)(pelagic_frame_buffers*)) {
         pelagic_frame_buffers buffers[2] = {arrays[0].view(), arrays[1].view()};
@@ -548,8 +539,8 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
             return;
         }
         const std::vector<StackArrays> before = arrays;
-        expect_invalid(pelagic_ocean_copy(ocean.get(), buffers), line);
-        expect_invalid(pelagic_ocean_frame_at(ocean.get(), 1, buffers, nullptr), line);
+        expect_rejected(pelagic_ocean_copy(ocean.get(), buffers), line);
+        expect_rejected(pelagic_ocean_frame_at(ocean.get(), 1, buffers, nullptr), line);
         EXPECT_EQ(arrays, before) << "nothing was written";
     };
     const std::string size = std::to_string(sizeof(pelagic_frame_buffers));
@@ -562,9 +553,9 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     for (const std::uint32_t count : {0u, 1u, 3u}) {
         pelagic_frame_buffers alone = arrays[0].view();  // no struct follows it
         alone.cascade_count = count;
-        expect_invalid(pelagic_ocean_copy(ocean.get(), &alone),
-                       "buffers.cascade_count is " + std::to_string(count) +
-                           ", expected 2, with as many structs one after the other");
+        expect_rejected(pelagic_ocean_copy(ocean.get(), &alone),
+                        "buffers.cascade_count is " + std::to_string(count) +
+                            ", expected 2, with as many structs one after the other");
     }
     expect_line("height has 1023 elements, expected 1024",
                 [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });
@@ -580,11 +571,11 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     expect_line("", [](auto*) {});
 
     const COcean one = ocean_of(small_sea(32), serial_options(serial));
-    complete(one.get(), 0);
+    complete(one, 0);
     auto buffers = sized<pelagic_frame_buffers>();
     buffers.slopes_rgba8 = chain, buffers.slopes_count = 1365;
-    expect_invalid(pelagic_ocean_copy(one.get(), &buffers),
-                   "slopes_rgba8 is requested, but the ocean was created without slopes");
+    expect_rejected(pelagic_ocean_copy(one.get(), &buffers),
+                    "slopes_rgba8 is requested, but the ocean was created without slopes");
 }
 
 }  // namespace

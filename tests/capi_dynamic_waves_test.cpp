@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "pelagic/tests/capi_sea.hpp"
@@ -41,11 +40,6 @@ class CInterfaceDynamicWaves : public testing::Test {
         boat.velocity_x_mps = 1.5;
         return boat;
     }
-    static void complete(const COcean& ocean, double time_s) {
-        auto frame = sized<pelagic_frame>();
-        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
-        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
-    }
     static void run(const COcean& ocean, int from, int to) {
         for (int frame = from; frame < to; ++frame) {
             if (frame % 9 == 4) {
@@ -71,11 +65,6 @@ class CInterfaceDynamicWaves : public testing::Test {
         return height;
     }
 };
-
-void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
-    EXPECT_EQ(status, expected);
-    EXPECT_EQ(pelagic_last_error(), line);
-}
 
 TEST_F(CInterfaceDynamicWaves, AreIncludedInSurfacesAndQueries) {
     const COcean with = with_dynamic_waves(), without = with_dynamic_waves(false);

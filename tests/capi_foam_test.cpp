@@ -1,16 +1,10 @@
 // Foam through the C interface, which is optional.
 #include <algorithm>
-#include <string>
 
 #include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic {
 namespace {
-
-void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
-    EXPECT_EQ(status, expected);
-    EXPECT_EQ(pelagic_last_error(), line);
-}
 
 class CInterfaceFoam : public testing::Test {
    protected:
@@ -24,12 +18,6 @@ class CInterfaceFoam : public testing::Test {
         options.queries = 1;
         options.foam = has_foam;
         return ocean_of(sea, options);
-    }
-    static pelagic_frame complete(const COcean& ocean, double time_s) {
-        auto frame = sized<pelagic_frame>();
-        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
-        return frame;
     }
     static std::uint64_t foam_hash(const COcean& ocean) {
         std::uint64_t hash = 0;

@@ -133,7 +133,7 @@ std::string first_non_finite(pelagic_ocean* ocean, const pelagic_ocean_options& 
     return found.what();
 }
 
-void expect_rejected(pelagic_status status, const std::string& what, const char* name) {
+void expect_rejection_naming(pelagic_status status, const std::string& what, const char* name) {
     const std::string line = pelagic_last_error();
     EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT) << what << ": " << line;
     EXPECT_NE(line.find(name), std::string::npos) << what << ": " << line;
@@ -149,7 +149,7 @@ void expect_rejected_or_finite(const std::string& what, const char* name, const 
     pelagic_ocean* made = nullptr;
     const pelagic_status status = make(&made);
     const COcean ocean(made);
-    if (status != PELAGIC_OK) return expect_rejected(status, what, name);
+    if (status != PELAGIC_OK) return expect_rejection_naming(status, what, name);
     EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
 }
 
@@ -346,7 +346,7 @@ TEST(CInterfaceSmallestValues, FieldsOfADisturbanceAreRejectedOrFinite) {
                          std::uint32_t number = 0;
                          const pelagic_status status =
                              pelagic_dynamic_waves_add_source(waves_of(ocean.get()), &source, &number);
-                         if (status != PELAGIC_OK) return expect_rejected(status, what, name);
+                         if (status != PELAGIC_OK) return expect_rejection_naming(status, what, name);
                          EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
                          EXPECT_EQ(pelagic_dynamic_waves_remove_source(waves_of(ocean.get()), number), PELAGIC_OK);
                      });
@@ -369,7 +369,7 @@ TEST(CInterfaceSmallestValues, FieldsOfRainAreRejectedOrFinite) {
         walk(usual, fields, "step " + std::to_string(step),
              [&](const pelagic_rain& rain, const std::string& what, const char* name) {
                  const pelagic_status status = pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain);
-                 if (status != PELAGIC_OK) return expect_rejected(status, what, name);
+                 if (status != PELAGIC_OK) return expect_rejection_naming(status, what, name);
                  EXPECT_EQ(first_non_finite(ocean.get(), options), "") << what;
              });
     }
@@ -437,8 +437,8 @@ TEST(CInterfaceSmallestValues, SmallestAcceptedValuesGiveFiniteFrames) {
 }
 
 /// An ocean with `input` as its only wave input.
-pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pelagic_ocean_options& options,
-                          pelagic_ocean** ocean) {
+pelagic_status ocean_with_input(pelagic_status status, pelagic_input* input, const pelagic_ocean_options& options,
+                                pelagic_ocean** ocean) {
     if (status != PELAGIC_OK) return status;
     const pelagic_sea sea = two_cascades();
     pelagic_ocean_options with = options;
@@ -465,7 +465,7 @@ TEST(CInterfaceSmallestValues, FieldsOfARippleAreRejectedOrFinite) {
         expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
             pelagic_input* input = nullptr;
             const pelagic_status status = pelagic_input_create_ripple(&ripple, &input);
-            return ocean_with(status, input, options, ocean);
+            return ocean_with_input(status, input, options, ocean);
         });
     });
 }
@@ -492,7 +492,7 @@ TEST(CInterfaceSmallestValues, FieldsOfAWaveListAreRejectedOrFinite) {
         expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
             pelagic_input* input = nullptr;
             const pelagic_status status = pelagic_input_create_waves(&waves, &input);
-            return ocean_with(status, input, options, ocean);
+            return ocean_with_input(status, input, options, ocean);
         });
     });
 }
@@ -507,7 +507,7 @@ TEST(CInterfaceSmallestValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
              expect_rejected_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                  pelagic_input* input = nullptr;
                  const pelagic_status status = pelagic_input_create_callback(&callback, &input);
-                 return ocean_with(status, input, options, ocean);
+                 return ocean_with_input(status, input, options, ocean);
              });
          });
 }
@@ -598,7 +598,7 @@ TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
     pelagic_hull* hull = nullptr;
     const auto try_options = [&](const pelagic_hull_options& options, const std::string& what, const char* name) {
         const pelagic_status status = pelagic_hull_create(&mesh, &options, &hull);
-        if (status != PELAGIC_OK) return expect_rejected(status, what, name);
+        if (status != PELAGIC_OK) return expect_rejection_naming(status, what, name);
         auto state = sized<pelagic_hull_state>();
         EXPECT_EQ(pelagic_hull_at_rest(hull, 0, 0, 0, &state), PELAGIC_OK);
         EXPECT_EQ(first_non_finite(hull, state), "") << what;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <pelagic/pelagic.h>
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace pelagic {
@@ -72,6 +74,36 @@ inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor)
     options.queries = options.velocities = 1;
     options.executor = executor;
     return ocean_of(sea, options);
+}
+
+/// Computes the frame of a time.
+inline pelagic_frame complete(pelagic_ocean* ocean, double time_s) {
+    auto frame = sized<pelagic_frame>();
+    EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
+    return frame;
+}
+inline pelagic_frame complete(const COcean& ocean, double time_s) { return complete(ocean.get(), time_s); }
+
+/// Returns the hash of the current frame.
+inline std::uint64_t hash_of(const pelagic_ocean* ocean) {
+    std::uint64_t hash = 0;
+    EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK) << pelagic_last_error();
+    return hash;
+}
+/// Computes the frame of a time and returns its hash.
+inline std::uint64_t hash_at(const COcean& ocean, double time_s) {
+    complete(ocean, time_s);
+    return hash_of(ocean.get());
+}
+
+/// Expects a failure with exactly this message.
+inline void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+inline void expect_rejected(pelagic_status status, const std::string& line) {
+    expect_rejected(status, PELAGIC_INVALID_ARGUMENT, line);
 }
 
 inline float texel_of(const pelagic_plane& plane, int i, int j) {

@@ -48,11 +48,6 @@ class CInterfaceShore : public testing::Test {
         EXPECT_EQ(made, nullptr);
         return pelagic_last_error();
     }
-    static void complete(const COcean& ocean, double time_s) {
-        auto frame = sized<pelagic_frame>();
-        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
-        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
-    }
 
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
     ShoreOptions ours;

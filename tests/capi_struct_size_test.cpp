@@ -11,13 +11,13 @@
 namespace pelagic {
 namespace {
 
-constexpr unsigned char untouched = 0xAB;
+constexpr unsigned char untouched_byte = 0xAB;
 
 /// A struct of `bytes` bytes; the memory around it must be neither read nor written.
 template <class T>
 class CallerStruct {
    public:
-    explicit CallerStruct(std::size_t bytes, const T& value = {}) : bytes_(bytes), memory_(8192, untouched) {
+    explicit CallerStruct(std::size_t bytes, const T& value = {}) : bytes_(bytes), memory_(8192, untouched_byte) {
         std::memset(memory_.data(), 0, bytes);
         std::memcpy(memory_.data(), &value, std::min(bytes, sizeof value));
         get()->struct_size = static_cast<std::uint32_t>(bytes);
@@ -31,7 +31,7 @@ class CallerStruct {
                            memory_.begin() + static_cast<std::ptrdiff_t>(end),
                            [value](unsigned char byte) { return byte == value; });
     }
-    bool is_untouched_behind() const { return holds(untouched, bytes_, memory_.size()); }
+    bool is_untouched_behind() const { return holds(untouched_byte, bytes_, memory_.size()); }
 
    private:
     std::size_t bytes_;
@@ -170,7 +170,7 @@ void expect_written_in_every_size(Call call) {
     ASSERT_EQ(call(today.get()), PELAGIC_OK) << pelagic_last_error();
     for (const std::size_t bytes : {sizeof(T), sizeof(T) + 8, std::size_t{4096}}) {
         CallerStruct<T> application(bytes);
-        if (bytes > sizeof(T)) application.byte(bytes - 1) = untouched;
+        if (bytes > sizeof(T)) application.byte(bytes - 1) = untouched_byte;
         ASSERT_EQ(call(application.get()), PELAGIC_OK) << pelagic_last_error();
         EXPECT_EQ(application.get()->struct_size, bytes);
         EXPECT_EQ(std::memcmp(&application.byte(4), &today.byte(4), sizeof(T) - 4), 0) << bytes;

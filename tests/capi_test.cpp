@@ -14,6 +14,7 @@
 
 #include "pelagic/tests/capi_sea.hpp"
 #include "pelagic/tests/platform/platform.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -36,13 +37,6 @@ void expect_wrong_order(pelagic_status status, const std::string& words) {
 
 COcean make_ocean(std::int32_t resolution = 16) {
     return ocean_of(small_sea(resolution), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
-}
-
-pelagic_frame frame_at(pelagic_ocean* ocean, double time_s) {
-    auto frame = sized<pelagic_frame>();
-    EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
-    return frame;
 }
 
 TEST(CInterface, HasTheVersionOfTheProject) {
@@ -70,22 +64,15 @@ TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
     forecast.changes = changes;
     forecast.change_count = 2;
 
-    const auto hash_at = [](pelagic_ocean* ocean, double time_s) {
-        frame_at(ocean, time_s);
-        std::uint64_t hash = 0;
-        EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
-        return hash;
-    };
     pelagic_ocean* created = nullptr;
     ASSERT_EQ(pelagic_ocean_create_forecast(&forecast, nullptr, &created), PELAGIC_OK) << pelagic_last_error();
     const COcean at_once(created);
     const COcean live = make_ocean();
     for (const pelagic_change& each : changes)
         ASSERT_EQ(pelagic_ocean_schedule_change(live.get(), &each), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(hash_at(at_once.get(), 0), hash_at(make_ocean().get(), 0));
-    EXPECT_NE(hash_at(at_once.get(), 5), hash_at(make_ocean().get(), 5));
-    for (const double time_s : {5.0, 15.0, 24.0})
-        EXPECT_EQ(hash_at(at_once.get(), time_s), hash_at(live.get(), time_s));
+    EXPECT_EQ(hash_at(at_once, 0), hash_at(make_ocean(), 0));
+    EXPECT_NE(hash_at(at_once, 5), hash_at(make_ocean(), 5));
+    for (const double time_s : {5.0, 15.0, 24.0}) EXPECT_EQ(hash_at(at_once, time_s), hash_at(live, time_s));
 
     expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "change 2: from_s is 1, expected at least 30");
     change.swell_from_m = 1;
@@ -106,7 +93,7 @@ TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
 
 // The hash of `wanted` in tests/golden, 0 if there is no such name.
 std::uint64_t golden_hash(const std::string& wanted) {
-    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");
+    std::ifstream file(in_sources("tests/golden/hashes.txt"));
     for (std::string name, hash; file >> name >> hash;)
         if (name == wanted) return std::stoull(hash, nullptr, 16);
     return 0;
@@ -117,10 +104,8 @@ TEST(CInterface, FramesHaveTheGoldenHash) {
     ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
     pelagic_ocean* ocean = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &ocean), PELAGIC_OK);
-    frame_at(ocean, 12.34);
-    std::uint64_t hash = 0;
-    EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
-    EXPECT_EQ(hash, golden_hash("default@12.34"));
+    complete(ocean, 12.34);
+    EXPECT_EQ(hash_of(ocean), golden_hash("default@12.34"));
     pelagic_ocean_destroy(ocean);
 }
 
@@ -201,8 +186,8 @@ TEST(CInterface, WaterFrameMovesQueries) {
     water.current_x_mps = 1.5;
     water.current_z_mps = -0.5;
     ASSERT_EQ(pelagic_ocean_set_water_frame(with.get(), &water), PELAGIC_OK) << pelagic_last_error();
-    frame_at(with.get(), 10);
-    frame_at(without.get(), 10);
+    complete(with, 10);
+    complete(without, 10);
     const double x = 7, z = 2, upstream_x = 7 - 15, upstream_z = 2 + 5;
     float moved = 0, still = 0;
     const auto height = [](pelagic_ocean* ocean, const double* at_x, const double* at_z, float* height_m) {
@@ -293,7 +278,7 @@ TEST(CInterface, NullPointersAreNamed) {
 
 TEST(CInterface, WrongStructSizesAreNamed) {
     const COcean ocean = make_ocean();
-    frame_at(ocean.get(), 0);
+    complete(ocean, 0);
     for (const std::uint32_t size : {0u, 1u, 4u, 7u, 100000u, 0xffffffffu}) {
         const auto with_size = [size]<class T>(T value) {
             value.struct_size = size;
@@ -343,7 +328,7 @@ TEST(CInterface, WrongStructSizesAreNamed) {
 // Reserved fields may get a meaning in a later version.
 TEST(CInterface, ReservedFieldsMustBeZero) {
     const COcean ocean = make_ocean();
-    frame_at(ocean.get(), 0);
+    complete(ocean, 0);
     auto executor_options = sized<pelagic_executor_options>();
     auto ocean_options = sized<pelagic_ocean_options>();
     auto buffers = sized<pelagic_frame_buffers>();
@@ -439,12 +424,12 @@ TEST(CInterface, InvalidTimesAreNamed) {
     expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, expected a finite number");
     expect_invalid(pelagic_ocean_schedule(ocean.get(), -infinity), "time_s is -inf");
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), infinity, &buffers, nullptr), "time_s is inf");
-    for (const double time_s : {1e300, -1e300, -0.0, 5e-324}) frame_at(ocean.get(), time_s);
+    for (const double time_s : {1e300, -1e300, -0.0, 5e-324}) complete(ocean, time_s);
 }
 
 TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
     const COcean ocean = make_ocean();
-    frame_at(ocean.get(), 1);
+    complete(ocean, 1);
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
     const double x[4] = {nan, infinity, 1e300, 1}, z[4] = {0, -infinity, 1, -1e15};
@@ -491,7 +476,7 @@ TEST(CInterface, MissingOceanOptionsAreNamed) {
     pelagic_ocean* plain = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &plain), PELAGIC_OK);
     const COcean ocean(plain);
-    EXPECT_EQ(frame_at(plain, 0).velocity_x.data, nullptr);
+    EXPECT_EQ(complete(plain, 0).velocity_x.data, nullptr);
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
     expect_invalid(pelagic_ocean_query(plain, &points, &samples),
@@ -533,20 +518,17 @@ TEST(CInterface, MessagesAreOneShortLineWithTheGivenValue) {
 
 TEST(CInterface, FrameAtDoesNotChangeOtherFrames) {
     const COcean ocean = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
-    const pelagic_frame shown = frame_at(ocean.get(), 1);
-    std::uint64_t before = 0, after = 0;
-    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &before), PELAGIC_OK);
+    const pelagic_frame shown = complete(ocean, 1);
+    const std::uint64_t before = hash_of(ocean.get());
     FrameArrays arrays(128), again(128);
     const pelagic_frame_buffers buffers = arrays.view(), other = again.view();
     pelagic_bounds bounds{};
     EXPECT_EQ(pelagic_ocean_frame_at(ocean.get(), 2, &buffers, &bounds), PELAGIC_OK);
     EXPECT_EQ(pelagic_ocean_frame_at(ocean.get(), 9, &other, nullptr), PELAGIC_OK);
     EXPECT_NE(arrays, again);
-    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &after), PELAGIC_OK);
-    EXPECT_EQ(before, after);
+    EXPECT_EQ(before, hash_of(ocean.get()));
     EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &after), PELAGIC_OK);
-    EXPECT_EQ(before, after) << "also while the next frame is computed";
+    EXPECT_EQ(before, hash_of(ocean.get())) << "also while the next frame is computed";
     EXPECT_NE(shown.height.data, nullptr);
 
     auto frame = sized<pelagic_frame>();
@@ -600,7 +582,7 @@ TEST(CInterface, PollReportsReadyIfNothingIsInFlight) {
         EXPECT_EQ(is_ready, 1);
     };
     expect_ready();
-    frame_at(ocean.get(), 1);
+    complete(ocean, 1);
     ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
     expect_ready();
@@ -608,7 +590,7 @@ TEST(CInterface, PollReportsReadyIfNothingIsInFlight) {
 
 TEST(CInterface, ACopyHasTightRows) {
     const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
-    const pelagic_frame frame = frame_at(ocean.get(), 2);
+    const pelagic_frame frame = complete(ocean, 2);
     FrameArrays arrays(64), later(64);
     const pelagic_frame_buffers buffers = arrays.view(), later_buffers = later.view();
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &buffers), PELAGIC_OK) << pelagic_last_error();
@@ -656,12 +638,8 @@ TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
         const float queried = height_by_query();
         ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &copied_buffers), PELAGIC_OK);
         EXPECT_EQ(copied, arrays) << "copy() returns that frame too";
-        std::uint64_t hash = 0, expected = 0;
-        EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &hash), PELAGIC_OK);
         const COcean other = make_ocean(64);
-        frame_at(other.get(), time_s);
-        EXPECT_EQ(pelagic_ocean_hash(other.get(), &expected), PELAGIC_OK);
-        EXPECT_EQ(hash, expected);
+        EXPECT_EQ(hash_of(ocean.get()), hash_at(other, time_s));
         float other_height = 0;
         samples.height_m = &other_height;
         EXPECT_EQ(pelagic_ocean_query(other.get(), &points, &samples), PELAGIC_OK);
@@ -670,7 +648,7 @@ TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
     }
     // After the first complete(), queries read the completed frame; later calls of frame_at() do
     // not change it.
-    frame_at(ocean.get(), 9);
+    complete(ocean, 9);
     const float shown = height_by_query();
     FrameArrays arrays(64);
     const pelagic_frame_buffers buffers = arrays.view();
@@ -680,7 +658,7 @@ TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
 
 TEST(CInterface, RayHitsMatchQueries) {
     const COcean ocean = make_ocean(64);
-    frame_at(ocean.get(), 5);
+    complete(ocean, 5);
     auto ray = sized<pelagic_ray>();
     auto hit = sized<pelagic_hit>();
     ray.origin_m[0] = 10, ray.origin_m[1] = 50, ray.origin_m[2] = 7;
@@ -739,10 +717,8 @@ struct Application {
 std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
     std::uint64_t all = 0;
     for (int n = 0; n < frames; ++n) {
-        frame_at(ocean, n * 0.1);
-        std::uint64_t hash = 0;
-        EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
-        all = all * 31 + hash;
+        complete(ocean, n * 0.1);
+        all = all * 31 + hash_of(ocean);
     }
     return all;
 }

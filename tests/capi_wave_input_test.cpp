@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "pelagic/tests/capi_sea.hpp"
@@ -17,7 +16,7 @@ struct DestroyInput {
 };
 using CInput = std::unique_ptr<pelagic_input, DestroyInput>;
 
-constexpr double side_m = 250, loop_s = 64;
+constexpr double flat_side_m = 250, loop_s = 64;
 
 pelagic_sea flat_sea(std::int32_t resolution = 64) {
     pelagic_sea sea = small_sea(resolution);
@@ -28,7 +27,7 @@ pelagic_sea flat_sea(std::int32_t resolution = 64) {
 
 /// One wave with five periods along x and three along z.
 struct OneWave {
-    double amplitude = 1.5, wavelength = side_m / std::sqrt(34.0), direction = std::atan2(3.0, 5.0), phase = 0.5;
+    double amplitude = 1.5, wavelength = flat_side_m / std::sqrt(34.0), direction = std::atan2(3.0, 5.0), phase = 0.5;
     pelagic_waves as_waves() const {
         auto waves = sized<pelagic_waves>();
         waves.count = 1;
@@ -80,31 +79,12 @@ COcean ocean_with(const pelagic_sea& sea, std::vector<CInput> inputs) {
     return ocean_of(sea, options);
 }
 
-pelagic_frame frame_of(const COcean& ocean, double time_s) {
-    auto frame = sized<pelagic_frame>();
-    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
-    return frame;
-}
-
-std::uint64_t hash_of(const COcean& ocean, double time_s) {
-    frame_of(ocean, time_s);
-    std::uint64_t hash = 0;
-    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &hash), PELAGIC_OK);
-    return hash;
-}
-
-void expect_rejected(pelagic_status status, pelagic_status expected, const std::string& line) {
-    EXPECT_EQ(status, expected);
-    EXPECT_EQ(pelagic_last_error(), line);
-}
-
 TEST(CInterfaceInputs, AWaveMatchesItsFormula) {
     const OneWave wave;
     std::vector<CInput> inputs;
     inputs.push_back(waves_input(wave.as_waves()));
     const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
-    const pelagic_frame frame = frame_of(ocean, 12.5);
+    const pelagic_frame frame = complete(ocean, 12.5);
     const double x = 5 / std::sqrt(34.0);
     for (int j = 0; j < 64; j += 3)
         for (int i = 0; i < 64; ++i) {  // the wind waves themselves are micrometres high
@@ -131,11 +111,11 @@ TEST(CInterfaceInputs, ACallbackMatchesAWaveList) {
     batch.push_back(waves_input(wave.as_waves()));
     callback.push_back(callback_input(add, const_cast<OneWave*>(&wave)));
     const COcean a = ocean_with(flat_sea(), std::move(batch)), b = ocean_with(flat_sea(), std::move(callback));
-    const pelagic_frame one = frame_of(a, 7), other = frame_of(b, 7);
+    const pelagic_frame one = complete(a, 7), other = complete(b, 7);
     for (int j = 0; j < 64; ++j)
         for (int i = 0; i < 64; ++i) {
             EXPECT_NEAR(texel_of(one.height, i, j), texel_of(other.height, i, j), 1e-5);
-            EXPECT_NEAR(texel_of(other.velocity_y, i, j), side_m * std::sin(wave.angle(i, j, 64, 7)), 1e-2);
+            EXPECT_NEAR(texel_of(other.velocity_y, i, j), flat_side_m * std::sin(wave.angle(i, j, 64, 7)), 1e-2);
         }
 }
 
@@ -150,13 +130,13 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     const COcean ocean = ocean_of(flat_sea(), options);
     std::vector<CInput> none;
     const COcean pure = ocean_with(flat_sea(), std::move(none));
-    EXPECT_NE(hash_of(ocean, 3), hash_of(pure, 3));
+    EXPECT_NE(hash_at(ocean, 3), hash_at(pure, 3));
     const auto nothing = sized<pelagic_waves>();
     ASSERT_EQ(pelagic_input_set_waves(waves.get(), &nothing), PELAGIC_OK) << pelagic_last_error();
     auto still = sized<pelagic_ripple>();
     still.wavelength_m = 1;
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(hash_of(ocean, 3), hash_of(pure, 3));
+    EXPECT_EQ(hash_at(ocean, 3), hash_at(pure, 3));
     expect_rejected(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
                     "input is not a ripple; expected one of pelagic_input_create_ripple");
     expect_rejected(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
@@ -213,7 +193,7 @@ TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
     std::vector<CInput> inputs;
     inputs.push_back(callback_input(add, &fails));
     const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
-    const std::uint64_t before = hash_of(ocean, 1);
+    const std::uint64_t before = hash_at(ocean, 1);
     auto frame = sized<pelagic_frame>();
     fails = 1;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
@@ -224,7 +204,7 @@ TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
     expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,
                     "inputs[0]'s height inf is out of range [-1000, 1000], metres or metres a second");
     fails = 0;
-    EXPECT_EQ(hash_of(ocean, 1), before);
+    EXPECT_EQ(hash_at(ocean, 1), before);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ double frequency(double k, double loop_period_s) {
     return std::max(1.0, std::round(omega * loop_period_s / (2 * pi))) * 2 * pi / loop_period_s;
 }
 
-std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade, double time_s) {
+std::vector<OracleWave> oracle_waves_of(const SeaState& sea, const CascadePlan& cascade, double time_s) {
     const int last = cascade.resolution / 2 - 1;
     const auto drawn = [&](int m, int n) {
         const GaussianPair xi = gaussian_pair(sea.seed, cascade.number, m, n);
@@ -87,7 +87,7 @@ TEST(CascadeStack, EachCascadeIsTheSumOfItsWaves) {
         const Cascade& cascade = frame.cascades[number];
         EXPECT_EQ(cascade.grid.side_m, plans[number].grid.side_m);
         EXPECT_EQ(cascade.grid.is_rotated(), number > 0);
-        const std::vector<OracleWave> waves = waves_of(sea, plans[number], time_s);
+        const std::vector<OracleWave> waves = oracle_waves_of(sea, plans[number], time_s);
         double off = 0, all = 0;
         for (int texel = 0; texel < 40; ++texel) {
             const int i = static_cast<int>(random() % 32), j = static_cast<int>(random() % 32);
@@ -185,7 +185,7 @@ TEST(CascadeStack, BandsCoverTheWaveNumbersOnce) {
 
 /// Correlation of the heights of two points that are (x, z) apart, averaged over time and position,
 /// from the amplitudes drawn for this seed.
-double correlation(const std::vector<CascadeWaves>& cascades, double x, double z) {
+double correlation_at_lag(const std::vector<CascadeWaves>& cascades, double x, double z) {
     double together = 0, all = 0;
     for (const CascadeWaves& waves : cascades) {
         const CascadePlan& cascade = waves.cascade();
@@ -209,7 +209,7 @@ double largest_correlation(SeaState sea) {
     for (double lag_m = 200; lag_m <= 900; lag_m += 50)
         for (int direction = 0; direction < 8; ++direction) {
             const double angle = direction * pi / 8;
-            max = std::max(max, correlation(cascades, lag_m * std::cos(angle), lag_m * std::sin(angle)));
+            max = std::max(max, correlation_at_lag(cascades, lag_m * std::cos(angle), lag_m * std::sin(angle)));
         }
     return max;
 }

@@ -39,7 +39,7 @@ double significant_wave_height_m(const Frame& frame) {
 /// where the surface is not folded. The search stops within 16 micrometres; the finest texels are
 /// 26 mm wide, and slopes change by less than 1 over them. Near a fold's edge the reference
 /// position changes much faster than the displaced position.
-std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned) {
+std::size_t expect_as_stack_oracle(const Frame& frame, const Points& points, bool is_overturned) {
     const oracle::Stack stack(frame);
     Samples samples(points.x.size());
     SurfaceQuery(frame).sample(points.view(), samples.view());
@@ -85,7 +85,7 @@ TEST(CascadeStackQuery, MatchesTheOracleForTwoToFourRotatedCascades) {
                 SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(wind_mps) +
                              " m/s, choppiness " + std::to_string(choppiness));
                 const CascadeStack stack(CascadeStack::of_scales(cascades, wind_mps, choppiness, 5, 64), 3.7);
-                expect_as_oracle(stack.frame(), random_points(is_sanitized ? 10 : 600, 3000, 4), false);
+                expect_as_stack_oracle(stack.frame(), random_points(is_sanitized ? 10 : 600, 3000, 4), false);
             }
         }
     }
@@ -103,7 +103,7 @@ TEST(CascadeStackQuery, ReturnsTheHighestOfSeveralSheets) {
         for (const double factor : {6.0, 12.0, 20.0}) {
             SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(factor) + " times as steep");
             const CascadeStack stack(exaggerated(CascadeStack::of_scales(cascades, 12, 1, 9, 32), factor), 2);
-            folded += expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);
+            folded += expect_as_stack_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);
         }
     }
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
@@ -208,7 +208,7 @@ TEST(CascadeStackQuery, MatchesTheOracleOnEveryPreset) {
         sea.seed = ++seed;
         if (cascades_of(sea) == 1) continue;
         Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
-        expect_as_oracle(ocean.frame_at(3.7 * seed), random_points(is_sanitized ? 3 : 100, 2e4, seed), false);
+        expect_as_stack_oracle(ocean.frame_at(3.7 * seed), random_points(is_sanitized ? 3 : 100, 2e4, seed), false);
     }
     EXPECT_GT(seed, 5u);
 }

@@ -12,7 +12,8 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 // A few roundings of numbers up to 1.
 constexpr double rounding = 1e-14;
 

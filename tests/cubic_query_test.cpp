@@ -25,16 +25,16 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One cascade with a plane wave of `m` and `n` periods along its axes, without horizontal
 /// displacement.
-class PlaneWave {
+class PlaneWaveFrame {
    public:
     static constexpr int side = 32;
     static constexpr double amplitude_m = 0.5, texel_m = 2;
 
-    PlaneWave(int m, int n) : zero_(side * side), folds_(side) {
+    PlaneWaveFrame(int m, int n) : zero_(side * side), folds_(side) {
         for (int j = 0; j < side; ++j)
             for (int i = 0; i < side; ++i)
                 height_.push_back(static_cast<float>(amplitude_m * std::cos(2 * pi * (m * i + n * j) / side)));
@@ -88,16 +88,16 @@ Kept kept_by_cubic(double k) {
 // cell, all cells) add an error of 1e-3.
 TEST(CubicQuery, PreservedVarianceMatchesTheTransferFunction) {
     for (const auto& [m, n] : {std::pair{1, 0}, {3, 0}, {5, 0}, {4, 3}, {8, 2}, {10, 0}, {2, 9}}) {
-        const PlaneWave wave(m, n);
+        const PlaneWaveFrame wave(m, n);
         Points points;
-        constexpr int a_texel = 27, all = a_texel * PlaneWave::side;
+        constexpr int a_texel = 27, all = a_texel * PlaneWaveFrame::side;
         for (int j = 0; j < all; ++j)
             for (int i = 0; i < all; ++i) {
-                points.x.push_back((i + 0.5) / a_texel * PlaneWave::texel_m);
-                points.z.push_back((j + 0.5) / a_texel * PlaneWave::texel_m);
+                points.x.push_back((i + 0.5) / a_texel * PlaneWaveFrame::texel_m);
+                points.z.push_back((j + 0.5) / a_texel * PlaneWaveFrame::texel_m);
             }
-        const double k_x = 2 * pi * m / PlaneWave::side, k_z = 2 * pi * n / PlaneWave::side;
-        const double variance = PlaneWave::amplitude_m * PlaneWave::amplitude_m / 2;
+        const double k_x = 2 * pi * m / PlaneWaveFrame::side, k_z = 2 * pi * n / PlaneWaveFrame::side;
+        const double variance = PlaneWaveFrame::amplitude_m * PlaneWaveFrame::amplitude_m / 2;
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
             Samples samples(points.x.size());
             SurfaceQuery(wave.frame(), {.interpolation = interpolation})
@@ -123,7 +123,8 @@ TEST(CubicQuery, PreservedVarianceMatchesTheTransferFunction) {
             const Kept z = is_cubic && k_z > 0 ? kept_by_cubic(k_z) : kept_by_linear(k_z);
             EXPECT_NEAR(heights / count / variance, x.value * z.value, 1e-3)
                 << m << ", " << n << " cubic " << is_cubic;
-            const double steepness = (k_x * k_x + k_z * k_z), texels = PlaneWave::texel_m * PlaneWave::texel_m;
+            const double steepness = (k_x * k_x + k_z * k_z),
+                         texels = PlaneWaveFrame::texel_m * PlaneWaveFrame::texel_m;
             EXPECT_NEAR(slopes / count * texels / (variance * steepness),
                         (k_x * k_x * x.slope * z.value + k_z * k_z * x.value * z.slope) / steepness, 1e-3)
                 << m << ", " << n << " cubic " << is_cubic;
@@ -180,7 +181,7 @@ TEST(CubicQuery, DefaultSeaKeepsItsHeightAndSlopes) {
 /// As in cascade_stack_query_test.cpp: heights are within the tolerance on slopes of 1 : 1, plus
 /// the float rounding of several metres. The other values are compared where the surface is not
 /// folded.
-void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned, std::size_t& folded) {
+void expect_as_cubic_oracle(const Frame& frame, const Points& points, bool is_overturned, std::size_t& folded) {
     const oracle::Stack stack(frame, Interpolation::cubic);
     Samples samples(points.x.size());
     SurfaceQuery(frame, {.interpolation = Interpolation::cubic}).sample(points.view(), samples.view());
@@ -217,14 +218,14 @@ TEST(CubicQuery, MatchesTheOracle) {
         for (const double choppiness : {0.0, 0.8, 1.0}) {
             SCOPED_TRACE(std::to_string(cascades) + " cascades, choppiness " + std::to_string(choppiness));
             const CascadeStack stack(CascadeStack::of_scales(cascades, 12, choppiness, 5, 64), 3.7);
-            expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 3000, 4), false, folded);
+            expect_as_cubic_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 3000, 4), false, folded);
         }
     for (const Isa isa : isas_here())
         for (const int n : {16, 64}) {
             SCOPED_TRACE(std::to_string(n) + "^2 texels");
             Ocean ocean({.resolution = n, .patch_size_m = 250, .choppiness = 1},
                         {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true});
-            expect_as_oracle(ocean.frame_at(3), random_points(is_sanitized ? 20 : 300, 1000, 4), false, folded);
+            expect_as_cubic_oracle(ocean.frame_at(3), random_points(is_sanitized ? 20 : 300, 1000, 4), false, folded);
         }
 }
 
@@ -236,7 +237,7 @@ TEST(CubicQuery, ReturnsTheHighestOfSeveralSheets) {
             std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(cascades, 12, 1, 9, 32);
             for (CascadeStack::Part& part : parts) part.factor *= factor;
             const CascadeStack stack(parts, 2);
-            expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 300, 6), true, folded);
+            expect_as_cubic_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 300, 6), true, folded);
         }
     for (unsigned seed = 1; seed <= 2; ++seed) {
         Ocean ocean({.spectrum = SpectrumModel::phillips_paper,
@@ -246,7 +247,8 @@ TEST(CubicQuery, ReturnsTheHighestOfSeveralSheets) {
                      .choppiness = 1,
                      .seed = seed},
                     {.executor = make_serial_executor(), .queries = true, .velocities = true});
-        expect_as_oracle(ocean.frame_at(seed), random_points(is_sanitized ? 20 : 2000, 1000, seed), true, folded);
+        expect_as_cubic_oracle(ocean.frame_at(seed), random_points(is_sanitized ? 20 : 2000, 1000, seed), true,
+                               folded);
     }
 }
 

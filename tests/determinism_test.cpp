@@ -19,6 +19,7 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>
@@ -444,7 +445,7 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
 // only the roughness option, are covered by the hashes of whole frames.
 TEST(Determinism, DeepCascadesKeepTheirDisplacement) {
     std::map<std::string, std::string> golden;
-    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/displacement_hashes.txt");
+    std::ifstream file(in_sources("tests/golden/displacement_hashes.txt"));
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
     for (const auto& [name, sea] : seas_of_one_cascade()) {
@@ -479,7 +480,7 @@ TEST(Determinism, FramesHaveTheGoldenHashes) {
         seas["preset-" + name] = sea_preset_named(name)->sea;
 
     std::map<std::string, std::string> golden;
-    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");
+    std::ifstream file(in_sources("tests/golden/hashes.txt"));
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
     for (const auto& [name, sea] : seas) {

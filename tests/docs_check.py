@@ -8,8 +8,6 @@ options    options and subcommands of `pelagic` in code exist in PELAGIC's help 
 figures    facts of tests/docs_figures.txt have one value on all pages, or roundings of it; the
            number of golden hashes is right
 platforms  README's table of platforms has the rows of docs/platforms.md
-columns    lines end at column 120, except rows of tables and code
-sentences  at most 5 % of a page's sentences have more than 25 words
 words      README, CHANGELOG and all pages stay within their numbers of words; generated tables are
            not counted
 """
@@ -18,9 +16,8 @@ import re
 import subprocess
 import sys
 
-MAX_COLUMNS, MAX_SENTENCE_WORDS, MAX_LONG_SENTENCES = 120, 25, 0.05
 MAX_WORDS = {"README.md": 900, "CHANGELOG.md": 500}
-MAX_WORDS_OF_ALL = 25000
+MAX_WORDS_OF_ALL = 28000
 SHELLS = {"", "sh", "bash", "console", "shell"}  # languages of code blocks that may have commands
 FENCE = re.compile(r"^\s*(```+|~~~+)\s*(\w*)")
 GENERATED = re.compile(r"<!-- generated.*?<!-- /generated -->", re.S)
@@ -86,18 +83,6 @@ class Page:
             if not line.endswith("\\"):
                 yield first, joined
                 joined, first = "", None
-
-    def sentences(self):
-        """Words of each sentence of prose. Paragraphs and list items end one; code is one word."""
-        text = re.sub(r"<!--.*?-->", "", self.prose, flags=re.S)
-        text = INLINE_CODE.sub("CODE", text)
-        text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
-        text = re.sub(r"^(\||#|<).*$", "", text, flags=re.M)
-        for block in re.split(r"\n\s*\n|\n(?=\s*(?:[*+-]|\d+\.)\s)", text):
-            for sentence in re.split(r"(?<=[.!?])[*_)\"]*\s+(?=[*_(\"]*[A-Z0-9])", block):
-                words = [word for word in sentence.split() if re.search(r"\w", word)]
-                if words:
-                    yield words
 
 
 def pages_of(source):
@@ -200,22 +185,6 @@ def check_platforms(pages, *_):
     for row, other in zip(expected, rows("README.md") + [None] * len(expected)):
         if row != other:
             yield f"README.md: a row of the table of platforms is {other}, expected {row}"
-
-
-def check_columns(pages, *_):
-    for page in pages:
-        for number, (line, kind) in enumerate(zip(page.lines, page.kinds), 1):
-            if len(line) > MAX_COLUMNS and kind == "prose":
-                yield f"{page.name}:{number}: {len(line)} columns"
-
-
-def check_sentences(pages, *_):
-    for page in filter(is_documentation, pages):
-        sentences = list(page.sentences())
-        long = [words for words in sentences if len(words) > MAX_SENTENCE_WORDS]
-        if len(long) > MAX_LONG_SENTENCES * len(sentences):
-            yield f"{page.name}: {len(long)} of {len(sentences)} sentences have more than {MAX_SENTENCE_WORDS} words"
-            yield from (f"    {len(words)}: {' '.join(words[:12])} ..." for words in long)
 
 
 def check_words(pages, *_):

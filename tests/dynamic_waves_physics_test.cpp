@@ -17,7 +17,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Options without border, viscosity and decay, so that only the step acts.
 DynamicWavesOptions bare(DynamicWavesStep step, int resolution = 64, double side_m = 32) {

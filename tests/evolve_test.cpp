@@ -14,10 +14,10 @@
 namespace pelagic {
 namespace {
 
-constexpr int n = 16;
-
 class EvolveOnEachIsa : public OnEachIsa {
    protected:
+    static constexpr int n = 16;
+
     EvolveOnEachIsa() : plan_(n), fft_(plan_.tables()), spectrum_(plan_, kernels().lanes) {}
 
     std::size_t lanes() const { return kernels().lanes; }

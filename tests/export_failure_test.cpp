@@ -16,20 +16,21 @@
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sweep.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
 
-std::vector<std::string> arguments_of(const std::filesystem::path& folder, std::vector<std::string> more = {}) {
-    std::vector<std::string> all = {"export",       "--out", folder.string(), "--resolution", "64",
-                                    "--patch-size", "250",   "--frames",      "12",           "--mips"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+Arguments export_of_12_frames(const std::filesystem::path& folder, const Arguments& more = {},
+                              const std::string& maps = two_exr_maps) {
+    return joined({"export", "--out", folder.string(), "--resolution", "64", "--patch-size", "250", "--frames", "12",
+                   "--mips", "--maps", maps},
+                  more);
 }
 
-std::map<std::string, std::string> undisturbed_export() {
+Files undisturbed_export(const std::string& maps = two_exr_maps) {
     const TemporaryFolder folder;
-    EXPECT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    EXPECT_EQ(run_pelagic(export_of_12_frames(folder.path(), {"--no-sync"}, maps)).exit_code, 0);
     return files_in(folder.path());
 }
 
@@ -52,9 +53,10 @@ void expect_no_half_written_file(const std::filesystem::path& folder,
     }
 }
 
-// The export is killed after a random number of files, at a random time within the next one.
+// The export is killed after a random number of files, at a random time within the next one. Every
+// third one has PNG files.
 TEST(KilledExport, ResumesToIdenticalFiles) {
-    const auto whole = undisturbed_export();
+    const Files with_png = undisturbed_export(maps_with_png), only_exr = undisturbed_export(two_exr_maps);
     const auto files_there = [](const std::filesystem::path& folder) {
         return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
     };
@@ -64,8 +66,11 @@ TEST(KilledExport, ResumesToIdenticalFiles) {
     const int enough_kills = of_sweep(6, 60);
     for (int attempt = 0; killed_midway < enough_kills && attempt < 20 * enough_kills; ++attempt) {
         const TemporaryFolder folder, logs;
+        const bool has_png = killed_midway % 3 == 0;
+        const std::string& maps = has_png ? maps_with_png : two_exr_maps;
+        const Files& whole = has_png ? with_png : only_exr;
         const std::size_t enough = std::uniform_int_distribution<std::size_t>(0, whole.size() * 7 / 10)(random);
-        const pid_t process = start_pelagic(arguments_of(folder.path()), logs / "out", logs / "err");
+        const pid_t process = start_pelagic(export_of_12_frames(folder.path(), {}, maps), logs / "out", logs / "err");
         const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
         while (files_there(folder.path()) < enough && std::chrono::steady_clock::now() < deadline)
             std::this_thread::sleep_for(std::chrono::microseconds(100));
@@ -74,7 +79,7 @@ TEST(KilledExport, ResumesToIdenticalFiles) {
         killed_midway += wait_for(process) == 128 + SIGKILL;
         expect_no_half_written_file(folder.path(), whole);
 
-        const Outcome resumed = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+        const Outcome resumed = run_pelagic(export_of_12_frames(folder.path(), {"--resume"}, maps));
         ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
         expect_same_files(folder.path(), whole);
     }
@@ -84,7 +89,7 @@ TEST(KilledExport, ResumesToIdenticalFiles) {
 
 TEST(Resume, ReplacesDamagedAndMissingFilesAndKeepsTheRest) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_of_12_frames(folder.path(), {}, maps_with_png)).exit_code, 0);
     const auto whole = files_in(folder.path());
     std::filesystem::resize_file(folder / "displacement_0003.exr", 100);
     std::string edited = whole.at("gradient_0005_mip2.png");
@@ -93,7 +98,7 @@ TEST(Resume, ReplacesDamagedAndMissingFilesAndKeepsTheRest) {
     std::filesystem::remove(folder / "gradient_0007.png");
     const auto untouched = std::filesystem::last_write_time(folder / "displacement_0001.exr");
 
-    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+    const Outcome outcome = run_pelagic(export_of_12_frames(folder.path(), {"--resume"}, maps_with_png));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("9 of them kept"), std::string::npos) << outcome.out;
     expect_same_files(folder.path(), whole);
@@ -102,9 +107,9 @@ TEST(Resume, ReplacesDamagedAndMissingFilesAndKeepsTheRest) {
 
 TEST(Resume, AnotherSeaIsRejectedWithoutAChange) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_of_12_frames(folder.path())).exit_code, 0);
     const auto before = files_in(folder.path());
-    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume", "--wind-speed", "9"}));
+    const Outcome outcome = run_pelagic(export_of_12_frames(folder.path(), {"--resume", "--wind-speed", "9"}));
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("--wind-speed was 12"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("is 9"), std::string::npos) << outcome.err;
@@ -115,33 +120,32 @@ TEST(Resume, AnotherSeaIsRejectedWithoutAChange) {
 TEST(Resume, CompletesAnInterruptedReplacement) {
     const auto whole = undisturbed_export();
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "250",
-                           "--frames", "40"})
-                  .exit_code,
-              0);
-    const Outcome failed = run_pelagic(arguments_of(folder.path(), {"--overwrite"}), [] {
+    ASSERT_EQ(
+        run_pelagic(small_export(folder.path(), {"--frames", "40", "--maps", two_exr_maps, "--no-sync"})).exit_code,
+        0);
+    const Outcome failed = run_pelagic(export_of_12_frames(folder.path(), {"--overwrite"}), [] {
         const rlimit min{20000, 20000};
         ::setrlimit(RLIMIT_FSIZE, &min);
         ::signal(SIGXFSZ, SIG_IGN);
     });
     ASSERT_EQ(failed.exit_code, 1) << failed.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "sea.json")) << "the export is not complete";
-    ASSERT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_of_12_frames(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), whole);
 }
 
 TEST(Resume, ADamagedRecordIsRejectedInOneLine) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_of_12_frames(folder.path(), {}, maps_with_png)).exit_code, 0);
     write_file(folder / "sea_files.json", "{ torn");
-    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+    const Outcome outcome = run_pelagic(export_of_12_frames(folder.path(), {"--resume"}, maps_with_png));
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
 TEST(Resume, AnEmptyFolderGetsAWholeExport) {
     const TemporaryFolder folder;
-    EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_EQ(run_pelagic(export_of_12_frames(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), undisturbed_export());
 }
 
@@ -154,18 +158,18 @@ void expect_write_error(const Outcome& outcome, const std::filesystem::path& fol
 
 // A full tmpfs where mounting is permitted (as root); in all cases, a limit on file sizes.
 TEST(FullDisk, GivesOneLineAndNoPartialFile) {
-    const auto whole = undisturbed_export();
     const TemporaryFolder disk;
     if (::mount("tmpfs", disk.path().c_str(), "tmpfs", 0, "size=200k") == 0) {
-        const Outcome outcome = run_pelagic(arguments_of(disk / "sea"));
+        const Outcome outcome = run_pelagic(export_of_12_frames(disk / "sea", {}, maps_with_png));
         expect_write_error(outcome, disk / "sea", "No space left on device");
-        expect_no_half_written_file(disk / "sea", whole);
+        expect_no_half_written_file(disk / "sea", undisturbed_export(maps_with_png));
         for (const auto& [name, bytes] : files_in(disk / "sea")) EXPECT_FALSE(name.ends_with(".part")) << name;
         EXPECT_FALSE(std::filesystem::exists(disk / "sea" / "sea.json"));
         EXPECT_EQ(::umount(disk.path().c_str()), 0);
     }
+    const Files whole = undisturbed_export();
     const TemporaryFolder folder;
-    const Outcome outcome = run_pelagic(arguments_of(folder.path()), [] {
+    const Outcome outcome = run_pelagic(export_of_12_frames(folder.path()), [] {
         const rlimit min{4096, 4096};
         ::setrlimit(RLIMIT_FSIZE, &min);
         ::signal(SIGXFSZ, SIG_IGN);
@@ -175,7 +179,7 @@ TEST(FullDisk, GivesOneLineAndNoPartialFile) {
     for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
 
     // With enough space, --resume completes the export.
-    EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_EQ(run_pelagic(export_of_12_frames(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), whole);
 }
 
@@ -184,9 +188,9 @@ TEST(ReadOnlyFolder, GivesOneLineAndNoFile) {
     const std::filesystem::path folder = parent / "sea";
     std::filesystem::create_directory(folder);
     std::filesystem::permissions(folder, std::filesystem::perms(0555));
-    expect_write_error(run_pelagic(arguments_of(folder), obey_permissions), folder, "Permission denied");
+    expect_write_error(run_pelagic(export_of_12_frames(folder), obey_permissions), folder, "Permission denied");
     EXPECT_TRUE(files_in(folder).empty());
-    expect_write_error(run_pelagic(arguments_of(folder / "new"), obey_permissions), folder / "new",
+    expect_write_error(run_pelagic(export_of_12_frames(folder / "new"), obey_permissions), folder / "new",
                        "Permission denied");
     EXPECT_TRUE(files_in(folder).empty());
 }
@@ -198,7 +202,7 @@ TEST(Progress, ShowsFramesAndRemainingTimeOnATerminal) {
     ASSERT_GE(process, 0);
     if (process == 0) {
         const std::string out = folder.path().string();
-        ::execl(PELAGIC_BINARY, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128",
+        ::execl(tested_binary, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128",
                 "--patch-size", "250", nullptr);
         std::_Exit(127);
     }

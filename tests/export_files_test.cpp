@@ -13,7 +13,6 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,21 +27,17 @@ namespace {
 using nlohmann::json;
 
 constexpr SeaState small_sea{.resolution = 32, .patch_size_m = 250};
-const std::vector<std::string> small_flags = {"--resolution", "32", "--patch-size", "250"};
 
 /// Exports the small sea with additional flags. \pre the folder is empty
-Outcome export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
-    std::vector<std::string> arguments = {"export", "--out", folder.string()};
-    arguments.insert(arguments.end(), small_flags.begin(), small_flags.end());
-    arguments.insert(arguments.end(), flags.begin(), flags.end());
-    Outcome outcome = run_pelagic(arguments);
+Outcome export_small_sea(const std::filesystem::path& folder, const Arguments& flags) {
+    Outcome outcome = run_pelagic(small_export(folder, flags));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome;
 }
 
-class Library {
+class SmallSea {
    public:
-    explicit Library(const SeaState& sea = small_sea) : ocean_(sea, {.executor = make_serial_executor()}) {}
+    explicit SmallSea(const SeaState& sea = small_sea) : ocean_(sea, {.executor = make_serial_executor()}) {}
     const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
 
    private:
@@ -51,7 +46,7 @@ class Library {
 
 /// Reads a channel of an EXR file with OpenEXR, row by row; T is float or half.
 template <class T>
-std::vector<T> read_exr(const std::filesystem::path& file, const char* channel, Imf::PixelType type) {
+std::vector<T> read_exr_channel(const std::filesystem::path& file, const char* channel, Imf::PixelType type) {
     Imf::InputFile input(file.c_str());
     const auto window = input.header().dataWindow();
     const int width = window.max.x + 1, height = window.max.y + 1;
@@ -66,13 +61,13 @@ std::vector<T> read_exr(const std::filesystem::path& file, const char* channel, 
 
 TEST(ExportedFiles, ExrHoldsTheFramesFloatsExactly) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--start", "1.25", "--maps", "displacement"});
-    Library library;
+    export_small_sea(folder.path(), {"--start", "1.25"});
+    SmallSea library;
     const Frame& frame = library.frame_at(1.25);
     const std::pair<const char*, const PlaneView*> channels[] = {
         {"R", &frame.cascades[0].dx}, {"G", &frame.cascades[0].height}, {"B", &frame.cascades[0].dz}};
     for (const auto& [channel, plane] : channels) {
-        const auto pixels = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
+        const auto pixels = read_exr_channel<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
                 ASSERT_EQ(std::bit_cast<std::uint32_t>(pixels[static_cast<std::size_t>(j * 32 + i)]),
@@ -83,8 +78,8 @@ TEST(ExportedFiles, ExrHoldsTheFramesFloatsExactly) {
 
 TEST(ExportedFiles, OpenImageIOReadsEqualExrPixels) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {});
-    Library library;
+    export_small_sea(folder.path(), {});
+    SmallSea library;
     const Frame& frame = library.frame_at(0);
     const auto input = OIIO::ImageInput::open((folder / "displacement_0000.exr").string());
     ASSERT_TRUE(input);
@@ -98,12 +93,12 @@ TEST(ExportedFiles, OpenImageIOReadsEqualExrPixels) {
 
 TEST(ExportedFiles, HalvesEqualTheFramesHalves) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--half"});
-    Library library;
+    export_small_sea(folder.path(), {"--half"});
+    SmallSea library;
     const Frame& frame = library.frame_at(0);
     const char* channels[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
-        const auto pixels = read_exr<Imath::half>(folder / "displacement_0000.exr", channels[c], Imf::HALF);
+        const auto pixels = read_exr_channel<Imath::half>(folder / "displacement_0000.exr", channels[c], Imf::HALF);
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
                 ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(),
@@ -112,7 +107,7 @@ TEST(ExportedFiles, HalvesEqualTheFramesHalves) {
 }
 
 /// Reads RGBA bytes with libpng's simplified reader, without conversion.
-std::vector<std::uint8_t> read_png(const std::filesystem::path& file, unsigned side) {
+std::vector<std::uint8_t> read_rgba_png(const std::filesystem::path& file, unsigned side) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file;
@@ -133,12 +128,12 @@ void expect_bytes(const std::vector<std::uint8_t>& bytes, std::span<const std::u
 
 TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--mips", "--maps", "gradient"});
-    Library library;
+    export_small_sea(folder.path(), {"--mips", "--maps", "gradient"});
+    SmallSea library;
     const Frame& frame = library.frame_at(0);
-    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.cascades[0].gradient_level(0));
+    expect_bytes(read_rgba_png(folder / "gradient_0000.png", 32), frame.cascades[0].gradient_level(0));
     for (int level = 1; level < mip_levels(32); ++level)
-        expect_bytes(read_png(folder / ("gradient_0000_mip" + std::to_string(level) + ".png"), 32u >> level),
+        expect_bytes(read_rgba_png(folder / ("gradient_0000_mip" + std::to_string(level) + ".png"), 32u >> level),
                      frame.cascades[0].gradient_level(level));
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000_mip6.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
@@ -156,7 +151,7 @@ class ReadCascade {
         const auto file = folder / ("displacement_" + (mark.empty() ? "" : mark + "_") + "0000.exr");
         for (std::size_t i = 0; i < 3; ++i) {
             const char* channels[] = {"R", "G", "B"};
-            planes_[i] = read_exr<float>(file, channels[i], Imf::FLOAT);
+            planes_[i] = read_exr_channel<float>(file, channels[i], Imf::FLOAT);
         }
     }
 
@@ -215,14 +210,14 @@ TEST(ExportedFiles, CascadesSumToTheSurfaceOfQueries) {
     EXPECT_GT(compared, 450);
 
     for (std::size_t i = 1; i < frame.cascades.size(); ++i)
-        expect_bytes(read_png(folder / ("gradient_c" + std::to_string(i) + "_0000.png"), 64),
+        expect_bytes(read_rgba_png(folder / ("gradient_c" + std::to_string(i) + "_0000.png"), 64),
                      frame.cascades[i].gradient_level(0));
 }
 
 TEST(ExportedFiles, TiffHoldsTheFramesPixels) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--format", "tif"});
-    Library library;
+    export_small_sea(folder.path(), {"--format", "tif", "--maps", maps_with_png});
+    SmallSea library;
     const Frame& frame = library.frame_at(0);
     OIIO::ImageSpec as_it_is;
     // without it, the reader multiplies normals by smoothness
@@ -246,7 +241,7 @@ TEST(ExportedFiles, TiffHoldsTheFramesPixels) {
 
 TEST(ExportedFiles, SeaJsonDescribesTheExport) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--loop-frames", "4", "--loop-period", "8", "--wind-direction", "30"});
+    export_small_sea(folder.path(), {"--loop-frames", "4", "--loop-period", "8", "--wind-direction", "30"});
     const json sea = json::parse(read_file(folder / "sea.json"));
     EXPECT_EQ(sea["sea"]["resolution"], 32);
     EXPECT_EQ(sea["sea"]["wind_direction_deg"], 30);
@@ -257,7 +252,7 @@ TEST(ExportedFiles, SeaJsonDescribesTheExport) {
     SeaState same = small_sea;
     same.loop_period_s = 8;
     same.wind_direction_rad = 30 * 3.14159265358979323846 / 180;
-    Library library(same);
+    SmallSea library(same);
     double height = 0;
     ASSERT_EQ(sea["frames"].size(), 4u);
     for (int i = 0; i < 4; ++i) {
@@ -283,9 +278,9 @@ TEST(ExportedFiles, SeaJsonDescribesTheExport) {
 // Values without a short decimal form, so that a missing digit would change the sea.
 TEST(ExportedFiles, SeaJsonReproducesTheSeaExactly) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--preset", "rough", "--wind-direction", "33.3", "--wind-speed", "11.100000000000001",
-                               "--fetch", "123456.789", "--loop-period", "61.7", "--seed", "4294967295", "--depth",
-                               "0.1", "--spectrum", "phillips"});
+    export_small_sea(folder / "out", {"--preset", "rough", "--wind-direction", "33.3", "--wind-speed",
+                                      "11.100000000000001", "--fetch", "123456.789", "--loop-period", "61.7",
+                                      "--seed", "4294967295", "--depth", "0.1", "--spectrum", "phillips"});
     const std::string record = (folder / "out" / "sea.json").string();
     const json recorded = json::parse(read_file(record));
     const Outcome info = run_pelagic({"info", "--json", "--config", record});
@@ -293,7 +288,10 @@ TEST(ExportedFiles, SeaJsonReproducesTheSeaExactly) {
     EXPECT_EQ(json::parse(info.out)["first_frame"]["hash"], recorded["frames"][0]["hash"]);
     EXPECT_EQ(json::parse(info.out)["sea"], recorded["sea"]);
 
-    ASSERT_EQ(run_pelagic({"export", "--config", record, "--out", (folder / "again").string()}).exit_code, 0);
+    ASSERT_EQ(
+        run_pelagic({"export", "--config", record, "--out", (folder / "again").string(), "--maps", "displacement"})
+            .exit_code,
+        0);
     EXPECT_EQ(files_in(folder / "again"), files_in(folder / "out"));
 
     // The output of info can be read back, and flags override it.
@@ -319,7 +317,7 @@ double value_of(const json& channels, const char* name, const std::map<std::stri
 // Pixels decoded by sea.json alone match surface queries at the pixels' positions.
 TEST(ExportedFiles, SeaJsonDefinesThePixels) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--wind-direction", "40"});
+    export_small_sea(folder.path(), {"--wind-direction", "40", "--maps", maps_with_png});
     const json record = json::parse(read_file(folder / "sea.json"));
     SeaState sea = small_sea;
     sea.wind_direction_rad = 40 * 3.14159265358979323846 / 180;
@@ -328,10 +326,10 @@ TEST(ExportedFiles, SeaJsonDefinesThePixels) {
     const double roughness = frame.statistics.roughness;
     const SurfaceQuery water(frame);
 
-    const auto bytes = read_png(folder / "gradient_0000.png", 32);
+    const auto bytes = read_rgba_png(folder / "gradient_0000.png", 32);
     std::map<std::string, std::vector<float>> floats;
     for (const char* channel : {"R", "G", "B"})
-        floats[channel] = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
+        floats[channel] = read_exr_channel<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
     const auto at = [&](const char* line, int number) {
         const json& recorded = record["layout"][line];
         return recorded["scale"].get<double>() * number + recorded["offset"].get<double>();
@@ -376,7 +374,7 @@ TEST(ExportedFiles, DoNotDependOnThreadCountAndInstructionSet) {
     const TemporaryFolder first;
     const std::vector<std::string> common_flags = {"--frames", "5", "--mips", "--maps",
                                                    "displacement,gradient,normal,velocity,jacobian,slope"};
-    export_to(first.path(), common_flags);
+    export_small_sea(first.path(), common_flags);
     const auto expected = files_in(first.path());
     // Each number of threads and each instruction set is used once; the Determinism suite covers
     // all pairs.
@@ -386,7 +384,7 @@ TEST(ExportedFiles, DoNotDependOnThreadCountAndInstructionSet) {
         const TemporaryFolder other;
         auto flags = common_flags;
         flags.insert(flags.end(), {"--threads", threads, "--isa", isa});
-        export_to(other.path(), flags);
+        export_small_sea(other.path(), flags);
         EXPECT_EQ(files_in(other.path()), expected) << threads << " " << isa;
     }
 }
@@ -394,7 +392,7 @@ TEST(ExportedFiles, DoNotDependOnThreadCountAndInstructionSet) {
 TEST(ExportedFiles, FlagsOverrideTheConfigFileAndThePreset) {
     const TemporaryFolder folder;
     write_file(folder / "sea.toml", "preset = \"storm\"\nresolution = 64\nwind_speed = 7\nchoppiness = 0.25\n");
-    export_to(folder / "out", {"--config", (folder / "sea.toml").string(), "--wind-speed", "9.5"});
+    export_small_sea(folder / "out", {"--config", (folder / "sea.toml").string(), "--wind-speed", "9.5"});
     const json sea = json::parse(read_file(folder / "out" / "sea.json"))["sea"];
     EXPECT_EQ(sea["resolution"], 32);       // flag
     EXPECT_EQ(sea["wind_speed_mps"], 9.5);  // flag
@@ -405,19 +403,19 @@ TEST(ExportedFiles, FlagsOverrideTheConfigFileAndThePreset) {
 
 TEST(ExportedFiles, NothingIsWrittenToStderrInAPipe) {
     const TemporaryFolder folder;
-    const Outcome outcome = export_to(folder.path(), {"--frames", "3"});
+    const Outcome outcome = export_small_sea(folder.path(), {"--frames", "3"});
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("3 frames"), std::string::npos);
 }
 
 TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
     const TemporaryFolder folder, fresh;
-    write_file(folder / "gradient_notes.txt", "mine");
-    export_to(folder.path(), {"--frames", "4", "--mips"});
-    export_to(folder.path(), {"--frames", "2", "--overwrite"});
-    export_to(fresh.path(), {"--frames", "2"});
+    write_file(folder / "compression_notes.txt", "mine");
+    export_small_sea(folder.path(), {"--frames", "4", "--mips", "--maps", two_exr_maps});
+    export_small_sea(folder.path(), {"--frames", "2", "--overwrite", "--maps", two_exr_maps});
+    export_small_sea(fresh.path(), {"--frames", "2", "--maps", two_exr_maps});
     auto expected = files_in(fresh.path());
-    expected["gradient_notes.txt"] = "mine";
+    expected["compression_notes.txt"] = "mine";
     EXPECT_EQ(files_in(folder.path()), expected);
 }
 
@@ -425,7 +423,7 @@ TEST(Info, PrintsTheLibrarysValues) {
     const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32", "--patch-size", "250"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json info = json::parse(outcome.out);
-    Library library;
+    SmallSea library;
     const Frame& frame = library.frame_at(0);
     EXPECT_EQ(std::stoull(info["first_frame"]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
     EXPECT_EQ(info["waves"]["peak_period_s"]["expected"], expected_waves(small_sea).peak_period_s);
@@ -459,13 +457,6 @@ TEST(Info, PrintsBeaufortNumberSeaStateDirectionSpreadAndSlopes) {
     for (const char* part :
          {"5, fresh breeze", "4, moderate", "slope_variance, all", "of Cox and Munk", "mean_direction_deg"})
         EXPECT_NE(table.find(part), std::string::npos) << part;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
 }
 
 TEST(Info, BeginsWithASummaryOfFiveLines) {
@@ -525,9 +516,7 @@ TEST(Info, OmitsSentinelsAndLinesThatDoNotApply) {
                                                {"--swell-height", "1"},
                                                {"--spectrum", "phillips-paper"},
                                                {"--wind-speed", "0.3"}}) {
-        std::vector<std::string> arguments = {"info"};
-        arguments.insert(arguments.end(), sea.begin(), sea.end());
-        const Outcome outcome = run_pelagic(arguments);
+        const Outcome outcome = run_pelagic(joined({"info"}, sea));
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         const bool is_spectrum = sea.empty() || (sea[1] != "pond" && sea[1] != "analytic-moderate");
         const bool has_swell = !sea.empty() && sea[0] == "--swell-height";
@@ -568,10 +557,7 @@ TEST(Info, PrintsMeanPeriodsSeparatePeaksAndRepeatLength) {
     EXPECT_FALSE(json::parse(run_pelagic({"info", "--json"}).out)["waves"].contains("swell"));
 
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic({"export", "--out", (folder / "out").string(), "--frames", "1", "--resolution", "32",
-                           "--patch-size", "250"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(run_pelagic(small_export(folder / "out", {"--frames", "1"})).exit_code, 0);
     EXPECT_EQ(json::parse(read_file(folder / "out" / "sea.json"))["repeats_after_m"], 250.0);
 }
 

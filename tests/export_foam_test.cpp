@@ -22,34 +22,32 @@ namespace pelagic {
 namespace {
 
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
 
 // A gale at short fetch, with a large whitecap cover. The last two of four cascades hold waves
 // shorter than a metre, which break without whitecaps.
-const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
-const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
-                              "--fetch",    "100", "--loop-period", "8"};
+const SeaState foamy_gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+const Arguments foamy_gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
+                                    "--fetch",    "100", "--loop-period", "8"};
 // Foam maps are of one cascade.
 const SeaState gale_on_one_cascade{
     .cascades = 1, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments flags_of_one_cascade = {"--cascades", "1",   "--resolution",  "32", "--wind-speed", "20",
                                         "--fetch",    "100", "--loop-period", "8"};
 
-Outcome run(Arguments arguments, const Arguments& more = {}, const Arguments& sea = gale_flags) {
-    arguments.insert(arguments.end(), sea.begin(), sea.end());
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Outcome outcome = run_pelagic(arguments);
+Outcome run_foamy_gale(const Arguments& arguments, const Arguments& more = {},
+                       const Arguments& sea = foamy_gale_flags) {
+    Outcome outcome = run_pelagic(joined(joined(arguments, sea), more));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome;
 }
 
-void export_to(const std::filesystem::path& folder, const Arguments& more) {
-    run({"export", "--no-sync", "--out", folder.string()}, more, flags_of_one_cascade);
+void export_foam_to(const std::filesystem::path& folder, const Arguments& more) {
+    run_foamy_gale({"export", "--no-sync", "--out", folder.string()}, more, flags_of_one_cascade);
 }
 
-class Library {
+class FoamLibrary {
    public:
-    explicit Library(const SeaState& sea = gale_on_one_cascade) : sea_(sea) {}
+    explicit FoamLibrary(const SeaState& sea = gale_on_one_cascade) : sea_(sea) {}
     const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
 
    private:
@@ -72,6 +70,16 @@ std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& file, unsig
     return bytes;
 }
 
+/// Reads the floats of a single-channel EXR file with OpenImageIO.
+std::vector<float> read_grey_exr(const std::filesystem::path& file, std::size_t side) {
+    std::vector<float> values(side * side);
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input || input->spec().nchannels != 1 ||
+        !input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
+        ADD_FAILURE() << file;
+    return values;
+}
+
 std::vector<std::uint8_t> foam_of(const Cascade& cascade, int level) {
     const auto texels = cascade.level_of(cascade.foam_r8, level);
     return {texels.begin(), texels.end()};
@@ -79,8 +87,8 @@ std::vector<std::uint8_t> foam_of(const Cascade& cascade, int level) {
 
 TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevel) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--start", "3.03", "--maps", "foam", "--mips"});
-    Library library;
+    export_foam_to(folder.path(), {"--start", "3.03", "--maps", "foam", "--mips"});
+    FoamLibrary library;
     const Frame& frame = library.frame_at(3.03);
     const json record = json::parse(read_file(folder / "sea.json"));
     for (int level = 0; level < 6; ++level) {
@@ -99,8 +107,8 @@ TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevel) {
 // An export without the foam map has no foam files, and its other files are unchanged.
 TEST(ExportedFoam, IsOmittedFromExportsWithoutTheFoamMap) {
     const TemporaryFolder folder;
-    export_to(folder / "with", {"--maps", "foam,gradient,displacement"});
-    export_to(folder / "without", {});
+    export_foam_to(folder / "with", {"--maps", "foam,gradient,displacement"});
+    export_foam_to(folder / "without", {});
     const auto with = files_in(folder / "with"), without = files_in(folder / "without");
     for (const auto& [name, bytes] : without)
         if (name != "sea.json" && name != "sea_files.json") {
@@ -114,8 +122,8 @@ TEST(ExportedFoam, IsOmittedFromExportsWithoutTheFoamMap) {
 
 TEST(ExportedFoam, TiffHoldsTheFramesBytes) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--start", "2", "--maps", "foam", "--format", "tif"});
-    Library library;
+    export_foam_to(folder.path(), {"--start", "2", "--maps", "foam", "--format", "tif"});
+    FoamLibrary library;
     const auto input = OIIO::ImageInput::open((folder / "foam_0000.tif").string());
     ASSERT_TRUE(input);
     ASSERT_EQ(input->spec().nchannels, 1);
@@ -125,35 +133,38 @@ TEST(ExportedFoam, TiffHoldsTheFramesBytes) {
     EXPECT_EQ(bytes, foam_of(library.frame_at(2).cascades[0], 0));
 }
 
-// The history of foam is recomputed for each shard and each resumed export.
+// The history of foam is recomputed for each shard and each resumed export. Floats are EXR files,
+// which are written in less time than PNG files.
 TEST(ExportedFoam, ShardedAndResumedExportsEqualOneRun) {
     const TemporaryFolder folder;
-    const Arguments film = {"--maps", "foam", "--fps", "12.5", "--frames", "8"};
-    export_to(folder / "film", film);
+    const Arguments floats = {"--maps", "foam", "--fps", "12.5", "--bit-depth", "float"};
+    const Arguments film = joined(floats, {"--frames", "8"});
+    export_foam_to(folder / "film", film);
     const auto whole = files_in(folder / "film");
+    // Files also hold the numbers of their frames.
+    const auto floats_of = [&](const std::string& name, int frame) {
+        return read_grey_exr(folder / name / ("foam_000" + std::to_string(frame) + ".exr"), 32);
+    };
 
-    export_to(folder / "shard",
-              {"--maps", "foam", "--fps", "12.5", "--frames", "3", "--start", "0.4", "--threads", "1"});
-    for (const int frame : {0, 1, 2})
-        EXPECT_EQ(read_file(folder / "shard" / ("foam_000" + std::to_string(frame) + ".png")),
-                  whole.at("foam_000" + std::to_string(frame + 5) + ".png"));
+    export_foam_to(folder / "shard", joined(floats, {"--frames", "3", "--start", "0.4", "--threads", "1"}));
+    for (const int frame : {0, 1, 2}) EXPECT_EQ(floats_of("shard", frame), floats_of("film", frame + 5));
 
-    for (const char* lost : {"foam_0002.png", "foam_0003.png", "foam_0006.png"})
+    for (const char* lost : {"foam_0002.exr", "foam_0003.exr", "foam_0006.exr"})
         std::filesystem::remove(folder / "film" / lost);
     Arguments resumed = film;
     resumed.push_back("--resume");
-    export_to(folder / "film", resumed);
+    export_foam_to(folder / "film", resumed);
     EXPECT_TRUE(files_in(folder / "film") == whole);
 
     // The loop continues where it began.
-    export_to(folder / "later", {"--maps", "foam", "--fps", "12.5", "--frames", "8", "--start", "16"});
-    EXPECT_EQ(read_file(folder / "later" / "foam_0000.png"), whole.at("foam_0000.png"));
+    export_foam_to(folder / "later", joined(floats, {"--frames", "1", "--start", "16"}));
+    EXPECT_EQ(floats_of("later", 0), floats_of("film", 0));
 }
 
 // A recorded frame without a foam hash does not belong to this export.
 TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--maps", "foam"});
+    export_foam_to(folder.path(), {"--maps", "foam"});
     const auto whole = files_in(folder.path());
     const Outcome other =
         run_pelagic({"export", "--out", folder.path().string(), "--maps", "gradient", "--resume", "--fetch", "100",
@@ -164,7 +175,7 @@ TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     json record = json::parse(read_file(folder / "sea_files.json"));
     record["frames"][0].erase("foam_hash");
     write_file(folder / "sea_files.json", record.dump());
-    export_to(folder.path(), {"--maps", "foam", "--resume"});
+    export_foam_to(folder.path(), {"--maps", "foam", "--resume"});
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
@@ -178,28 +189,18 @@ TEST(ExportedFoam, IsRefusedForSeveralCascades) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-/// Reads the floats of a single-channel EXR file with OpenImageIO.
-std::vector<float> read_exr(const std::filesystem::path& file, std::size_t side) {
-    std::vector<float> values(side * side);
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input || input->spec().nchannels != 1 ||
-        !input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
-        ADD_FAILURE() << file;
-    return values;
-}
-
 // With the level and the ramp of sea.json, the sum of the maps is the foam that queries return
 // where water breaks now. All cascades have a texel at the origin.
 TEST(ExportedCompression, AddsUpToBreakingWater) {
     const TemporaryFolder folder;
-    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression", "--mips", "--seed", "8",
-         "--frames", "40", "--fps", "5"});
+    run_foamy_gale({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression", "--mips",
+                    "--seed", "8", "--frames", "40", "--fps", "5"});
     const json record = json::parse(read_file(folder / "sea.json"));
     const double level = record["foam"]["level"], ramp = record["foam"]["ramp"];
     EXPECT_EQ(record["foam"]["fade_s"], 15 * 0.25);
-    SeaState sea = gale;
+    SeaState sea = foamy_gale;
     sea.seed = 8;  // water breaks at the origin
-    Library library(sea);
+    FoamLibrary library(sea);
     int white = 0;
     for (int number = 0; number < 40; ++number) {
         const Frame& frame = library.frame_at(number / 5.);
@@ -209,19 +210,21 @@ TEST(ExportedCompression, AddsUpToBreakingWater) {
             const auto name = [&](const std::string& end) {
                 return folder / ("compression_" + mark + (number < 10 ? "000" : "00") + std::to_string(number) + end);
             };
-            const std::vector<float> values = read_exr(name(".exr"), 32);
+            const std::vector<float> values = read_grey_exr(name(".exr"), 32);
             std::vector<float> expected(values.size());
             copy_compression(frame.cascades[cascade], expected);
             EXPECT_EQ(values, expected);
             sum += double{values[0]};
-            const std::vector<float> half = read_exr(name("_mip1.exr"), 16);
+            const std::vector<float> half = read_grey_exr(name("_mip1.exr"), 16);
             EXPECT_NEAR(half[0],
                         (double{values[0]} + double{values[1]} + double{values[32]} + double{values[33]}) / 4, 1e-5);
         }
         // Bytes of four cascades are rounded by half a step, and foam changes by 1 / ramp of it.
         const double breaking = std::clamp(0.5 + (sum - level) / ramp, 0., 1.);
         const double rounding = 4 * 0.5 * double{SnapshotFoam::step} / ramp;
-        if (breaking > 0) EXPECT_GE(double{FoamSampler(frame).at(0, 0)}, breaking - rounding) << number;
+        if (breaking > 0) {
+            EXPECT_GE(double{FoamSampler(frame).at(0, 0)}, breaking - rounding) << number;
+        }
         white += breaking > 0.5;
     }
     EXPECT_GT(white, 0) << "nothing breaks at the origin";
@@ -229,11 +232,11 @@ TEST(ExportedCompression, AddsUpToBreakingWater) {
 
 TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     const TemporaryFolder folder;
-    run({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression"});
+    run_foamy_gale({"export", "--no-sync", "--out", folder.path().string(), "--maps", "compression"});
     const json recorded = json::parse(read_file(folder / "sea.json"))["foam"];
-    EXPECT_EQ(recorded, json::parse(run({"info", "--json"}).out)["foam"]);
+    EXPECT_EQ(recorded, json::parse(run_foamy_gale({"info", "--json"}).out)["foam"]);
 
-    Library library(gale);
+    FoamLibrary library(foamy_gale);
     const Frame& frame = library.frame_at(0);
     EXPECT_EQ(recorded["level"], frame.statistics.foam_level);
     EXPECT_EQ(recorded["tick_s"], 0.25);  // of a loop of 8 s
@@ -254,7 +257,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
         EXPECT_EQ(of_cascade["side_m"], cascade.grid.side_m);
     }
 
-    const std::string table = run({"info", "--measured"}).out;
+    const std::string table = run_foamy_gale({"info", "--measured"}).out;
     for (const char* part : {"Foam accumulation", "whitecap_cover", "warm_up_ticks               16", "drift_mps",
                              "makes no whitecaps", "columns_a_loop"})
         EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;
@@ -271,8 +274,9 @@ TEST(QueriedFoam, IsAnOptionalColumn) {
     write_file(folder / "points.csv", text);
     const Arguments asked = {"query",           "--points", (folder / "points.csv").string(), "--time", "5.5",
                              "--interpolation", "linear"};
-    const Outcome with = run(asked, {"--foam"}), without = run(asked), as_json = run(asked, {"--foam", "--json"});
-    Library library(gale);
+    const Outcome with = run_foamy_gale(asked, {"--foam"}), without = run_foamy_gale(asked),
+                  as_json = run_foamy_gale(asked, {"--foam", "--json"});
+    FoamLibrary library(foamy_gale);
     std::vector<float> foam(x.size());
     SurfaceQuery(library.frame_at(5.5)).sample({x, z}, {.foam = foam});
     EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0.2f);

@@ -118,15 +118,15 @@ void expect_round_trip(Words words) {
     words = with_events_of(folder.path(), std::move(words));
     words.insert(words.end(), {"--out", folder.path().string()});
     const ExportOptions options = options_of(words);
-    const Json json = options_as_json(options);
-    EXPECT_EQ(options_as_json(options_of_record(ReadJson(json), folder / "sea.json")), json);
+    const Json record = options_as_json(options);
+    EXPECT_EQ(options_as_json(options_of_record(ReadJson(record), folder / "sea.json")), record);
 
-    write_record(OutputFolder(folder.path(), Sync::no), "sea.json", json, [](const auto&) {});
+    write_record(OutputFolder(folder.path(), Sync::no), "sea.json", record, [](const auto&) {});
     Words line = split(command_line_of(options, folder / "sea.json"));
     ASSERT_EQ(line.at(1), "export");
     line.erase(line.begin(), line.begin() + 2);
     const ExportOptions again = options_of(line);
-    EXPECT_EQ(options_as_json(again), json) << command_line_of(options, folder / "sea.json");
+    EXPECT_EQ(options_as_json(again), record) << command_line_of(options, folder / "sea.json");
     EXPECT_EQ(again.folder, options.folder);
 }
 
@@ -160,8 +160,8 @@ TEST(ExportFromRecord, KeepsCombinedOptions) {
 TEST(ExportFromRecord, KeepsNamePatternsAndForecasts) {
     const TemporaryFolder folder;
     const ExportOptions named = options_of({"--out", (folder / "wave.####.tif").string()});
-    const Json json = options_as_json(named);
-    EXPECT_EQ(options_as_json(options_of_record(ReadJson(json), folder / "sea.json")), json);
+    const Json record = options_as_json(named);
+    EXPECT_EQ(options_as_json(options_of_record(ReadJson(record), folder / "sea.json")), record);
     EXPECT_NE(command_line_of(named, folder / "sea.json").find("--out '" + (folder / "wave.####.tif").string() + "'"),
               std::string::npos);
 
@@ -235,7 +235,7 @@ TEST(RecordFile, EqualsTheWholeRecord) {
         Json read = head;
         read["frames"] = Json::array();
         EXPECT_TRUE(read_record(place, "record",
-                                {.head = [&](const ReadJson& json) { return json == ReadJson(head); },
+                                {.head = [&](const ReadJson& read_head) { return read_head == ReadJson(head); },
                                  .frame =
                                      [&](const ReadJson& entry) {
                                          read["frames"].push_back(Json(entry));

@@ -19,17 +19,10 @@
 #include <thread>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "32", "--patch-size", "250"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
 
 template <class Condition>
 bool comes_true(Condition condition) {
@@ -46,10 +39,9 @@ bool comes_true(Condition condition) {
 class ExportAtWork {
    public:
     explicit ExportAtWork(const std::filesystem::path& folder, const Arguments& more = {}) {
-        Arguments arguments = export_to(folder, {"--frames", "100000"});
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        process_ = start_pelagic(arguments, logs_ / "out", logs_ / "err");
-        EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "gradient_0002.png"); }));
+        process_ =
+            start_pelagic(small_export(folder, joined({"--frames", "100000"}, more)), logs_ / "out", logs_ / "err");
+        EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "displacement_0002.exr"); }));
         ::kill(process_, SIGSTOP);
         // Threads stop one by one, and some finish a file before they stop.
         int status = 0;
@@ -70,12 +62,6 @@ class ExportAtWork {
     pid_t process_;
 };
 
-void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected) {
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err << "lacks " << expected;
-}
-
 /// Makes a system call fail with an errno, in this process and in the programs that it executes.
 void make_fail(int call, int reason) {
     sock_filter filter[] = {
@@ -94,16 +80,17 @@ TEST(FolderLock, RejectsASecondExportWithoutAChange) {
     ExportAtWork first(folder.path());
     const auto before = files_in(folder.path());
     for (const Arguments& more : {Arguments{}, {"--resume"}, {"--frames", "2", "--wind-speed", "9"}})
-        expect_one_line(run_pelagic(export_to(folder.path(), more)), 2, "another export is at work there");
+        expect_one_line(run_pelagic(small_export(folder.path(), more)), 2, "another export is at work there");
     EXPECT_TRUE(files_in(folder.path()) == before);
 }
 
 TEST(FolderLock, IsReleasedWhenItsOwnerIsKilled) {
     const TemporaryFolder folder;
-    ExportAtWork first(folder.path());
-    ASSERT_EQ(run_pelagic(export_to(folder.path())).exit_code, 2);
+    const Arguments with_png = {"--maps", maps_with_png};
+    ExportAtWork first(folder.path(), with_png);
+    ASSERT_EQ(run_pelagic(small_export(folder.path(), with_png)).exit_code, 2);
     first.die();
-    const Outcome second = run_pelagic(export_to(folder.path()));
+    const Outcome second = run_pelagic(small_export(folder.path(), with_png));
     EXPECT_EQ(second.exit_code, 0) << second.err;
 }
 
@@ -111,15 +98,15 @@ TEST(FolderLock, IsNotTakenWithNoLock) {
     const TemporaryFolder folder;
     ExportAtWork first(folder.path(), {"--no-lock"});
     EXPECT_FALSE(std::filesystem::exists(folder / ".sea.lock"));
-    EXPECT_EQ(run_pelagic(export_to(folder.path())).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(folder.path())).exit_code, 0);
 }
 
 TEST(FolderLock, AFileSystemWithoutLocksIsRejectedExceptWithNoLock) {
     const auto without_locks = [] { make_fail(SYS_flock, ENOLCK); };
     const TemporaryFolder folder;
-    expect_one_line(run_pelagic(export_to(folder.path()), without_locks), 2, "--no-lock");
+    expect_one_line(run_pelagic(small_export(folder.path()), without_locks), 2, "--no-lock");
     EXPECT_EQ(files_in(folder.path()).size(), 1u) << "the lock's file, and nothing else";
-    EXPECT_EQ(run_pelagic(export_to(folder.path(), {"--no-lock"}), without_locks).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(folder.path(), {"--no-lock"}), without_locks).exit_code, 0);
 }
 
 // The lock file belongs to another user and is read-only, in a folder that both users can write to.
@@ -131,7 +118,7 @@ TEST(FolderLock, MayBelongToAnotherUser) {
     if (::getuid() == 0) {
         ASSERT_EQ(::chown((folder / ".sea.lock").c_str(), 65534, 65534), 0);
     }
-    const Outcome outcome = run_pelagic(export_to(folder.path()), obey_permissions);
+    const Outcome outcome = run_pelagic(small_export(folder.path()), obey_permissions);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
@@ -140,12 +127,12 @@ class UnsyncedDisk : public testing::TestWithParam<int> {};
 TEST_P(UnsyncedDisk, IsAWriteErrorExceptWithNoSync) {
     const auto without_sync = [] { make_fail(GetParam(), EIO); };
     const TemporaryFolder folder;
-    expect_one_line(run_pelagic(export_to(folder.path()), without_sync), 1, "Input/output error");
+    expect_one_line(run_pelagic(small_export(folder.path()), without_sync), 1, "Input/output error");
     for (const auto& [name, bytes] : files_in(folder.path())) {
         EXPECT_FALSE(name.ends_with(".part")) << name;
         EXPECT_TRUE(name.starts_with('.')) << name << " counts as written";
     }
-    EXPECT_EQ(run_pelagic(export_to(folder.path(), {"--no-sync"}), without_sync).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(folder.path(), {"--no-sync"}), without_sync).exit_code, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Calls, UnsyncedDisk, testing::Values(SYS_fsync, SYS_fdatasync),
@@ -158,8 +145,9 @@ TEST(SyncedExport, SyncsAFrameBeforeItIsJournaled) {
     const std::string trace = (folder / "trace").string();
     std::string command =
         "ASAN_OPTIONS=detect_leaks=0 strace -f -y -e trace=fsync,fdatasync,rename,renameat,renameat2,write -o '" +
-        trace + "' " PELAGIC_BINARY;
-    for (const std::string& argument : export_to(folder / "sea", {"--frames", "2", "--threads", "1"}))
+        trace + "' " + tested_binary;
+    for (const std::string& argument :
+         small_export(folder / "sea", {"--frames", "2", "--threads", "1", "--maps", maps_with_png}))
         command += " '" + argument + "'";
     if (std::system("strace -o /dev/null true 2>/dev/null") != 0) GTEST_SKIP() << "strace has no permission to trace";
     ASSERT_EQ(std::system((command + " >/dev/null").c_str()), 0);

@@ -21,17 +21,14 @@ namespace pelagic {
 namespace {
 
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
 
 // A gale at short fetch. The second cascade is rotated.
-const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
-const Arguments gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
-                              "--fetch",    "400", "--loop-period", "8"};
+const SeaState mapped_gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
+const Arguments mapped_gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
+                                     "--fetch",    "400", "--loop-period", "8"};
 
-Outcome run(Arguments arguments, const Arguments& more = {}) {
-    arguments.insert(arguments.end(), gale_flags.begin(), gale_flags.end());
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_pelagic(arguments);
+Outcome run_mapped_gale(const Arguments& arguments, const Arguments& more = {}) {
+    return run_pelagic(joined(joined(arguments, mapped_gale_flags), more));
 }
 
 struct Vector {
@@ -106,30 +103,29 @@ class Places {
     bool is_z_up_;
 };
 
-/// Returns the named value at a texel; values of a normal map are in the cascade's own axes.
-double value_named(const std::string& name, const Truth& truth, const Places& places, bool is_z_up) {
+/// Returns a texel's values by name; values of a normal map are in the cascade's own axes.
+std::map<std::string, double> named_numbers(const Truth& truth, const Places& places, bool is_z_up) {
     const auto& [x, y, z] = truth.velocity;
     const auto along = [&](const Vector& axis) { return truth.normal.x * axis.x + truth.normal.z * axis.z; };
-    const std::map<std::string, double> values = {{"Dx", truth.displacement.x},
-                                                  {"Dy", -truth.displacement.z},
-                                                  {"Dz", truth.displacement.z},
-                                                  {"height", truth.displacement.y},
-                                                  {"velocity_x", x},
-                                                  {"velocity_y", is_z_up ? -z : y},
-                                                  {"velocity_z", is_z_up ? y : z},
-                                                  {"normal_x", truth.normal.x},
-                                                  {"normal_y", -truth.normal.z},
-                                                  {"normal_z", truth.normal.z},
-                                                  {"jacobian", truth.jacobian},
-                                                  {"normal_right", along(places.to_the_right())},
-                                                  {"normal_image_up", -along(places.down())},
-                                                  {"normal_image_down", along(places.down())},
-                                                  {"normal_out", truth.normal.y},
-                                                  {"dh_dx", truth.h_x},
-                                                  {"dh_dy", -truth.h_z},
-                                                  {"dh_dz", truth.h_z},
-                                                  {"compression", truth.compression}};
-    return values.at(name);
+    return {{"Dx", truth.displacement.x},
+            {"Dy", -truth.displacement.z},
+            {"Dz", truth.displacement.z},
+            {"height", truth.displacement.y},
+            {"velocity_x", x},
+            {"velocity_y", is_z_up ? -z : y},
+            {"velocity_z", is_z_up ? y : z},
+            {"normal_x", truth.normal.x},
+            {"normal_y", -truth.normal.z},
+            {"normal_z", truth.normal.z},
+            {"jacobian", truth.jacobian},
+            {"normal_right", along(places.to_the_right())},
+            {"normal_image_up", -along(places.down())},
+            {"normal_image_down", along(places.down())},
+            {"normal_out", truth.normal.y},
+            {"dh_dx", truth.h_x},
+            {"dh_dy", -truth.h_z},
+            {"dh_dz", truth.h_z},
+            {"compression", truth.compression}};
 }
 
 /// The largest accepted error of a pixel of the given type. Floats are differences of floats: a few
@@ -152,7 +148,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
         Arguments flags = GetParam().flags;
         flags.insert(flags.end(), {"--no-sync", "--mips", "--start", "1.5", "--maps",
                                    "displacement,gradient,normal,velocity,jacobian,slope,compression"});
-        const Outcome outcome = run({"export", "--out", folder_.path().string()}, flags);
+        const Outcome outcome = run_mapped_gale({"export", "--out", folder_.path().string()}, flags);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         record_ = json::parse(read_file(folder_ / "sea.json"));
     }
@@ -172,7 +168,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
 
     TemporaryFolder folder_;
     json record_;
-    Ocean ocean_{gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true}};
+    Ocean ocean_{mapped_gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true}};
 };
 
 TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {
@@ -182,33 +178,42 @@ TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {
         const Cascade& cascade = frame.cascades[t];
         const json& layout = record_["layout"]["cascades"][t];
         const Places places(layout);
-        ASSERT_EQ(layout["resolution"], cascade.resolution());
+        const int n = cascade.resolution();
+        ASSERT_EQ(layout["resolution"], n);
+        std::vector<std::map<std::string, double>> numbers;  // of each texel, by rows of the image
+        for (int row = 0; row < n; ++row)
+            for (int column = 0; column < n; ++column) {
+                const Vector rest = places.at(column, row);
+                const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.z);
+                const double i = place.along / cascade.texel_m(), j = place.across / cascade.texel_m();
+                ASSERT_NEAR(i, column, 1e-6);
+                ASSERT_NEAR(j, std::round(j), 1e-6);
+                numbers.push_back(
+                    named_numbers(truth_at(cascade, column, static_cast<int>(std::round(j))), places, is_z_up));
+            }
         for (const auto& [map, channels] : record_["channels"].items()) {
             const ReadImage pixels = image(map + "_" + mark_of(layout) + "0000");
             ASSERT_EQ(pixels.channels, static_cast<int>(channels.size())) << map;
-            ASSERT_EQ(pixels.width, cascade.resolution());
-            for (int row = 0; row < pixels.height; ++row)
-                for (int column = 0; column < pixels.width; ++column) {
-                    const Vector rest = places.at(column, row);
-                    const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.z);
-                    const double i = place.along / cascade.texel_m(), j = place.across / cascade.texel_m();
-                    ASSERT_NEAR(i, column, 1e-6);
-                    ASSERT_NEAR(j, std::round(j), 1e-6);
-                    const Truth truth = truth_at(cascade, column, static_cast<int>(std::round(j)));
-                    for (int c = 0; c < pixels.channels; ++c) {
-                        const json& channel = channels[static_cast<std::size_t>(c)];
-                        const std::string name = channel["name"];
-                        if (name == "smoothness") continue;  // constant over all texels of level 0
-                        EXPECT_EQ(channel["type"], pixels.type) << map;
-                        const double scale = channel["scale"];
-                        const double read = scale * pixels.at(column, row, c) + channel["offset"].get<double>();
-                        double expected = value_named(name, truth, places, is_z_up);
-                        if (channel.contains("range"))
-                            expected = std::clamp<double>(expected, channel["range"][0], channel["range"][1]);
+            ASSERT_EQ(pixels.width, n);
+            ASSERT_EQ(pixels.height, n);
+            for (int c = 0; c < pixels.channels; ++c) {
+                const json& channel = channels[static_cast<std::size_t>(c)];
+                const std::string name = channel["name"];
+                if (name == "smoothness") continue;  // constant over all texels of level 0
+                EXPECT_EQ(channel["type"], pixels.type) << map;
+                const double scale = channel["scale"], offset = channel["offset"];
+                const bool has_range = channel.contains("range");
+                const double min = has_range ? channel["range"][0].get<double>() : 0,
+                             max = has_range ? channel["range"][1].get<double>() : 0;
+                for (int row = 0; row < n; ++row)
+                    for (int column = 0; column < n; ++column) {
+                        const double read = scale * pixels.at(column, row, c) + offset;
+                        double expected = numbers[static_cast<std::size_t>(row * n + column)].at(name);
+                        if (has_range) expected = std::clamp(expected, min, max);
                         ASSERT_NEAR(read, expected, bound(pixels.type, scale, expected))
                             << map << "." << name << " of cascade " << t << " at " << column << ", " << row;
                     }
-                }
+            }
         }
     }
 }
@@ -368,9 +373,8 @@ TEST(NormalMap, OfOverturnedWaterIsHorizontal) {
 TEST(ExportedMapsMeasured, DoNotDependOnAxesUnitAndRows) {
     const TemporaryFolder folder;
     const auto measured = [&](const std::string& name, const Arguments& flags) {
-        Arguments all = {"--maps", "displacement", "--no-sync", "--frames", "16", "--fps", "8"};
-        all.insert(all.end(), flags.begin(), flags.end());
-        EXPECT_EQ(run({"export", "--out", (folder / name).string()}, all).exit_code, 0);
+        const Arguments all = joined({"--maps", "displacement", "--no-sync", "--frames", "16", "--fps", "8"}, flags);
+        EXPECT_EQ(run_mapped_gale({"export", "--out", (folder / name).string()}, all).exit_code, 0);
         const Outcome outcome = run_pelagic({"info", "--json", "--measure", (folder / name).string()});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return json::parse(outcome.out)["waves"];
@@ -415,7 +419,7 @@ TEST(ExportedMapsRefused, EachWithOneLineThatNamesTheAcceptedValues) {
         {{"--rows", "left"}, "--rows is left, expected top or bottom"},
         {{"--maps", "slope", "--format", "png"}, "--format is png, expected exr, tif, ktx2 or dds"}};
     for (const auto& [flags, words] : asked) {
-        const Outcome outcome = run({"export", "--out", (folder / "out").string()}, flags);
+        const Outcome outcome = run_mapped_gale({"export", "--out", (folder / "out").string()}, flags);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;

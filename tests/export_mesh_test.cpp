@@ -14,25 +14,18 @@
 namespace pelagic {
 namespace {
 
-Outcome export_to(const TemporaryFolder& folder, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {
-        "export",        "--out", folder.path().string(), "--resolution", "32", "--patch-size", "100", "--no-sync",
-        "--loop-period", "20"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_pelagic(arguments);
+Outcome export_mesh_to(const TemporaryFolder& folder, const Arguments& more) {
+    return run_pelagic(joined({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "100",
+                               "--no-sync", "--loop-period", "20"},
+                              more));
 }
 
 const std::vector<std::string> all_meshes = {"--maps", "none",   "--loop-frames",
                                              "3",      "--mesh", "obj,ply,gltf,gltf-animation,mdd"};
 
-std::vector<std::string> with(std::vector<std::string> options, const std::vector<std::string>& more) {
-    options.insert(options.end(), more.begin(), more.end());
-    return options;
-}
-
 TEST(ExportMesh, EachFormatHasFilesAndARecord) {
     const TemporaryFolder folder;
-    const Outcome outcome = export_to(folder, all_meshes);
+    const Outcome outcome = export_mesh_to(folder, all_meshes);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
@@ -50,10 +43,10 @@ TEST(ExportMesh, EachFormatHasFilesAndARecord) {
 
 TEST(ExportMesh, BytesDoNotDependOnThreadsAndMaps) {
     const TemporaryFolder one, other;
-    ASSERT_EQ(export_to(one, with(all_meshes, {"--threads", "1"})).exit_code, 0);
-    std::vector<std::string> with_maps = with(all_meshes, {"--threads", "3"});
+    ASSERT_EQ(export_mesh_to(one, joined(all_meshes, {"--threads", "1"})).exit_code, 0);
+    std::vector<std::string> with_maps = joined(all_meshes, {"--threads", "3"});
     with_maps[1] = "displacement";
-    ASSERT_EQ(export_to(other, with_maps).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(other, with_maps).exit_code, 0);
     const auto others = files_in(other.path());
     for (const auto& [name, bytes] : files_in(one.path()))
         EXPECT_TRUE(name == "sea.json" || name == "sea_files.json" || others.at(name) == bytes) << name;
@@ -61,11 +54,11 @@ TEST(ExportMesh, BytesDoNotDependOnThreadsAndMaps) {
 
 TEST(ExportMesh, ResumeReplacesADamagedMesh) {
     const TemporaryFolder folder;
-    ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(folder, all_meshes).exit_code, 0);
     const auto whole = files_in(folder.path());
     write_file(folder / "mesh_0001.ply", "ply");
     write_file(folder / "mesh.mdd", "");
-    const Outcome outcome = export_to(folder, with(all_meshes, {"--resume"}));
+    const Outcome outcome = export_mesh_to(folder, joined(all_meshes, {"--resume"}));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("3 frames (2 of them kept)"), std::string::npos) << outcome.out;
     EXPECT_TRUE(files_in(folder.path()) == whole);
@@ -73,9 +66,9 @@ TEST(ExportMesh, ResumeReplacesADamagedMesh) {
 
 TEST(ExportMesh, ALaterExportWithoutMeshesRemovesThem) {
     const TemporaryFolder folder;
-    ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(folder, all_meshes).exit_code, 0);
     write_file(folder / "mesh.obj", "somebody's own");
-    ASSERT_EQ(export_to(folder, {"--maps", "foam", "--overwrite"}).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(folder, {"--maps", "foam", "--overwrite"}).exit_code, 0);
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
     EXPECT_EQ(names,
@@ -94,8 +87,9 @@ std::vector<double> last_vertex(const std::string& obj) {
 TEST(ExportMesh, AxesUnitAndRowsMatchTheMaps) {
     const TemporaryFolder usual, other;
     const std::vector<std::string> one = {"--maps", "none", "--mesh", "obj"};
-    ASSERT_EQ(export_to(usual, one).exit_code, 0);
-    ASSERT_EQ(export_to(other, with(one, {"--axes", "z-up", "--unit", "cm", "--rows", "bottom"})).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(usual, one).exit_code, 0);
+    ASSERT_EQ(export_mesh_to(other, joined(one, {"--axes", "z-up", "--unit", "cm", "--rows", "bottom"})).exit_code,
+              0);
     const std::vector<double> a = last_vertex(read_file(usual / "mesh_0000.obj")),
                               b = last_vertex(read_file(other / "mesh_0000.obj"));
     ASSERT_EQ(a.size(), 11u);  // x y z, three values of foam, u v, the normal
@@ -111,7 +105,7 @@ TEST(ExportMesh, NamesFollowAPattern) {
     const std::string pattern = (folder / "wave.####.exr").string();
     const auto exported = [&](const std::vector<std::string>& more) {
         return run_pelagic(
-            with({"export", "--no-sync", "--resolution", "16", "--patch-size", "50", "--out", pattern}, more));
+            joined({"export", "--no-sync", "--resolution", "16", "--patch-size", "50", "--out", pattern}, more));
     };
     ASSERT_EQ(exported({"--start-number", "7", "--maps", "displacement", "--mesh", "obj,mdd"}).exit_code, 0);
     std::vector<std::string> names;
@@ -126,9 +120,9 @@ TEST(ExportMesh, ANotePrintsTheCascadesThatTheStepsResolve) {
     const TemporaryFolder folder;
     const std::vector<std::string> stack = {
         "export", "--out", folder.path().string(), "--resolution", "32", "--maps", "none", "--mesh", "obj"};
-    const Outcome coarse = run_pelagic(with(stack, {"--mesh-steps", "8"}));
+    const Outcome coarse = run_pelagic(joined(stack, {"--mesh-steps", "8"}));
     EXPECT_NE(coarse.err.find("show the waves of the coarsest 1 of 4 cascades"), std::string::npos) << coarse.err;
-    const Outcome fine = run_pelagic(with(stack, {"--mesh-steps", "8", "--mesh-size", "0.5", "--overwrite"}));
+    const Outcome fine = run_pelagic(joined(stack, {"--mesh-steps", "8", "--mesh-size", "0.5", "--overwrite"}));
     EXPECT_EQ(fine.exit_code, 0) << fine.err;
     EXPECT_EQ(fine.err.find("show the waves"), std::string::npos) << fine.err;
 }
@@ -153,7 +147,7 @@ TEST(ExportMesh, InvalidOptionsGiveOneLineAndNoFile) {
         {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "expected at most 1024 MiB"},
     };
     for (const auto& [options, message] : cases) {
-        const Outcome outcome = export_to(folder, options);
+        const Outcome outcome = export_mesh_to(folder, options);
         EXPECT_EQ(outcome.exit_code, 2) << message;
         EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

@@ -12,19 +12,16 @@
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/maps/name_pattern.hpp"
 
-namespace pelagic {
+namespace pelagic::tools {
 namespace {
 
-using namespace tools;
-using Arguments = std::vector<std::string>;
 using Ranges = std::vector<FrameRange>;
 
 /// Exports to `place` in a temporary folder and returns the names of all files there.
-std::vector<std::string> exported_to(const std::string& place, Arguments more) {
+std::vector<std::string> exported_to(const std::string& place, const Arguments& more) {
     const TemporaryFolder folder;
-    Arguments arguments = {"export", "--resolution", "32", "--wind-speed", "9", "--out", (folder / place).string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_pelagic(arguments);
+    const Outcome outcome = run_pelagic(
+        joined({"export", "--resolution", "32", "--wind-speed", "9", "--out", (folder / place).string()}, more));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in((folder / place).parent_path()))
@@ -56,10 +53,9 @@ TEST(FrameTimes, GiveNumberAndTimeOfEachFrame) {
 // A frame depends on its time only: alone, in a range, or with a start in seconds.
 TEST(FrameNumbers, DetermineTheTimeOfAFrame) {
     const TemporaryFolder folder;
-    const auto hashes = [&](const std::string& name, Arguments more) {
-        Arguments arguments = {"export", "--resolution", "16", "--out", (folder / name).string()};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = run_pelagic(arguments);
+    const auto hashes = [&](const std::string& name, const Arguments& more) {
+        const Outcome outcome = run_pelagic(joined(
+            {"export", "--resolution", "16", "--maps", "displacement", "--out", (folder / name).string()}, more));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         std::map<int, std::string> found;
         const auto sea = nlohmann::json::parse(files_in(folder / name).at("sea.json"));
@@ -124,11 +120,10 @@ TEST(ExportedNames, FollowThePattern) {
 // As without a pattern: other files are unchanged, and complete frames are kept.
 TEST(ExportedNames, WithAPatternCanBeResumedAndReplaced) {
     const TemporaryFolder folder;
-    const auto export_with = [&](Arguments more) {
-        Arguments arguments = {
-            "export", "--resolution", "16", "--patch-size", "200", "--out", (folder / "wave.####.exr").string()};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = run_pelagic(arguments);
+    const auto export_with = [&](const Arguments& more) {
+        const Outcome outcome = run_pelagic(joined(
+            {"export", "--resolution", "16", "--patch-size", "200", "--out", (folder / "wave.####.exr").string()},
+            more));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return outcome.out;
     };
@@ -148,4 +143,4 @@ TEST(ExportedNames, WithAPatternCanBeResumedAndReplaced) {
 }
 
 }  // namespace
-}  // namespace pelagic
+}  // namespace pelagic::tools

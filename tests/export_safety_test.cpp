@@ -19,23 +19,21 @@ namespace pelagic {
 namespace {
 
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
 
-const std::string journal = ".pelagic-export.jsonl", record = "sea_files.json";
+const std::string journal_name = ".pelagic-export.jsonl", record_name = "sea_files.json";
 
-Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+Arguments export_of_3_frames(const std::filesystem::path& folder, const Arguments& more = {},
+                             const std::string& maps = two_exr_maps) {
+    return joined({"export", "--out", folder.string(), "--resolution", "16", "--frames", "3", "--maps", maps}, more);
 }
 
 /// Ends the program after a minute if it hangs, for example while it opens a FIFO.
 void at_most_a_minute() { ::alarm(60); }
 
-Outcome run(const Arguments& arguments) { return run_pelagic(arguments, at_most_a_minute); }
+Outcome run_within_a_minute(const Arguments& arguments) { return run_pelagic(arguments, at_most_a_minute); }
 
 /// Notes about the sea precede an error.
-void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected) {
+void expect_error_line(const Outcome& outcome, int exit_code, const std::string& expected) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
     const std::string error = outcome.err.substr(std::min(outcome.err.find("pelagic: "), outcome.err.size()));
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << outcome.err;
@@ -66,8 +64,8 @@ mode_t type_of(const std::filesystem::path& path) {
 
 /// Runs a command that would write each name in `folder`, once per obstacle in its place. Outside
 /// of full sweeps each name is tried with the symbolic link and one other obstacle in turn.
-void expect_rejected(const std::vector<std::string>& names,
-                     const std::function<Arguments(const std::filesystem::path&)>& command) {
+void expect_obstacles_rejected(const std::vector<std::string>& names,
+                               const std::function<Arguments(const std::filesystem::path&)>& command) {
     for (std::size_t turn = 0; turn < names.size(); ++turn) {
         const std::string& name = names[turn];
         const TemporaryFolder elsewhere;
@@ -80,7 +78,8 @@ void expect_rejected(const std::vector<std::string>& names,
             const TemporaryFolder folder;
             if (!obstacle.make(folder / name)) continue;
             SCOPED_TRACE(name + " is " + obstacle.name);
-            expect_one_line(run(command(folder.path())), 1, (folder / name).string() + ": it is " + obstacle.name);
+            expect_error_line(run_within_a_minute(command(folder.path())), 1,
+                              (folder / name).string() + ": it is " + obstacle.name);
             EXPECT_EQ(type_of(folder / name), obstacle.type) << "still what it was";
             EXPECT_EQ(read_file(elsewhere / "victim"), "mine");
         }
@@ -89,49 +88,53 @@ void expect_rejected(const std::vector<std::string>& names,
 }
 
 TEST(PreparedFolder, OnlyRegularFilesAreReplaced) {
-    expect_rejected({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
-                     "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
-                     ".gradient_0002.png.part", ".sea.lock"},
-                    [](const auto& folder) { return export_to(folder); });
+    expect_obstacles_rejected({"sea.json", ".sea.json.part", record_name, "." + record_name + ".part", journal_name,
+                               "." + journal_name + ".part", "displacement_0000.exr", ".displacement_0000.exr.part",
+                               "compression_0002.exr", ".compression_0002.exr.part", ".sea.lock"},
+                              [](const auto& folder) { return export_of_3_frames(folder); });
+    expect_obstacles_rejected({"gradient_0002.png", ".gradient_0002.png.part"},
+                              [](const auto& folder) { return export_of_3_frames(folder, {}, maps_with_png); });
 }
 
 TEST(PreparedFolder, OnlyRegularFilesAreRead) {
-    expect_rejected({record, journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
+    expect_obstacles_rejected({record_name, journal_name},
+                              [](const auto& folder) { return export_of_3_frames(folder, {"--resume"}); });
 }
 
 TEST(PreparedFolder, ImagesMustBeRegularFilesToBeKept) {
     const TemporaryFolder elsewhere;
     for (const Obstacle& obstacle : obstacles(elsewhere / "image")) {
         const TemporaryFolder folder;
-        ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
-        std::filesystem::rename(folder / "gradient_0001.png", elsewhere / "image");
-        if (!obstacle.make(folder / "gradient_0001.png")) continue;
-        expect_one_line(run(export_to(folder.path(), {"--resume"})), 1, "it is " + obstacle.name);
-        EXPECT_EQ(type_of(folder / "gradient_0001.png"), obstacle.type);
+        ASSERT_EQ(run_within_a_minute(export_of_3_frames(folder.path())).exit_code, 0);
+        std::filesystem::rename(folder / "compression_0001.exr", elsewhere / "image");
+        if (!obstacle.make(folder / "compression_0001.exr")) continue;
+        expect_error_line(run_within_a_minute(export_of_3_frames(folder.path(), {"--resume"})), 1,
+                          "it is " + obstacle.name);
+        EXPECT_EQ(type_of(folder / "compression_0001.exr"), obstacle.type);
     }
 }
 
 TEST(PreparedFolder, QuadtreeFilesReplaceOnlyRegularFiles) {
     for (const std::string option : {"--svg", "--obj", "--json"})
-        expect_rejected({"plan", ".plan.part"}, [&](const auto& folder) {
+        expect_obstacles_rejected({"plan", ".plan.part"}, [&](const auto& folder) {
             return Arguments{"quadtree", "--resolution", "16", option, (folder / "plan").string()};
         });
 }
 
 TEST(PreparedFolder, TracesReplaceOnlyRegularFiles) {
-    expect_rejected({".trace.json.part"}, [](const auto& folder) {
-        return export_to(folder / "sea", {"--trace", (folder / "trace.json").string()});
+    expect_obstacles_rejected({".trace.json.part"}, [](const auto& folder) {
+        return export_of_3_frames(folder / "sea", {"--trace", (folder / "trace.json").string()});
     });
 }
 
 // The temporary file of a killed run is a regular file, possibly with a second hard link.
 TEST(PreparedFolder, AStaleTemporaryFileIsReplacedWithoutItsHardLink) {
     const TemporaryFolder folder, fresh;
-    ASSERT_EQ(run(export_to(fresh.path())).exit_code, 0);
+    ASSERT_EQ(run_within_a_minute(export_of_3_frames(fresh.path())).exit_code, 0);
     write_file(folder / "victim", "mine");
     std::filesystem::create_hard_link(folder / "victim", folder / ".sea.json.part");
-    write_file(folder / ".gradient_0001.png.part", "torn");
-    ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
+    write_file(folder / ".compression_0001.exr.part", "torn");
+    ASSERT_EQ(run_within_a_minute(export_of_3_frames(folder.path())).exit_code, 0);
     auto files = files_in(folder.path());
     EXPECT_EQ(files["victim"], "mine");
     files.erase("victim");
@@ -140,13 +143,14 @@ TEST(PreparedFolder, AStaleTemporaryFileIsReplacedWithoutItsHardLink) {
 
 TEST(FinishedExport, IsReplacedOnlyWithOverwrite) {
     const TemporaryFolder folder, fresh;
-    ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
-    ASSERT_EQ(run(Arguments{"export", "--out", fresh.path().string(), "--resolution", "16", "--frames", "2",
-                            "--wind-speed", "9"})
-                  .exit_code,
-              0);
-    const Arguments second = {"export",       "--out", folder.path().string(), "--resolution", "16", "--frames", "2",
-                              "--wind-speed", "9"};
+    ASSERT_EQ(run_within_a_minute(export_of_3_frames(folder.path())).exit_code, 0);
+    const auto to = [](const TemporaryFolder& place) {
+        return Arguments{
+            "export", "--out",  place.path().string(), "--resolution", "16", "--frames", "2", "--wind-speed",
+            "9",      "--maps", two_exr_maps};
+    };
+    ASSERT_EQ(run_within_a_minute(to(fresh)).exit_code, 0);
+    const Arguments second = to(folder);
     const auto with = [&](const std::string& more) {
         Arguments all = second;
         all.push_back(more);
@@ -155,8 +159,8 @@ TEST(FinishedExport, IsReplacedOnlyWithOverwrite) {
     const auto before = files_in(folder.path());
     const auto expect_rejected_and_kept = [&](const Arguments& arguments, const std::string& expected) {
         const auto now = files_in(folder.path());
-        const Outcome outcome = run(arguments);
-        expect_one_line(outcome, 2, expected);
+        const Outcome outcome = run_within_a_minute(arguments);
+        expect_error_line(outcome, 2, expected);
         EXPECT_EQ(outcome.out, "");
         EXPECT_TRUE(files_in(folder.path()) == now);
     };
@@ -164,38 +168,41 @@ TEST(FinishedExport, IsReplacedOnlyWithOverwrite) {
                                  " already holds a finished export of 3 frames: --resume keeps what is "
                                  "whole of it, --overwrite replaces it";
     expect_rejected_and_kept(second, finished);
-    expect_rejected_and_kept(export_to(folder.path()), finished);
+    expect_rejected_and_kept(export_of_3_frames(folder.path()), finished);
     expect_rejected_and_kept(with("--resume"), "--wind-speed was 12.0 and is 9.0");
     Arguments both = with("--overwrite");
     both.push_back("--resume");
     expect_rejected_and_kept(both, "--overwrite is given with --resume");
-    expect_rejected_and_kept(export_to(folder.path(), {"--overwrite", "--shard", "1/2"}),
+    expect_rejected_and_kept(export_of_3_frames(folder.path(), {"--overwrite", "--shard", "1/2"}),
                              "--overwrite is given with --shard 1/2");
-    EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--resume"})).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == before);
 
     // If the record is missing, sea.json is checked instead; if both are missing, there is nothing
     // to check.
-    std::filesystem::remove(folder / record);
+    std::filesystem::remove(folder / record_name);
     expect_rejected_and_kept(second, finished);
-    expect_rejected_and_kept(export_to(folder.path(), {"--resume"}), "which has a sea.json but no sea_files.json");
-    write_file(folder / record, before.at(record));
+    expect_rejected_and_kept(export_of_3_frames(folder.path(), {"--resume"}),
+                             "which has a sea.json but no sea_files.json");
+    write_file(folder / record_name, before.at(record_name));
     std::filesystem::remove(folder / "sea.json");
     expect_rejected_and_kept(second, finished);
     write_file(folder / "sea.json", before.at("sea.json"));
-    EXPECT_EQ(run(with("--overwrite")).exit_code, 0);
+    EXPECT_EQ(run_within_a_minute(with("--overwrite")).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
 TEST(FinishedExport, ShardsAreReplacedOnlyWithOverwrite) {
     const TemporaryFolder folder, fresh;
-    ASSERT_EQ(run(export_to(folder.path(), {"--shard", "2/2"})).exit_code, 0);
+    ASSERT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--shard", "2/2"})).exit_code, 0);
     const auto before = files_in(folder.path());
-    expect_one_line(run(export_to(folder.path())), 2, "already holds 1 shard of an export: pelagic merge");
+    expect_error_line(run_within_a_minute(export_of_3_frames(folder.path())), 2,
+                      "already holds 1 shard of an export: pelagic merge");
     EXPECT_TRUE(files_in(folder.path()) == before);
-    EXPECT_EQ(run(export_to(folder.path(), {"--shard", "1/2"})).exit_code, 0) << "shards go on beside one another";
-    EXPECT_EQ(run(export_to(folder.path(), {"--overwrite"})).exit_code, 0);
-    EXPECT_EQ(run(export_to(fresh.path())).exit_code, 0);
+    EXPECT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--shard", "1/2"})).exit_code, 0)
+        << "shards go on beside one another";
+    EXPECT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--overwrite"})).exit_code, 0);
+    EXPECT_EQ(run_within_a_minute(export_of_3_frames(fresh.path())).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
@@ -203,9 +210,11 @@ TEST(FinishedExport, ShardsAreReplacedOnlyWithOverwrite) {
 // hashes.
 TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
     const TemporaryFolder folder;
+    constexpr std::size_t frames = 15;
     const Outcome outcome =
-        run({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "30", "--maps",
-             "displacement,gradient,compression", "--mips", "--mesh", "obj,mdd", "--mesh-steps", "4"});
+        run_within_a_minute({"export", "--out", folder.path().string(), "--resolution", "32", "--frames",
+                             std::to_string(frames), "--no-sync", "--maps", "displacement,gradient,compression",
+                             "--mips", "--mesh", "obj,mdd", "--mesh-steps", "4"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string text = read_file(folder / "sea.json");
     EXPECT_EQ(text.find("xxh3"), std::string::npos);
@@ -213,14 +222,14 @@ TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
         const std::string pretty = whole.dump(2);
         return std::count(pretty.begin(), pretty.end(), '\n') + 1;
     };
-    const json sea = json::parse(text), files = json::parse(read_file(folder / record));
+    const json sea = json::parse(text), files = json::parse(read_file(folder / record_name));
     json without_frames = sea;
     without_frames["frames"] = json::array();
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines_of(without_frames) + 30 + 1);
-    ASSERT_EQ(sea.at("frames").size(), 30u);
-    ASSERT_EQ(files.at("frames").size(), 30u);
-    std::set<std::string> named = {"sea.json", record, ".sea.lock", sea.at("sequence_files")[0].at("name")};
-    for (std::size_t i = 0; i < 30; ++i) {
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines_of(without_frames) + std::ptrdiff_t{frames} + 1);
+    ASSERT_EQ(sea.at("frames").size(), frames);
+    ASSERT_EQ(files.at("frames").size(), frames);
+    std::set<std::string> named = {"sea.json", record_name, ".sea.lock", sea.at("sequence_files")[0].at("name")};
+    for (std::size_t i = 0; i < frames; ++i) {
         const json &frame = sea["frames"][i], &entry = files["frames"][i];
         for (const char* key : {"frame", "time_s", "hash", "foam_hash", "significant_wave_height_m"})
             EXPECT_EQ(frame.at(key), entry.at(key)) << key;
@@ -235,15 +244,15 @@ TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
     for (const auto& [name, bytes] : files_in(folder.path())) there.insert(name);
     EXPECT_EQ(named, there);
     // If a byte of any file changes, verify names that file.
-    ASSERT_EQ(run({"verify", folder.path().string(), "--sample", "0"}).exit_code, 0);
-    for (const std::string name : {"displacement_0007.exr", "displacement_c3_0011.exr", "gradient_c2_0029_mip3.png",
+    ASSERT_EQ(run_within_a_minute({"verify", folder.path().string(), "--sample", "0"}).exit_code, 0);
+    for (const std::string name : {"displacement_0007.exr", "displacement_c3_0011.exr", "gradient_c2_0014_mip3.png",
                                    "compression_c1_0000_mip1.exr", "mesh_0013.obj", "mesh.mdd"}) {
         const std::string bytes = read_file(folder / name);
         ASSERT_FALSE(bytes.empty()) << name;
         std::string changed = bytes;
         changed.back() = static_cast<char>(changed.back() ^ 1);
         write_file(folder / name, changed);
-        const Outcome verified = run({"verify", folder.path().string(), "--sample", "0"});
+        const Outcome verified = run_within_a_minute({"verify", folder.path().string(), "--sample", "0"});
         EXPECT_EQ(verified.exit_code, 1);
         EXPECT_NE(verified.err.find(name + " has other bytes than were written"), std::string::npos) << verified.err;
         write_file(folder / name, bytes);
@@ -253,48 +262,49 @@ TEST(FinishedExport, OnlyTheRecordHoldsFileHashes) {
 /// A finished export whose record, or a journal with equal entries, is edited before it is resumed.
 class EditedRecord : public testing::TestWithParam<bool> {
    protected:
-    void SetUp() override {
-        ASSERT_EQ(run(arguments()).exit_code, 0);
+    void make(const std::string& maps = two_exr_maps) {
+        maps_ = maps;
+        ASSERT_EQ(run_within_a_minute(arguments()).exit_code, 0);
         whole_ = files_in(folder_ / "sea");
-        sea_ = json::parse(whole_.at(record));
+        sea_ = json::parse(whole_.at(record_name));
     }
 
     Arguments arguments(const Arguments& more = {}) const {
-        Arguments all = export_to(folder_ / "sea", {"--mips"});
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
+        return export_of_3_frames(folder_ / "sea", joined({"--mips"}, more), maps_);
     }
 
     /// Writes sea_ as the record or journal, resumes, and expects exactly the files of a complete
     /// export.
     void expect_completed(const std::string& what, const std::string& kept) {
         SCOPED_TRACE(what);
-        std::filesystem::remove(folder_ / "sea" / journal);
-        std::filesystem::remove(folder_ / "sea" / record);
+        std::filesystem::remove(folder_ / "sea" / journal_name);
+        std::filesystem::remove(folder_ / "sea" / record_name);
         if (GetParam()) {
             const json options = {{"version", sea_["version"]}, {"sea", sea_["sea"]}, {"export", sea_["export"]}};
             std::string lines = json{{"options", options}, {"replaced_files", replaced_}}.dump() + "\n";
             for (const json& frame : sea_["frames"]) lines += frame.dump() + "\n";
-            write_file(folder_ / "sea" / journal, lines);
+            write_file(folder_ / "sea" / journal_name, lines);
         } else {
-            write_file(folder_ / "sea" / record, sea_.dump());
+            write_file(folder_ / "sea" / record_name, sea_.dump());
         }
-        const Outcome outcome = run(arguments({"--resume"}));
+        const Outcome outcome = run_within_a_minute(arguments({"--resume"}));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find("(" + kept + " of them kept)"), std::string::npos) << outcome.out;
         EXPECT_TRUE(files_in(folder_ / "sea") == whole_);
-        sea_ = json::parse(whole_.at(record));
+        sea_ = json::parse(whole_.at(record_name));
     }
 
     const TemporaryFolder folder_;
+    std::string maps_;
     std::map<std::string, std::string> whole_;
     json sea_;
     std::vector<std::string> replaced_;
 };
 
 TEST_P(EditedRecord, EntriesAreKeptOnlyIfTheExportWouldWriteThem) {
+    make();
     const auto frames = [&]() -> json& { return sea_["frames"]; };
-    const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "gradient_0001.png"); };
+    const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "compression_0001.exr"); };
     expect_completed("as it was", "3");
 
     remove_map();
@@ -342,6 +352,7 @@ TEST_P(EditedRecord, EntriesAreKeptOnlyIfTheExportWouldWriteThem) {
 }
 
 TEST_P(EditedRecord, FilesThatNoExportCanHaveNamedAreNotRemoved) {
+    make(maps_with_png);
     std::filesystem::create_directories(folder_ / "victim" / "empty");
     const std::map<std::string, std::string> mine = {{"precious", "1"},
                                                      {".precious.part", "2"},
@@ -380,6 +391,7 @@ TEST_P(EditedRecord, FilesThatNoExportCanHaveNamedAreNotRemoved) {
 
 // Images of an older export that the new one replaces are removed, if they are regular files.
 TEST_P(EditedRecord, OlderImagesAreRemovedOnlyIfTheyAreFiles) {
+    make();
     std::filesystem::create_directory(folder_ / "sea" / "gradient_0007.png");
     write_file(folder_ / "sea" / "gradient_0008_mip3.png", "old");
     write_file(folder_ / "sea" / "displacement_123456.tif", "old");
@@ -400,21 +412,22 @@ TEST(DamagedRecord, IsRejectedInOneLineAndReplacedWithOverwrite) {
           std::string("{\"version\":1,\"sea\":{},\"export\":{}}"),
           std::string("{\"version\":1,\"sea\":{},\"export\":{},\"frames\":1e999}")}) {
         const TemporaryFolder folder;
-        write_file(folder / record, text);
-        expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
-        expect_one_line(run(export_to(folder.path())), 2, "an export whose sea_files.json is damaged");
-        EXPECT_EQ(read_file(folder / record), text);
-        EXPECT_EQ(run(export_to(folder.path(), {"--overwrite"})).exit_code, 0);
-        EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
+        write_file(folder / record_name, text);
+        expect_error_line(run_within_a_minute(export_of_3_frames(folder.path(), {"--resume"})), 2, "damaged");
+        expect_error_line(run_within_a_minute(export_of_3_frames(folder.path())), 2,
+                          "an export whose sea_files.json is damaged");
+        EXPECT_EQ(read_file(folder / record_name), text);
+        EXPECT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--overwrite"})).exit_code, 0);
+        EXPECT_EQ(run_within_a_minute(export_of_3_frames(folder.path(), {"--resume"})).exit_code, 0);
     }
 }
 
 TEST(DamagedRecord, IsRejectedAtAnySize) {
     const TemporaryFolder folder;
-    write_file(folder / record, "");
+    write_file(folder / record_name, "");
     // a sparse file, which takes no disk space
-    std::filesystem::resize_file(folder / record, std::uintmax_t{1} << 40);
-    expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
+    std::filesystem::resize_file(folder / record_name, std::uintmax_t{1} << 40);
+    expect_error_line(run_within_a_minute(export_of_3_frames(folder.path(), {"--resume"})), 2, "damaged");
 }
 
 }  // namespace

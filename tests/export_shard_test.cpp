@@ -15,6 +15,7 @@
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sweep.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/export/export_options.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 #include "pelagic/tools/files/descriptor.hpp"
@@ -24,34 +25,32 @@
 namespace pelagic {
 namespace {
 
-using Arguments = std::vector<std::string>;
-using Files = std::map<std::string, std::string>;
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 // Foam at short fetch in a gale, with a large whitecap cover and a warm-up before a shard's first
-// frame; frames with a gap.
-const Arguments sea = {"--cascades",     "1",
-                       "--resolution",   "32",
-                       "--wind-speed",   "20",
-                       "--fetch",        "100",
-                       "--maps",         "displacement,foam",
-                       "--fps",          "12",
-                       "--start-number", "2",
-                       "--frames",       "2-8,20-23",
-                       "--no-sync"};
-constexpr int frames = 11;
+// frame; frames with a gap. Foam of a depth of 8 bits is a PNG, which takes much more time than an
+// EXR of floats.
+const Arguments shard_flags = {"--cascades",     "1",
+                               "--resolution",   "32",
+                               "--wind-speed",   "20",
+                               "--fetch",        "100",
+                               "--maps",         "displacement,foam",
+                               "--fps",          "12",
+                               "--start-number", "2",
+                               "--frames",       "2-8,20-23",
+                               "--no-sync"};
+const Arguments with_png_foam = {"--bit-depth", "8"};
+constexpr int shard_frames = 11;
 
-Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
-    Arguments all = {"export", "--out", folder.string()};
-    all.insert(all.end(), sea.begin(), sea.end());
-    all.insert(all.end(), more.begin(), more.end());
+Arguments whole_export(const std::filesystem::path& folder, const Arguments& more = {}) {
+    Arguments all = joined(joined({"export", "--out", folder.string()}, shard_flags), more);
+    if (std::find(more.begin(), more.end(), "--bit-depth") == more.end())
+        all.insert(all.end(), {"--bit-depth", "float"});
     return all;
 }
 
 Arguments shard_to(const std::filesystem::path& folder, int index, int count, const Arguments& more = {}) {
-    Arguments all = export_to(folder, {"--shard", std::to_string(index) + "/" + std::to_string(count)});
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return whole_export(folder, joined({"--shard", std::to_string(index) + "/" + std::to_string(count)}, more));
 }
 
 void expect_done(const Outcome& outcome) { EXPECT_EQ(outcome.exit_code, 0) << outcome.err; }
@@ -65,7 +64,7 @@ Outcome merge(const std::filesystem::path& folder) { return run_pelagic({"merge"
 const Files& one_run() {
     static const Files files = [] {
         const TemporaryFolder folder;
-        expect_done(run_pelagic(export_to(folder.path())));
+        expect_done(run_pelagic(whole_export(folder.path())));
         return files_in(folder.path());
     }();
     return files;
@@ -102,7 +101,7 @@ void make_with_kills(const std::filesystem::path& folder, int index, int count, 
 TEST(ShardPartitions, KilledAndConcurrentShardsEqualOneRun) {
     for (unsigned seed = 0; seed < of_sweep(2u, 20u); ++seed) {
         std::mt19937 random(seed);
-        const int count = 1 + static_cast<int>(random() % (frames + 4));
+        const int count = 1 + static_cast<int>(random() % (shard_frames + 4));
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(count) + " shards");
         std::vector<int> order(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i) order[static_cast<std::size_t>(i)] = i + 1;
@@ -141,7 +140,7 @@ TEST(ShardedExport, DividesFramesEvenlyIntoContiguousRuns) {
 TEST(ShardedExport, RejectsInvalidShards) {
     const TemporaryFolder folder;
     for (const std::string wrong : {"0/2", "3/2", "1/0", "2", "1/1000001", "a/b", "1/2/3", "-1/2", ""})
-        expect_message(run_pelagic(export_to(folder.path(), {"--shard", wrong})), 2, "--shard is " + wrong);
+        expect_message(run_pelagic(whole_export(folder.path(), {"--shard", wrong})), 2, "--shard is " + wrong);
     EXPECT_TRUE(files_in(folder.path()).empty());
     EXPECT_FALSE(tools::shard_of_record("sea.01-of-2.json"));
     EXPECT_FALSE(tools::shard_of_record("sea.json"));
@@ -156,7 +155,7 @@ TEST(ShardedExport, RejectsFilesThatHoldAllFrames) {
 
 TEST(ShardedExport, JoinsAFinishedExportOnlyWithEqualOptions) {
     const TemporaryFolder folder;
-    expect_done(run_pelagic(export_to(folder.path())));
+    expect_done(run_pelagic(whole_export(folder.path())));
     expect_message(run_pelagic(shard_to(folder.path(), 1, 3, {"--depth", "7"})), 2, "--depth is 4000.0, not 7.0");
     EXPECT_TRUE(std::filesystem::remove(folder / ".sea.1-of-3.lock")) << "all that it left";
     EXPECT_EQ(differences(files_in(folder.path()), one_run()), "");
@@ -178,7 +177,7 @@ TEST(ShardedExport, IsLockedAgainstConcurrentExports) {
     {
         const tools::Descriptor at_work = hold(".sea.2-of-2.lock", LOCK_EX), in_folder = hold(".sea.lock", LOCK_SH);
         expect_message(run_pelagic(shard_to(folder.path(), 2, 2)), 2, "where no other process exports shard 2/2");
-        expect_message(run_pelagic(export_to(folder.path())), 2, "another export is at work there");
+        expect_message(run_pelagic(whole_export(folder.path())), 2, "another export is at work there");
         expect_message(merge(folder.path()), 2, "another export is at work there");
         expect_done(run_pelagic(shard_to(folder.path(), 1, 2, {"--resume"})));
     }
@@ -194,18 +193,18 @@ TEST(MergedShards, CanBeCompletedByTheCommandsThatMergePrints) {
     const auto folder = parent / "it's a $sea; \"really\"";
     make_shards(folder, 4);
     std::filesystem::remove(folder / "sea.1-of-4.json");
-    std::filesystem::remove(folder / "foam_0004.png");
+    std::filesystem::remove(folder / "foam_0004.exr");
     write_file(folder / "displacement_0023.exr", "torn");
     const Files before = files_in(folder);
     const Outcome refused = merge(folder);
     expect_message(refused, 1, "sea.1-of-4.json is missing");
-    expect_message(refused, 1, "foam_0004.png is missing");
+    expect_message(refused, 1, "foam_0004.exr is missing");
     expect_message(refused, 1, "displacement_0023.exr has other bytes than were written");
     expect_message(refused, 1, "3 of 4 shards have to be made again, 1-2,4");
     EXPECT_EQ(differences(files_in(folder), before), "");
     EXPECT_EQ(std::count(refused.out.begin(), refused.out.end(), '\n'), 3);
     write_file(parent / "lines", refused.out);
-    const std::string binary = std::filesystem::path(PELAGIC_BINARY).parent_path().string();
+    const std::string binary = std::filesystem::path(tested_binary).parent_path().string();
     ASSERT_EQ(std::system(
                   ("PATH='" + binary + "':\"$PATH\" sh -e '" + (parent / "lines").string() + "' >/dev/null").c_str()),
               0);
@@ -220,7 +219,7 @@ TEST(MergedShards, CanBeCompletedByTheCommandsThatMergePrints) {
 /// Runs `pelagic COMMAND FOLDER | sh` in `place`. \return the exit code
 int piped_into_shell(const std::filesystem::path& place, const std::string& command, const std::string& folder) {
     write_file(place / "folder", folder);
-    const std::string path = std::filesystem::path(PELAGIC_BINARY).parent_path().string();
+    const std::string path = std::filesystem::path(tested_binary).parent_path().string();
     return std::system(("cd '" + place.string() + "' && PATH='" + path + "':\"$PATH\" && pelagic " + command +
                         " \"$(cat folder)\" 2>err | sh >out 2>>err")
                            .c_str());
@@ -237,24 +236,27 @@ TEST(PipesIntoAShell, RunOnlyTheCommandsThatCompleteTheExport) {
             EXPECT_FALSE(std::filesystem::exists(place / "PWNED")) << command;
         };
         // So short a loop prints a note, which must not be a line for the shell.
-        make_shards(folder, 2, {"--loop-period", "4"});
+        const bool has_png = name == "plain";
+        const std::string foam = has_png ? "foam_0003.png" : "foam_0003.exr";
+        make_shards(folder, 2, joined({"--loop-period", "4"}, has_png ? with_png_foam : Arguments{}));
         const Files shards = files_in(folder);
         std::filesystem::remove(folder / "sea.2-of-2.json");
-        std::filesystem::remove(folder / "foam_0003.png");
+        ASSERT_TRUE(std::filesystem::remove(folder / foam));
         expect_piped("merge");  // exports both shards again
         EXPECT_EQ(differences(files_in(folder), shards), "");
         for (const char* command : {"merge", "merge", "verify"}) expect_piped(command);
         EXPECT_NE(read_file(place / "err").find("11 frames as written"), std::string::npos);
         const Files whole = files_in(folder);
-        write_file(folder / "foam_0003.png", "torn");
+        write_file(folder / foam, "torn");
         expect_piped("verify");
         EXPECT_EQ(differences(files_in(folder), whole), "");
     }
 }
 
 TEST(MergedShards, DoNotChangeOtherFiles) {
-    const TemporaryFolder folder;
-    make_shards(folder.path(), 2);
+    const TemporaryFolder folder, fresh;
+    make_shards(folder.path(), 2, with_png_foam);
+    expect_done(run_pelagic(whole_export(fresh.path(), with_png_foam)));
     const std::vector<std::string> own = {".displacement_0003.exr.part", ".sea.1-of-2.json.part", ".sea.json.part",
                                           ".sea_files.json.part"};
     const std::vector<std::string> others = {".part",     ".notes.txt.part",           "displacement_0003.exr.part",
@@ -268,7 +270,7 @@ TEST(MergedShards, DoNotChangeOtherFiles) {
         EXPECT_EQ(left[name], name);
         left.erase(name);
     }
-    EXPECT_EQ(differences(left, one_run()), "") << "its own are gone";
+    EXPECT_EQ(differences(left, files_in(fresh.path())), "") << "its own are gone";
 }
 
 TEST(MergedShards, MissingShardsAreRejected) {
@@ -286,8 +288,8 @@ struct Edit {
     std::function<void(const std::filesystem::path& folder)> make;
 };
 
-void edit(const std::filesystem::path& file, const std::function<void(json&)>& change) {
-    json record = json::parse(read_file(file));
+void edit(const std::filesystem::path& file, const std::function<void(Json&)>& change) {
+    Json record = Json::parse(read_file(file));
     change(record);
     write_file(file, record.dump(2) + "\n");
 }
@@ -331,42 +333,42 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"TooDeep", "sea.2-of-2.json is damaged", 1,
              [](const auto& folder) { write_file(second(folder), std::string(100'000, '[')); }},
         Edit{"KeysBehindFrames", "sea.2-of-2.json is damaged", 1,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["more"] = 1; }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["more"] = 1; }); }},
         Edit{"Short", "sea.2-of-2.json ends before frame 23, of 6 frames", 1,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["frames"].erase(5); }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["frames"].erase(5); }); }},
         Edit{"Overlapping", "sea.2-of-2.json does not say of frame 7 what an export writes", 1,
              [](const auto& folder) {
-                 const json first = json::parse(read_file(folder / "sea.1-of-2.json"));
+                 const Json first = Json::parse(read_file(folder / "sea.1-of-2.json"));
                  edit(second(folder),
-                      [&](json& record) { record["frames"].insert(record["frames"].begin(), first["frames"][4]); });
+                      [&](Json& record) { record["frames"].insert(record["frames"].begin(), first["frames"][4]); });
              }},
         Edit{"FrameTwice", "sea.2-of-2.json has more than its 6 frames", 1,
              [](const auto& folder) {
-                 edit(second(folder), [](json& record) { record["frames"].push_back(record["frames"][5]); });
+                 edit(second(folder), [](Json& record) { record["frames"].push_back(record["frames"][5]); });
              }},
         Edit{"EditedFrame", "sea.2-of-2.json does not say of frame 8", 1,
              [](const auto& folder) {
-                 edit(second(folder), [](json& record) { record["frames"][1]["height_max_m"] = 3; });
+                 edit(second(folder), [](Json& record) { record["frames"][1]["height_max_m"] = 3; });
              }},
         Edit{"OtherSea", "sea.2-of-2.json is of another export than sea.1-of-2.json: --wind-speed is 9.0, not 20.0",
              2,
              [](const auto& folder) {
-                 edit(second(folder), [](json& record) { record["sea"]["wind_speed_mps"] = 9.; });
+                 edit(second(folder), [](Json& record) { record["sea"]["wind_speed_mps"] = 9.; });
              }},
         Edit{"OtherMaps", "--mips is true, not false", 2,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["mips"] = true; }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["export"]["mips"] = true; }); }},
         Edit{"Newer", "sea.2-of-2.json was written by pelagic 99.0.0", 2,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["version"] = "99.0.0"; }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["version"] = "99.0.0"; }); }},
         Edit{"AnOptionOfAnotherVersion", "sea.2-of-2.json: export:", 2,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["whales"] = 3; }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["export"]["whales"] = 3; }); }},
         Edit{"OtherShard", "sea.2-of-2.json is of another shard than its name says", 2,
-             [](const auto& folder) { edit(second(folder), [](json& record) { record["shard"]["index"] = 1; }); }},
+             [](const auto& folder) { edit(second(folder), [](Json& record) { record["shard"]["index"] = 1; }); }},
         Edit{"OtherNumberOfShards", "there are sea.1-of-2.json and sea.3-of-4.json", 2,
              [](const auto& folder) { std::filesystem::copy_file(second(folder), folder / "sea.3-of-4.json"); }},
         Edit{"OtherExport", "sea_files.json is of another export than sea.1-of-2.json: --depth is 7", 2,
              [](const auto& folder) {
                  std::filesystem::copy_file(second(folder), folder / "sea_files.json");
-                 edit(folder / "sea_files.json", [](json& record) { record["sea"]["depth_m"] = 7.; });
+                 edit(folder / "sea_files.json", [](Json& record) { record["sea"]["depth_m"] = 7.; });
              }},
         Edit{"Link", "sea.2-of-2.json: it is a symbolic link", 1,
              [](const auto& folder) {
@@ -389,21 +391,21 @@ TEST(VerifiedExport, IsCompleteOrTheErrorIsNamed) {
     EXPECT_NE(whole.err.find("11 frames as written, 11 of them recomputed"), std::string::npos) << whole.err;
     EXPECT_EQ(whole.out, "");
 
-    write_file(folder / "foam_0007.png", "torn");
+    write_file(folder / "foam_0007.exr", "torn");
     const Outcome torn = run_pelagic(verify);
-    expect_message(torn, 1, "foam_0007.png has other bytes than were written");
+    expect_message(torn, 1, "foam_0007.exr has other bytes than were written");
     EXPECT_TRUE(torn.out.ends_with(" --resume\n")) << torn.out;
-    write_file(folder / "foam_0007.png", one_run().at("foam_0007.png"));
+    write_file(folder / "foam_0007.exr", one_run().at("foam_0007.exr"));
 
-    edit(folder / "sea.json", [](json& record) { record["waves"]["steepness"] = 1; });
+    edit(folder / "sea.json", [](Json& record) { record["waves"]["steepness"] = 1; });
     expect_message(run_pelagic(verify), 1, "sea.json is edited: steepness is 1, not 0.");
 
     write_file(folder / "sea.json", one_run().at("sea.json"));
-    edit(folder / "sea.json", [](json& record) { record["frames"][3]["hash"] = "0123456789abcdef"; });
+    edit(folder / "sea.json", [](Json& record) { record["frames"][3]["hash"] = "0123456789abcdef"; });
     expect_message(run_pelagic(verify), 1,
                    "sea.json is edited: its entry 3 of frames is not what an export writes there");
     write_file(folder / "sea.json", one_run().at("sea.json"));
-    edit(folder / "sea.json", [](json& record) { record["frames"].erase(10); });
+    edit(folder / "sea.json", [](Json& record) { record["frames"].erase(10); });
     const Outcome short_list = run_pelagic(verify);
     expect_message(short_list, 1, "sea.json is edited: it has 10 of 11 frames");
     std::filesystem::remove(folder / "sea.json");
@@ -412,8 +414,8 @@ TEST(VerifiedExport, IsCompleteOrTheErrorIsNamed) {
 
     // A hash that another processor or compiler might compute: the entry itself is consistent.
     write_file(folder / "sea.json", one_run().at("sea.json"));
-    edit(folder / "sea_files.json", [](json& record) {
-        json& frame = record["frames"][3];
+    edit(folder / "sea_files.json", [](Json& record) {
+        Json& frame = record["frames"][3];
         frame["hash"] = "0123456789abcdef";
         frame.erase("record_xxh3");
         frame["record_xxh3"] = tools::digest_of(frame.dump());
@@ -434,7 +436,7 @@ TEST(VerifiedExport, NeedsAFinishedExport) {
     expect_message(run_pelagic({"verify", folder.path().string(), "--sample", "some"}), 2, "--sample is some");
 }
 
-tools::ExportOptions options_of(const Arguments& words) {
+tools::ExportOptions shard_options_of(const Arguments& words) {
     CLI::App app;
     tools::ExportFlags flags;
     flags.add_to(app);
@@ -446,9 +448,10 @@ tools::ExportOptions options_of(const Arguments& words) {
 TEST(ManyShards, AreMerged) {
     const TemporaryFolder folder;
     const int count = of_sweep(500, 10'000);
-    const Arguments few = {"--out", folder.path().string(), "--resolution", "16", "--wind-speed", "9", "--frames",
-                           "4"};
-    tools::ExportOptions options = options_of(few);
+    const Arguments few = {
+        "--out",     folder.path().string(), "--resolution", "16", "--wind-speed", "9", "--frames", "4", "--maps",
+        two_exr_maps};
+    tools::ExportOptions options = shard_options_of(few);
     const tools::OutputFolder place(folder.path(), tools::Sync::no);
     std::vector<int> with_frames;
     for (int index = 1; index <= count; ++index) {
@@ -461,9 +464,8 @@ TEST(ManyShards, AreMerged) {
     }
     ASSERT_EQ(with_frames.size(), 4u);
     for (const int index : with_frames) {
-        Arguments shard = {"export", "--shard", std::to_string(index) + "/" + std::to_string(count)};
-        shard.insert(shard.end(), few.begin(), few.end());
-        expect_done(run_pelagic(shard));
+        expect_done(
+            run_pelagic(joined({"export", "--shard", std::to_string(index) + "/" + std::to_string(count)}, few)));
     }
     expect_done(merge(folder.path()));
     EXPECT_EQ(files_in(folder.path()).size(), 4u * 2 + 3) << "images, sea.json, the record and the lock";

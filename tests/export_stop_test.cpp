@@ -14,23 +14,15 @@
 namespace pelagic {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-Arguments export_arguments(const std::filesystem::path& folder, const Arguments& more) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "32", "--patch-size", "250"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
-
-const std::string journal = ".pelagic-export.jsonl";
+const std::string journal_file = ".pelagic-export.jsonl";
 
 /// Waits until the running export has journaled `lines` lines and the journal contains `text`.
 /// Returns false after 30 s.
 bool wait_for_journal(const std::filesystem::path& folder, int lines, const std::string& text) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (std::chrono::steady_clock::now() < deadline) {
-        if (std::filesystem::exists(folder / journal)) {
-            const std::string now = read_file(folder / journal);
+        if (std::filesystem::exists(folder / journal_file)) {
+            const std::string now = read_file(folder / journal_file);
             if (now.find(text) != std::string::npos && std::count(now.begin(), now.end(), '\n') >= lines) return true;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -42,28 +34,29 @@ class StoppedExport : public testing::TestWithParam<int> {};
 
 TEST_P(StoppedExport, EndsCleanlyPrintsHowToResumeAndResumes) {
     const TemporaryFolder folder, logs, fresh;
-    const Arguments many = {"--frames", "400"};
-    const pid_t process = start_pelagic(export_arguments(folder.path(), many), logs / "out", logs / "err");
+    // with PNG files for one of the signals
+    const Arguments many = {"--frames", "250", "--maps", GetParam() == SIGTERM ? maps_with_png : "displacement"};
+    const pid_t process = start_pelagic(small_export(folder.path(), many), logs / "out", logs / "err");
     ASSERT_TRUE(wait_for_journal(folder.path(), 5, "version"));
     ::kill(process, GetParam());
     EXPECT_EQ(wait_for(process), 128 + GetParam());
     const std::string message = read_file(logs / "err");
     EXPECT_TRUE(message.starts_with("pelagic: stopped after ")) << message;
-    EXPECT_NE(message.find(" of 400 frames"), std::string::npos) << message;
+    EXPECT_NE(message.find(" of 250 frames"), std::string::npos) << message;
     EXPECT_NE(message.find("--resume"), std::string::npos) << message;
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
     for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
     EXPECT_FALSE(std::filesystem::exists(folder / "sea.json"));
 
-    EXPECT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "400", "--resume"})).exit_code, 0);
-    EXPECT_EQ(run_pelagic(export_arguments(fresh.path(), many)).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(folder.path(), joined(many, {"--resume"}))).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(fresh.path(), joined(many, {"--no-sync"}))).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
 TEST(ExportNotes, AreWrittenBeforeTheFrames) {
     const TemporaryFolder folder, logs;
     const pid_t process =
-        start_pelagic(export_arguments(folder.path(), {"--frames", "480", "--fps", "24", "--loop-period", "5"}),
+        start_pelagic(small_export(folder.path(), {"--frames", "480", "--fps", "24", "--loop-period", "5"}),
                       logs / "out", logs / "err");
     EXPECT_TRUE(wait_for_journal(folder.path(), 3, "version"));
     const std::string notes = read_file(logs / "err"), summary = read_file(logs / "out");
@@ -79,9 +72,8 @@ TEST(ExportNotes, AreWrittenBeforeTheFrames) {
     for (const std::vector<std::string>& whole :
          {Arguments{"--frames", "120", "--fps", "24"}, {"--loop-frames", "200"}}) {
         const TemporaryFolder other;
-        Arguments arguments = export_arguments(other.path(), {"--maps", "foam", "--loop-period", "5", "--no-sync"});
-        arguments.insert(arguments.end(), whole.begin(), whole.end());
-        const Outcome outcome = run_pelagic(arguments);
+        const Outcome outcome =
+            run_pelagic(small_export(other.path(), joined({"--loop-period", "5", "--no-sync"}, whole)));
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_EQ(outcome.err.find("the sea repeats"), std::string::npos) << outcome.err;
     }
@@ -91,32 +83,35 @@ INSTANTIATE_TEST_SUITE_P(Signals, StoppedExport, testing::Values(SIGINT, SIGTERM
 
 TEST(KilledReplacement, LeavesNoOlderFilesAfterResume) {
     const TemporaryFolder folder, logs, fresh;
-    ASSERT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "40", "--mips"})).exit_code, 0);
-    const Arguments second = {"--frames", "300", "--wind-speed", "9", "--maps", "displacement"};
+    ASSERT_EQ(
+        run_pelagic(small_export(folder.path(), {"--frames", "40", "--mips", "--maps", maps_with_png, "--no-sync"}))
+            .exit_code,
+        0);
+    const Arguments second = {"--frames", "250", "--wind-speed", "9", "--maps", "displacement"};
     Arguments replacing = second;
     replacing.push_back("--overwrite");
-    const pid_t process = start_pelagic(export_arguments(folder.path(), replacing), logs / "out", logs / "err");
+    const pid_t process = start_pelagic(small_export(folder.path(), replacing), logs / "out", logs / "err");
     ASSERT_TRUE(wait_for_journal(folder.path(), 4, "\"wind_speed_mps\":9"));
     ::kill(process, SIGKILL);
     EXPECT_EQ(wait_for(process), 128 + SIGKILL);
 
     Arguments again = second;
     again.push_back("--resume");
-    EXPECT_EQ(run_pelagic(export_arguments(folder.path(), again)).exit_code, 0);
-    EXPECT_EQ(run_pelagic(export_arguments(fresh.path(), second)).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(folder.path(), again)).exit_code, 0);
+    EXPECT_EQ(run_pelagic(small_export(fresh.path(), joined(second, {"--no-sync"}))).exit_code, 0);
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
 TEST(FileSizeLimit, IsAWriteErrorAndNoSignal) {
     const TemporaryFolder folder;
-    const Outcome outcome = run_pelagic(export_arguments(folder.path(), {}), [] {
+    const Outcome outcome = run_pelagic(small_export(folder.path(), {}), [] {
         const rlimit min{4096, 4096};
         ::setrlimit(RLIMIT_FSIZE, &min);
     });
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find("can't write "), std::string::npos) << outcome.err;
     for (const auto& [name, bytes] : files_in(folder.path()))
-        EXPECT_TRUE(name == journal || name == ".sea.lock") << name;
+        EXPECT_TRUE(name == journal_file || name == ".sea.lock") << name;
 }
 
 }  // namespace

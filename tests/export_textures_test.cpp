@@ -26,28 +26,27 @@ namespace pelagic {
 namespace {
 
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
 using Texels = std::vector<unsigned char>;
 
 // A gale at short fetch, so that there is foam.
-const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+const SeaState textured_gale{
+    .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 
 /// \param cascades  "2", or "1" for maps of foam
-Outcome export_to(const std::filesystem::path& folder, const Arguments& more,
-                  const std::function<void()>& in_child = {}, const std::string& cascades = "2") {
-    Arguments arguments = {
+Outcome export_textures_to(const std::filesystem::path& folder, const Arguments& more,
+                           const std::function<void()>& in_child = {}, const std::string& cascades = "2") {
+    const Arguments gale_flags = {
         "export", "--no-sync",    "--out", folder.string(), "--cascades", cascades,        "--resolution",
         "32",     "--wind-speed", "20",    "--fetch",       "100",        "--loop-period", "8"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_pelagic(arguments, in_child);
+    return run_pelagic(joined(gale_flags, more), in_child);
 }
 
 void expect_export(const std::filesystem::path& folder, const Arguments& more, const std::string& cascades = "2") {
-    const Outcome outcome = export_to(folder, more, {}, cascades);
+    const Outcome outcome = export_textures_to(folder, more, {}, cascades);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-std::uint64_t number_at(const std::string& file, std::size_t offset, std::size_t bytes) {
+std::uint64_t little_endian_at(const std::string& file, std::size_t offset, std::size_t bytes) {
     std::uint64_t number = 0;
     for (std::size_t i = bytes; i-- > 0;) number = number << 8 | static_cast<unsigned char>(file.at(offset + i));
     return number;
@@ -57,8 +56,9 @@ std::uint64_t number_at(const std::string& file, std::size_t offset, std::size_t
 /// their index at bytes 40 and 80.
 std::vector<Texels> ktx2_levels(const std::string& file) {
     std::vector<Texels> levels;
-    for (std::size_t level = 0; level < number_at(file, 40, 4); ++level) {
-        const std::size_t offset = number_at(file, 80 + 24 * level, 8), size = number_at(file, 88 + 24 * level, 8);
+    for (std::size_t level = 0; level < little_endian_at(file, 40, 4); ++level) {
+        const std::size_t offset = little_endian_at(file, 80 + 24 * level, 8),
+                          size = little_endian_at(file, 88 + 24 * level, 8);
         EXPECT_LE(offset + size, file.size());
         const std::string texels = file.substr(offset, size);
         levels.emplace_back(texels.begin(), texels.end());
@@ -73,13 +73,13 @@ Texels as_bytes(std::span<const Value> values) {
     return bytes;
 }
 
-std::string name_of(const std::string& map, std::size_t cascade, const std::string& rest) {
+std::string file_name_of(const std::string& map, std::size_t cascade, const std::string& rest) {
     return map + (cascade == 0 ? "" : "_c" + std::to_string(cascade)) + rest;
 }
 
 class ExportedTextures : public testing::Test {
    protected:
-    ExportedTextures() : ocean_(gale, {.executor = make_serial_executor(), .gradients = true}) {}
+    ExportedTextures() : ocean_(textured_gale, {.executor = make_serial_executor(), .gradients = true}) {}
 
     TemporaryFolder folder_;
     Ocean ocean_;
@@ -91,7 +91,7 @@ TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryCascade) {
     const Frame& frame = ocean_.frame_at(3.03);
     for (std::size_t number = 0; number < 2; ++number) {
         const Cascade& cascade = frame.cascades[number];
-        const auto gradient = ktx2_levels(read_file(folder_ / name_of("gradient", number, "_0000.ktx2")));
+        const auto gradient = ktx2_levels(read_file(folder_ / file_name_of("gradient", number, "_0000.ktx2")));
         ASSERT_EQ(gradient.size(), 6u);
         for (int level = 0; level < 6; ++level)
             EXPECT_EQ(gradient[static_cast<std::size_t>(level)], as_bytes(cascade.gradient_level(level)));
@@ -100,7 +100,7 @@ TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryCascade) {
 
 TEST_F(ExportedTextures, HoldEveryLevelOfTheFoamOfOneCascade) {
     expect_export(folder_.path(), {"--start", "3.03", "--maps", "foam", "--mips", "--format", "ktx2"}, "1");
-    SeaState sea = gale;
+    SeaState sea = textured_gale;
     sea.cascades = 1;
     Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
     const Cascade& cascade = ocean.frame_at(3.03).cascades[0];
@@ -159,7 +159,7 @@ TEST_F(ExportedTextures, DdsHoldsTheLevelsOfKtx2) {
 TEST_F(ExportedTextures, DdsHoldsFloatsWithoutHalf) {
     expect_export(folder_.path(), {"--maps", "displacement", "--format", "dds"});
     const std::string file = read_file(folder_ / "displacement_0000.dds");
-    EXPECT_EQ(number_at(file, 128, 4), 2u);  // DXGI_FORMAT_R32G32B32A32_FLOAT
+    EXPECT_EQ(little_endian_at(file, 128, 4), 2u);  // DXGI_FORMAT_R32G32B32A32_FLOAT
     const Cascade& cascade = ocean_.frame_at(0).cascades[0];
     std::array<float, 4> texel{};
     std::memcpy(texel.data(), &file[148 + 16 * (5 * 32 + 7)], 16);
@@ -189,14 +189,14 @@ TEST_F(ExportedTextures, InvalidOptionsAreRejectedInOneLine) {
         {{"--preview", "--resume"}, "--preview cannot be combined with --resume"},
     };
     for (const auto& [arguments, line] : wrong) {
-        const Outcome outcome = export_to(folder_ / "none", arguments);
+        const Outcome outcome = export_textures_to(folder_ / "none", arguments);
         EXPECT_EQ(outcome.exit_code, 2) << line;
         EXPECT_EQ(outcome.err.find("pelagic: " + line), 0u) << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
     if (tools::has_zstd()) return;
-    const Outcome outcome = export_to(folder_ / "none", {"--format", "ktx2", "--compression", "zstd"});
+    const Outcome outcome = export_textures_to(folder_ / "none", {"--format", "ktx2", "--compression", "zstd"});
     EXPECT_EQ(outcome.err, "pelagic: --compression is zstd, expected a pelagic that was built with libzstd\n");
 }
 
@@ -210,7 +210,7 @@ TEST_F(ExportedTextures, MeasureRejectsDds) {
 }
 
 /// Reads a PNG with libpng's simplified reader. \param format libpng's format, equal to the file's
-Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned width, unsigned height) {
+Texels read_png_as(const std::filesystem::path& file, png_uint_32 format, unsigned width, unsigned height) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file << image.message;
@@ -225,12 +225,12 @@ Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned 
 TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
     expect_export(folder_.path(), {"--maps", "normal", "--loop-frames", "5", "--flipbook", "3x2"});
     for (const std::string cascade : {"", "_c1"}) {
-        const Texels atlas = read_png(folder_ / ("flipbook_normal" + cascade + ".png"), PNG_FORMAT_RGB, 96, 64);
+        const Texels atlas = read_png_as(folder_ / ("flipbook_normal" + cascade + ".png"), PNG_FORMAT_RGB, 96, 64);
         for (std::size_t frame = 0; frame < 6; ++frame) {
             const Texels single =
                 frame == 5 ? Texels(3 * 32 * 32)  // no frame: black
-                           : read_png(folder_ / ("normal" + cascade + "_000" + std::to_string(frame) + ".png"),
-                                      PNG_FORMAT_RGB, 32, 32);
+                           : read_png_as(folder_ / ("normal" + cascade + "_000" + std::to_string(frame) + ".png"),
+                                         PNG_FORMAT_RGB, 32, 32);
             for (std::size_t j = 0; j < 32; ++j)
                 EXPECT_TRUE(std::equal(&single[96 * j], &single[96 * j] + 96,
                                        &atlas[288 * (frame / 3 * 32 + j) + frame % 3 * 96]))
@@ -271,14 +271,14 @@ TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
     const Arguments what = {"--maps", "displacement,compression", "--frames", "2"};
     Arguments preview = what;
     preview.push_back("--preview");
-    const Outcome outcome = export_to(folder_ / "preview", preview, [] { ::setenv("PATH", "/nowhere", 1); });
+    const Outcome outcome = export_textures_to(folder_ / "preview", preview, [] { ::setenv("PATH", "/nowhere", 1); });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder_ / "preview")) names.push_back(name);
     EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "preview.png", "preview_loop.png"}));
     EXPECT_NE(outcome.out.find("no film: ffmpeg is not in PATH"), std::string::npos) << outcome.out;
     // Two frames of 640 x 360 side by side.
-    const Texels strip = read_png(folder_ / "preview" / "preview_loop.png", PNG_FORMAT_RGB, 1280, 360);
+    const Texels strip = read_png_as(folder_ / "preview" / "preview_loop.png", PNG_FORMAT_RGB, 1280, 360);
     EXPECT_GT(std::set<unsigned char>(strip.begin(), strip.end()).size(), 50u) << "it shows hardly anything";
 
     expect_export(folder_ / "export", what);
@@ -299,8 +299,8 @@ TEST_F(ExportedTextures, PreviewPrintsWhyThereIsNoFilm) {
     write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
     std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = folder_.path().string() + ":/usr/bin:/bin";
-    const Outcome outcome = export_to(folder_ / "preview", {"--maps", "compression", "--preview"},
-                                      [&] { ::setenv("PATH", path.c_str(), 1); });
+    const Outcome outcome = export_textures_to(folder_ / "preview", {"--maps", "compression", "--preview"},
+                                               [&] { ::setenv("PATH", path.c_str(), 1); });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
 }
@@ -324,8 +324,8 @@ TEST(ShadedSea, IsBitIdenticalForEachInstructionSetAndThreadCount) {
     for (const Isa isa : isas_here())
         for (const int threads : {1, 3}) {
             const auto executor = make_thread_executor(threads);
-            Ocean ocean(gale, {.executor = executor, .isa = isa, .foam = true});
-            tools::ShadedSea shaded(gale, 64, 36, executor);
+            Ocean ocean(textured_gale, {.executor = executor, .isa = isa, .foam = true});
+            tools::ShadedSea shaded(textured_gale, 64, 36, executor);
             const std::vector<std::uint8_t>& pixels = shaded.draw(ocean.frame_at(2));
             if (first.empty()) first = pixels;
             EXPECT_EQ(pixels, first) << pelagic::name_of(isa) << ", " << threads << " threads";

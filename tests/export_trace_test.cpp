@@ -20,11 +20,10 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> arguments_of(const std::filesystem::path& folder, const std::vector<std::string>& more) {
-    std::vector<std::string> all = {"export", "--out",        folder.string(), "--resolution",
-                                    "32",     "--patch-size", "250",           "--mips"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+/// \param maps two of them, so that a frame has several files; "gradient" is a PNG
+Arguments export_with_mips(const std::filesystem::path& folder, const Arguments& more,
+                           const std::string& maps = two_exr_maps) {
+    return small_export(folder, joined({"--mips", "--maps", maps}, more));
 }
 
 /// The events of a trace; checks that each has the fields that viewers need.
@@ -64,9 +63,10 @@ TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
 
     for (const std::string threads : {"1", "3"}) {
         const TemporaryFolder folder;
-        const Outcome outcome =
-            run_pelagic(arguments_of(folder / "sea", {"--frames", std::to_string(frames), "--threads", threads,
-                                                      "--trace", (folder / "trace.json").string()}));
+        const Outcome outcome = run_pelagic(export_with_mips(
+            folder / "sea",
+            {"--frames", std::to_string(frames), "--threads", threads, "--trace", (folder / "trace.json").string()},
+            maps_with_png));
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         std::map<std::string, int> jobs, files;
         std::map<int, int> started, ended;
@@ -91,8 +91,8 @@ TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
 // one. All of them are numbered.
 TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
     const TemporaryFolder folder;
-    const Outcome outcome = run_pelagic(arguments_of(
-        folder / "sea", {"--maps", "foam", "--frames", "6", "--trace", (folder / "trace.json").string()}));
+    const Outcome outcome = run_pelagic(
+        export_with_mips(folder / "sea", {"--frames", "6", "--trace", (folder / "trace.json").string()}, "foam"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::map<std::string, std::set<int>> flights;
     std::map<std::string, std::set<int>> frames_of_job;
@@ -114,10 +114,11 @@ TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
 
 TEST(ExportTrace, AddsOneFileAndChangesNoOther) {
     const TemporaryFolder plain, traced;
-    ASSERT_EQ(run_pelagic(arguments_of(plain.path(), {"--frames", "2"})).exit_code, 0);
-    ASSERT_EQ(run_pelagic(arguments_of(traced.path(), {"--frames", "2", "--trace", (traced / "trace.json").string()}))
-                  .exit_code,
-              0);
+    ASSERT_EQ(run_pelagic(export_with_mips(plain.path(), {"--frames", "2"})).exit_code, 0);
+    ASSERT_EQ(
+        run_pelagic(export_with_mips(traced.path(), {"--frames", "2", "--trace", (traced / "trace.json").string()}))
+            .exit_code,
+        0);
     auto files = files_in(traced.path());
     EXPECT_EQ(files.erase("trace.json"), 1u);
     EXPECT_TRUE(files == files_in(plain.path()));
@@ -128,10 +129,10 @@ TEST(ExportTrace, AResumedExportTracesOnlyTheRemainingWork) {
     const auto more = [&](const std::string& name) {
         return std::vector<std::string>{"--frames", "3", "--resume", "--trace", (folder / name).string()};
     };
-    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", {"--frames", "3"})).exit_code, 0);
-    std::filesystem::remove(folder / "sea" / "gradient_0001.png");
-    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", more("one.json"))).exit_code, 0);
-    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", more("none.json"))).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_with_mips(folder / "sea", {"--frames", "3"})).exit_code, 0);
+    std::filesystem::remove(folder / "sea" / "compression_0001.exr");
+    ASSERT_EQ(run_pelagic(export_with_mips(folder / "sea", more("one.json"))).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_with_mips(folder / "sea", more("none.json"))).exit_code, 0);
     std::set<int> made;
     for (const json& event : checked_events(folder / "one.json"))
         if (event["name"] == "files") made.insert(event["args"]["frame"].get<int>());
@@ -141,11 +142,11 @@ TEST(ExportTrace, AResumedExportTracesOnlyTheRemainingWork) {
 
 TEST(ExportTrace, IsWrittenWhenTheExportIsStopped) {
     const TemporaryFolder folder, logs;
-    const pid_t process =
-        start_pelagic(arguments_of(folder / "sea", {"--frames", "4000", "--trace", (folder / "trace.json").string()}),
-                      logs / "out", logs / "err");
+    const pid_t process = start_pelagic(
+        export_with_mips(folder / "sea", {"--frames", "4000", "--trace", (folder / "trace.json").string()}),
+        logs / "out", logs / "err");
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (!std::filesystem::exists(folder / "sea" / "gradient_0002.png") &&
+    while (!std::filesystem::exists(folder / "sea" / "compression_0002.exr") &&
            std::chrono::steady_clock::now() < deadline)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ::kill(process, SIGTERM);
@@ -158,13 +159,13 @@ TEST(ExportTrace, IsWrittenWhenTheExportIsStopped) {
 // The error is reported before the first frame, not after a long export.
 TEST(ExportTrace, AnUnwritablePathIsAnErrorBeforeAnyChange) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", {"--frames", "2"})).exit_code, 0);
+    ASSERT_EQ(run_pelagic(export_with_mips(folder / "sea", {"--frames", "2"})).exit_code, 0);
     write_file(folder / "file", "mine");
     const auto before = files_in(folder / "sea");
     for (const auto& [place, reason] :
          {std::pair<std::string, std::string>{"missing", "No such file or directory"}, {"file", "Not a directory"}}) {
         const std::string trace = (folder / place / "trace.json").string();
-        const Outcome outcome = run_pelagic(arguments_of(folder / "sea", {"--overwrite", "--trace", trace}));
+        const Outcome outcome = run_pelagic(export_with_mips(folder / "sea", {"--overwrite", "--trace", trace}));
         EXPECT_EQ(outcome.exit_code, 1);
         EXPECT_EQ(outcome.err, "pelagic: can't write " + trace + ": " + reason + "\n");
         EXPECT_EQ(outcome.out, "");

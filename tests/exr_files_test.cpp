@@ -27,37 +27,36 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = 128;
-constexpr SeaState sea{.cascades = 2, .resolution = side, .wind_speed_mps = 20};
-const std::vector<std::string> maps = {"displacement", "gradient", "compression"};
+constexpr int exr_side = 128;
+constexpr SeaState exr_sea{.cascades = 2, .resolution = exr_side, .wind_speed_mps = 20};
+const std::vector<std::string> exr_maps = {"displacement", "gradient", "compression"};
 
 /// Exports frame 3 at 12 frames per second, with both cascades.
-void export_to(const std::filesystem::path& folder, const std::vector<std::string>& flags) {
-    std::vector<std::string> arguments = {
-        "export", "--out",    folder.string(), "--cascades",   "2", "--resolution", "128", "--fps",
-        "12",     "--frames", "3-3",           "--wind-speed", "20"};
-    arguments.insert(arguments.end(), flags.begin(), flags.end());
+void export_exr_to(const std::filesystem::path& folder, const Arguments& flags) {
+    Arguments arguments = joined({"export", "--out", folder.string(), "--cascades", "2", "--resolution", "128",
+                                  "--fps", "12", "--frames", "3-3", "--wind-speed", "20"},
+                                 flags);
     if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
         arguments.insert(arguments.end(), {"--maps", "displacement,gradient,compression"});
     const Outcome outcome = run_pelagic(arguments);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-constexpr double time_s = 0.25;
+constexpr double exr_time_s = 0.25;
 
 /// The values of that frame from the library, by cascade, map and channel.
 class ExpectedFrame {
    public:
     ExpectedFrame()
-        : ocean_(sea, {.executor = make_serial_executor(), .gradients = true}),
-          frame_(ocean_.frame_at(time_s)),
-          compressions_(2, std::vector<float>(side * side)) {
+        : ocean_(exr_sea, {.executor = make_serial_executor(), .gradients = true}),
+          frame_(ocean_.frame_at(exr_time_s)),
+          compressions_(2, std::vector<float>(exr_side * exr_side)) {
         for (std::size_t i = 0; i < 2; ++i) copy_compression(frame_.cascades[i], compressions_[i]);
     }
 
     float at(std::size_t cascade, const std::string& map, char channel, int i, int j) const {
         const Cascade& of = frame_.cascades[cascade];
-        const auto texel = static_cast<std::size_t>(j * side + i);
+        const auto texel = static_cast<std::size_t>(j * exr_side + i);
         if (map == "displacement") return (channel == 'R' ? of.dx : channel == 'G' ? of.height : of.dz).at(i, j);
         if (map == "compression") return compressions_[cascade][texel];
         const int shift = channel == 'R' ? 0 : channel == 'G' ? 8 : channel == 'B' ? 16 : 24;
@@ -83,7 +82,7 @@ std::string channels_of(const std::string& map) {
 /// Reads a channel of one level of a part as floats, from any pixel type.
 template <class Part>
 std::vector<float> read_channel(Part& part, const std::string& channel, int level = 0) {
-    const int width = side >> level;
+    const int width = exr_side >> level;
     std::vector<float> pixels(static_cast<std::size_t>(width) * width);
     Imf::FrameBuffer buffer;
     buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
@@ -98,9 +97,9 @@ std::vector<float> read_channel(Part& part, const std::string& channel, int leve
 
 /// Floats must equal the frame's; bytes are stored as fractions of 255, rounded to half.
 void expect_map(const std::vector<float>& pixels, std::size_t cascade, const std::string& map, char channel) {
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-            const float value = pixels[static_cast<std::size_t>(j * side + i)];
+    for (int j = 0; j < exr_side; ++j)
+        for (int i = 0; i < exr_side; ++i) {
+            const float value = pixels[static_cast<std::size_t>(j * exr_side + i)];
             const float is = map == "gradient" ? std::round(255 * value) : value;
             ASSERT_EQ(is, expected().at(cascade, map, channel, i, j)) << map << cascade << channel << i << "," << j;
         }
@@ -110,12 +109,12 @@ std::string mark_of(std::size_t cascade) { return cascade > 0 ? "_c" + std::to_s
 
 TEST(ExrFiles, PartsHoldEveryMapOfEveryCascade) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--pack", "parts"});
+    export_exr_to(folder.path(), {"--pack", "parts"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     ASSERT_EQ(file.parts(), 6);
     int number = 0;
     for (std::size_t cascade = 0; cascade < 2; ++cascade)
-        for (const std::string& map : maps) {
+        for (const std::string& map : exr_maps) {
             Imf::InputPart part(file, number++);
             EXPECT_EQ(part.header().name(), map + mark_of(cascade));
             EXPECT_EQ(part.header().type(), Imf::SCANLINEIMAGE);
@@ -126,7 +125,7 @@ TEST(ExrFiles, PartsHoldEveryMapOfEveryCascade) {
 
 TEST(ExrFiles, LayersHoldEveryMapOfEveryCascade) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--pack", "layers"});
+    export_exr_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     ASSERT_EQ(file.parts(), 1);
     Imf::InputPart part(file, 0);
@@ -135,7 +134,7 @@ TEST(ExrFiles, LayersHoldEveryMapOfEveryCascade) {
     EXPECT_EQ(layers, (std::set<std::string>{"compression", "compression_c1", "displacement", "displacement_c1",
                                              "gradient", "gradient_c1"}));
     for (std::size_t cascade = 0; cascade < 2; ++cascade)
-        for (const std::string& map : maps)
+        for (const std::string& map : exr_maps)
             for (const char channel : channels_of(map))
                 expect_map(read_channel(part, map + mark_of(cascade) + "." + channel), cascade, map, channel);
 }
@@ -152,7 +151,7 @@ double mean_displacement(std::size_t cascade, char channel, int level, int i, in
 
 TEST(ExrFiles, TiledFilesHoldAllLevels) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--tiled", "--mips"});
+    export_exr_to(folder.path(), {"--tiled", "--mips"});
     for (std::size_t cascade = 0; cascade < 2; ++cascade) {
         Imf::MultiPartInputFile file((folder / ("displacement" + mark_of(cascade) + "_0003.exr")).c_str());
         Imf::TiledInputPart part(file, 0);
@@ -165,7 +164,7 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
             expect_map(read_channel(part, {channel}), cascade, "displacement", channel);
             for (int level = 1; level < part.numLevels(); ++level) {
                 const std::vector<float> pixels = read_channel(part, {channel}, level);
-                const int width = side >> level;
+                const int width = exr_side >> level;
                 // For values up to 20 m each level rounds three sums, by at most 3 x 2^-24 of the
                 // values.
                 for (int j = 0; j < width; ++j)
@@ -182,7 +181,7 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
 
 TEST(ExrFiles, TiledPartsHoldTheFramesOwnLevels) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--pack", "parts", "--tiled", "--mips"});
+    export_exr_to(folder.path(), {"--pack", "parts", "--tiled", "--mips"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     ASSERT_EQ(file.parts(), 6);
     Imf::TiledInputPart part(file, 4);
@@ -204,13 +203,13 @@ Value attribute(const Imf::Header& header, const std::string& name) {
 
 TEST(ExrFiles, HeadersDescribeTheParts) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--pack", "parts", "--compression", "piz"});
+    export_exr_to(folder.path(), {"--pack", "parts", "--compression", "piz"});
     const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     for (int number : {0, 4}) {
         const Imf::Header& header = file.header(number);
         const nlohmann::json& cascade = record.at("layout").at("cascades").at(number / 3);
-        const Imath::Box2i whole({0, 0}, {side - 1, side - 1});
+        const Imath::Box2i whole({0, 0}, {exr_side - 1, exr_side - 1});
         EXPECT_EQ(header.dataWindow(), whole);
         EXPECT_EQ(header.displayWindow(), whole);
         EXPECT_EQ(header.compression(), Imf::PIZ_COMPRESSION);
@@ -218,7 +217,7 @@ TEST(ExrFiles, HeadersDescribeTheParts) {
         EXPECT_EQ(Imf::framesPerSecond(header), Imf::Rational(12, 1));
         EXPECT_EQ(attribute<int>(header, "pelagic:frame"), 3);
         EXPECT_EQ(attribute<int>(header, "pelagic:cascade"), number / 3);
-        EXPECT_EQ(attribute<double>(header, "pelagic:time_s"), time_s);
+        EXPECT_EQ(attribute<double>(header, "pelagic:time_s"), exr_time_s);
         EXPECT_EQ(attribute<double>(header, "pelagic:side_m"), cascade.at("side_m"));
         EXPECT_EQ(attribute<double>(header, "pelagic:rotation_cosine"), cascade.at("rotation").at("cosine"));
         EXPECT_EQ(attribute<double>(header, "pelagic:rotation_sine"), cascade.at("rotation").at("sine"));
@@ -234,7 +233,7 @@ TEST(ExrFiles, HeadersDescribeTheParts) {
 
 TEST(ExrFiles, HeadersDescribeLayersByName) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--pack", "layers"});
+    export_exr_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:compression_c1:channels"), "compression = Y");
     EXPECT_EQ(attribute<double>(file.header(0), "pelagic:compression_c1:side_m"), expected().cascade(1).grid.side_m);
@@ -248,7 +247,7 @@ TEST(ExrFiles, LosslessCompressionsAreExact) {
                                                                      {"piz", Imf::PIZ_COMPRESSION}};
     for (const auto& [name, compression] : compressions) {
         const TemporaryFolder folder;
-        export_to(folder.path(), {"--maps", "displacement", "--compression", name});
+        export_exr_to(folder.path(), {"--maps", "displacement", "--compression", name});
         Imf::MultiPartInputFile file((folder / "displacement_c1_0003.exr").c_str());
         EXPECT_EQ(file.header(0).compression(), compression);
         Imf::InputPart part(file, 0);
@@ -260,15 +259,15 @@ TEST(ExrFiles, LosslessCompressionsAreExact) {
 // The documented error is 1 % of the largest wave; the test accepts 5 %.
 TEST(ExrFiles, DwaaErrorIsSmall) {
     const TemporaryFolder folder;
-    export_to(folder.path(), {"--maps", "displacement", "--compression", "dwaa"});
+    export_exr_to(folder.path(), {"--maps", "displacement", "--compression", "dwaa"});
     Imf::MultiPartInputFile file((folder / "displacement_0003.exr").c_str());
     Imf::InputPart part(file, 0);
     const std::vector<float> heights = read_channel(part, "G");
     float max = 0, largest = 0;
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < exr_side; ++j)
+        for (int i = 0; i < exr_side; ++i) {
             const float height = expected().at(0, "displacement", 'G', i, j);
-            max = std::max(max, std::abs(heights[static_cast<std::size_t>(j * side + i)] - height));
+            max = std::max(max, std::abs(heights[static_cast<std::size_t>(j * exr_side + i)] - height));
             largest = std::max(largest, std::abs(height));
         }
     EXPECT_GT(max, 0) << "it keeps every bit";
@@ -281,7 +280,7 @@ TEST(ExrFiles, PassVerification) {
         {"--pack", "parts", "--tiled", "--mips", "--compression", "none"}, {"--maps", "compression"}};
     for (const std::vector<std::string>& flags : exports) {
         const TemporaryFolder folder;
-        export_to(folder.path(), flags);
+        export_exr_to(folder.path(), flags);
         const Outcome outcome = run_pelagic({"verify", folder.path().string()});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     }
@@ -290,15 +289,15 @@ TEST(ExrFiles, PassVerification) {
 TEST(ExrFiles, TiffFilesUseTheGivenCompression) {
     for (const std::string compression : {"zip", "lzw", "none"}) {
         const TemporaryFolder folder;
-        export_to(folder.path(), {"--maps", "displacement", "--format", "tif", "--compression", compression});
+        export_exr_to(folder.path(), {"--maps", "displacement", "--format", "tif", "--compression", compression});
         const auto input = OIIO::ImageInput::open((folder / "displacement_0003.tif").string());
         ASSERT_TRUE(input);
         EXPECT_EQ(input->spec().get_string_attribute("compression"), compression);
-        std::vector<float> pixels(side * side * 3);
+        std::vector<float> pixels(exr_side * exr_side * 3);
         ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i)
-                ASSERT_EQ(pixels[static_cast<std::size_t>(3 * (j * side + i) + 1)],
+        for (int j = 0; j < exr_side; ++j)
+            for (int i = 0; i < exr_side; ++i)
+                ASSERT_EQ(pixels[static_cast<std::size_t>(3 * (j * exr_side + i) + 1)],
                           expected().at(0, "displacement", 'G', i, j));
     }
 }

@@ -19,17 +19,8 @@ namespace {
 
 using oracle::Complex;
 using oracle::ComplexField;
+using oracle::wave_number_at;
 using std::numbers::pi;
-
-/// Returns k of omega^2 = g k tanh(k d), by bisection.
-double wave_number_at(double omega, double depth_m) {
-    double low = 1e-6, high = 1e3;
-    while (high / low > 1 + 1e-12) {
-        const double middle = std::sqrt(low * high);
-        (oracle::gravity * middle * std::tanh(middle * depth_m) < omega * omega ? low : high) = middle;
-    }
-    return low;
-}
 
 ComplexField transformed(const PlaneView& plane) {
     const int n = plane.resolution;

@@ -14,7 +14,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double tick_s = 0.19;
+constexpr double foam_tick_s = 0.19;
 
 double fraction_above(double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }
 
@@ -28,7 +28,7 @@ class RandomWaves {
         for (int wave = 0; wave < 48; ++wave) {
             const double omega = frequency_radps * (0.5 + uniform());
             waves_.push_back(std::polar(std::sqrt(2.0 / 48), 6.283185307 * uniform()));
-            turns_.push_back(std::polar(1.0, omega * tick_s));
+            turns_.push_back(std::polar(1.0, omega * foam_tick_s));
             rate_ += omega * omega / 48;
         }
     }
@@ -65,7 +65,7 @@ TEST(FoamAccumulation, CoverMatchesTheFormula) {
                     if (tick >= 0) sum += foam;
                 }
                 measured += sum / ticks / seas;
-                expected += FoamAccumulation(waves.rate_radps(), tick_s).cover(level) / seas;
+                expected += FoamAccumulation(waves.rate_radps(), foam_tick_s).cover(level) / seas;
             }
             // Crossings come in groups, which the formula neglects: the ratio is 0.93 for rare
             // crossings of short waves, and 1.05 otherwise.
@@ -81,14 +81,14 @@ TEST(FoamAccumulation, CoverOfStaticWavesEqualsTheSource) {
             source += fraction_above(level + FoamAccumulation::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
         // The formula takes crossings as independent, so some coincide: half of a twentieth, which
         // is the ramp's share at level 1.
-        EXPECT_NEAR(FoamAccumulation(1e-6, tick_s).cover(level) / source, 1, 0.025) << level;
+        EXPECT_NEAR(FoamAccumulation(1e-6, foam_tick_s).cover(level) / source, 1, 0.025) << level;
     }
 }
 
 TEST(FoamAccumulation, LevelInvertsCover) {
     for (double frequency_radps = 0.01; frequency_radps < 60; frequency_radps *= 3)
         for (double cover = 1e-12; cover <= 0.4; cover *= 3) {
-            const FoamAccumulation foam(frequency_radps, tick_s);
+            const FoamAccumulation foam(frequency_radps, foam_tick_s);
             const double level = foam.level_of(cover);
             EXPECT_NEAR(foam.cover(level) / cover, 1, 2e-3) << frequency_radps << " rad/s";
             EXPECT_GT(foam.cover(level - 0.1), cover);

@@ -24,7 +24,7 @@ OceanOptions with_foam(Isa isa = choose_isa()) {
 }
 
 /// A gale on a small sea, with a large whitecap cover.
-const SeaState gale{
+const SeaState gale_of_two_cascades{
     .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7, .loop_period_s = 20};
 const SeaState gale_on_one_cascade{
     .resolution = 32, .patch_size_m = 60, .wind_speed_mps = 20, .wind_direction_rad = 2.5};
@@ -127,7 +127,7 @@ TEST(FoamHistory, DoesNotDependOnTheFirstFrame) {
 }
 
 TEST(FoamHistory, DoesNotChangeTheRestOfTheFrame) {
-    for (const SeaState& sea : {gale, gale_on_one_cascade}) {
+    for (const SeaState& sea : {gale_of_two_cascades, gale_on_one_cascade}) {
         Ocean with(sea, with_foam()), without(sea, {.executor = make_serial_executor()});
         for (const double time : {0.0, 0.05, 3.0, -2.0})
             EXPECT_EQ(hash_of(with.frame_at(time)), hash_of(without.frame_at(time)));
@@ -137,7 +137,7 @@ TEST(FoamHistory, DoesNotChangeTheRestOfTheFrame) {
 
 // The foam of several cascades is that of their sum.
 TEST(FoamHistory, IsOfOneCascadeOnly) {
-    Ocean ocean(gale, with_foam());
+    Ocean ocean(gale_of_two_cascades, with_foam());
     for (const Cascade& cascade : ocean.frame_at(3).cascades) {
         EXPECT_TRUE(cascade.foam_r8.empty());
         EXPECT_EQ(foam_in_halves(cascade), std::vector<int>(32 * 32));
@@ -148,18 +148,19 @@ TEST(FoamHistory, IsOfOneCascadeOnly) {
 
 /// A sea whose wind increases and then changes direction.
 Forecast rising() {
-    SeaState calm = gale, turned = gale;
+    SeaState calm = gale_of_two_cascades, turned = gale_of_two_cascades;
     calm.wind_speed_mps = 6;
     turned.wind_direction_rad = -0.9;
     return {.first = calm,
-            .changes = {{.sea = gale, .from_s = 10, .over_s = 8}, {.sea = turned, .from_s = 19, .over_s = 4}}};
+            .changes = {{.sea = gale_of_two_cascades, .from_s = 10, .over_s = 8},
+                        {.sea = turned, .from_s = 19, .over_s = 4}}};
 }
 
 // Frames within a change, at its ends and between two changes, after any earlier time, including
 // the end of the loop (20 s).
 TEST(FoamHistory, OfAForecastDoesNotDependOnTheOrderOfFrames) {
     Ocean in_order(rising(), with_foam());
-    const TickClock clock(gale.loop_period_s);
+    const TickClock clock(gale_of_two_cascades.loop_period_s);
     std::vector<std::uint64_t> expected;
     for (int tick = 0; tick < 150; ++tick) expected.push_back(foam_hash_of(in_order.frame_at(clock.time_s(tick))));
     EXPECT_NE(expected[10], expected[10 + static_cast<std::size_t>(clock.ticks_a_loop())])
@@ -177,7 +178,7 @@ TEST(FoamHistory, OfAForecastDoesNotDependOnTheOrderOfFrames) {
 // Changes scheduled on a running ocean give frames equal to those of a forecast, foam included.
 TEST(FoamHistory, OfALiveChangeEqualsThatOfAForecast) {
     const Forecast forecast = rising();
-    const TickClock clock(gale.loop_period_s);
+    const TickClock clock(gale_of_two_cascades.loop_period_s);
     Ocean live(
         Forecast{.first = forecast.first, .largest_peak_m = Ocean(forecast, with_foam()).forecast().largest_peak_m},
         with_foam());
@@ -216,9 +217,9 @@ TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
 
 // After schedule_sea() foam is that of the new sea only.
 TEST(FoamHistory, IsReplacedWithTheSea) {
-    SeaState other = gale;
+    SeaState other = gale_of_two_cascades;
     other.wind_speed_mps = 9;
-    Ocean ocean(gale, with_foam()), expected(other, with_foam());
+    Ocean ocean(gale_of_two_cascades, with_foam()), expected(other, with_foam());
     ocean.frame_at(5);
     ocean.schedule_sea(other);
     ocean.complete_sea();

@@ -4,40 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
+#include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
 
 // A gale and a storm, with a large whitecap cover. Finer cascades are rotated against world axes.
-const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
+const SeaState gale_of_four_cascades{
+    .cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
 const SeaState storm_on_one_cascade{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
 
 OceanOptions with_queries_and_foam(Isa isa = choose_isa()) {
     return {.executor = make_serial_executor(), .isa = isa, .queries = true, .foam = true};
-}
-
-struct Points {
-    std::vector<double> x, z;
-};
-
-Points random_points(std::size_t count) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> anywhere(-5000, 5000);
-    Points points;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.x.push_back(anywhere(random));
-        points.z.push_back(anywhere(random));
-    }
-    return points;
 }
 
 /// Interpolates the values of texels bilinearly, as Cascade and CascadeGrid specify.
@@ -92,11 +78,11 @@ double foam_by_texels(const Frame& frame, double reference_x_m, double reference
 }
 
 TEST(FoamQuery, IsThatOfTheTexelsAtTheReferencePoint) {
-    for (const SeaState& sea : {gale, storm_on_one_cascade}) {
+    for (const SeaState& sea : {gale_of_four_cascades, storm_on_one_cascade}) {
         Ocean ocean(sea, with_queries_and_foam());
         const Frame& frame = ocean.frame_at(11.03);
         const oracle::Stack stack(frame);
-        const Points points = random_points(is_sanitized ? 50 : 2000);
+        const Points points = random_points(is_sanitized ? 50 : 2000, 5000, 3);
         std::vector<float> foam(points.x.size()), jacobian(points.x.size());
         SurfaceQuery(frame).sample({points.x, points.z}, {.jacobian = jacobian, .foam = foam});
         int compared = 0, white = 0;
@@ -126,9 +112,9 @@ TEST(FoamQuery, IsThatOfTheTexelsAtTheReferencePoint) {
 }
 
 TEST(FoamQuery, IsBitIdenticalOnEachInstructionSetAndInEachBatch) {
-    const Points points = random_points(1500);
+    const Points points = random_points(1500, 5000, 3);
     const auto executor = make_thread_executor(3);
-    for (const SeaState& sea : {gale, storm_on_one_cascade}) {
+    for (const SeaState& sea : {gale_of_four_cascades, storm_on_one_cascade}) {
         std::vector<float> expected;
         for (const Isa isa : isas_here()) {
             Ocean ocean(sea, with_queries_and_foam(isa));
@@ -148,7 +134,7 @@ TEST(FoamQuery, IsBitIdenticalOnEachInstructionSetAndInEachBatch) {
 }
 
 TEST(FoamQuery, IsRejectedForFramesWithoutFoam) {
-    Ocean ocean(gale, {.executor = make_serial_executor(), .queries = true});
+    Ocean ocean(gale_of_four_cascades, {.executor = make_serial_executor(), .queries = true});
     const SurfaceQuery query(ocean.frame_at(0));
     const std::vector<double> places(2000);
     std::vector<float> height(places.size(), -1), foam(places.size());
@@ -176,7 +162,7 @@ TEST(FoamInBuffers, IsTheMipChainOfASingleCascade) {
 
 // The unrounded compression is that of the bytes, and q is clamped to them at [-3, 5].
 TEST(CopiedCompression, IsThatOfTheBytesWithoutRounding) {
-    Ocean ocean(gale, with_queries_and_foam());
+    Ocean ocean(gale_of_four_cascades, with_queries_and_foam());
     for (const Cascade& cascade : ocean.frame_at(5).cascades) {
         std::vector<float> compression(32 * 32, 77);
         copy_compression(cascade, compression);

@@ -2,7 +2,6 @@
 // later frames equal those of an ocean whose changes were scheduled between frames.
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <memory>
 #include <random>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/frame_bits.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -34,17 +34,12 @@ struct Step {
     std::vector<SeaChange> changes;  ///< scheduled while the frame is in flight, or after it
 };
 
-struct Bits {
-    std::uint64_t frame, foam;
-    bool operator==(const Bits&) const = default;
-};
-
 enum class Order { in_flight, serial };
 
-std::vector<Bits> frames_of(const Forecast& forecast, const std::vector<Step>& steps, Order order,
-                            std::shared_ptr<Executor> executor) {
+std::vector<FrameBits> frames_of(const Forecast& forecast, const std::vector<Step>& steps, Order order,
+                                 std::shared_ptr<Executor> executor) {
     Ocean ocean(forecast, {.executor = std::move(executor), .foam = true});
-    std::vector<Bits> bits;
+    std::vector<FrameBits> bits;
     for (const Step& step : steps) {
         const auto schedule_changes = [&] {
             for (const SeaChange& change : step.changes) ocean.schedule_sea(change);
@@ -52,7 +47,7 @@ std::vector<Bits> frames_of(const Forecast& forecast, const std::vector<Step>& s
         ocean.schedule(step.time_s);
         if (order == Order::in_flight) schedule_changes();
         const Frame& frame = ocean.complete();
-        bits.push_back({hash_of(frame), foam_hash_of(frame)});
+        bits.push_back(bits_of(frame));
         if (order == Order::serial) schedule_changes();
     }
     return bits;

@@ -16,10 +16,8 @@
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/digest.hpp"
 
-namespace pelagic {
+namespace pelagic::tools {
 namespace {
-
-using namespace tools;
 
 /// Measures the maximum number of frames that are written at one time.
 class FramesAtOnce final : public TraceSink {
@@ -162,4 +160,4 @@ TEST(FrameWriter, DividesTheMemoryLeftByTheOcean) {
 }
 
 }  // namespace
-}  // namespace pelagic
+}  // namespace pelagic::tools

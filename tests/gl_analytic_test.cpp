@@ -20,7 +20,7 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = 48;  // Pixels a side; each pixel evaluates one position.
+constexpr int analytic_pixels = 48;  // Pixels a side; each pixel evaluates one position.
 constexpr const char* every_place =
     "#version 300 es\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, "
     "1.0); }\n";
@@ -52,18 +52,18 @@ std::vector<float> drawn(const std::string& fragment) {
         gl.DeleteShader(shader);
     }
     gl.LinkProgram(program);
-    gl::RenderTarget target(gl, side, side, 1, gl::PixelKind::radiance);
+    gl::RenderTarget target(gl, analytic_pixels, analytic_pixels, 1, gl::PixelKind::radiance);
     target.bind();
     gl.UseProgram(program);
-    gl.Viewport(0, 0, side, side);
+    gl.Viewport(0, 0, analytic_pixels, analytic_pixels);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     const std::vector<float> upper_first = target.read_radiance();
     gl.DeleteProgram(program);
     std::vector<float> pixels;
-    for (std::size_t row = side; row-- > 0;)
-        pixels.insert(pixels.end(), upper_first.begin() + static_cast<std::ptrdiff_t>(row * side * 4),
-                      upper_first.begin() + static_cast<std::ptrdiff_t>((row + 1) * side * 4));
+    for (std::size_t row = analytic_pixels; row-- > 0;)
+        pixels.insert(pixels.end(), upper_first.begin() + static_cast<std::ptrdiff_t>(row * analytic_pixels * 4),
+                      upper_first.begin() + static_cast<std::ptrdiff_t>((row + 1) * analytic_pixels * 4));
     return pixels;
 }
 
@@ -95,8 +95,8 @@ TEST(AnalyticGlsl, MatchesTheSurfaceOnTheCpu) {
     const GlslOrigin origin{.time_s = 86400, .x_m = 1e5, .z_m = -2e5};
     const float time_s = 12.5f;
     std::vector<double> x, z;
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < analytic_pixels; ++j)
+        for (int i = 0; i < analytic_pixels; ++i) {
             x.push_back(origin.x_m + (i + 0.5) * 3 - 72);
             z.push_back(origin.z_m + (j + 0.5) * 3 - 72);
         }

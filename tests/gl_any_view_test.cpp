@@ -13,8 +13,6 @@
 namespace pelagic {
 namespace {
 
-double uniform(std::minstd_rand& random) { return static_cast<double>(random()) / 2147483647.0; }
-
 /// Positions from 30 m deep to 3 km high, half of them within 3 m of the surface. Directions are
 /// random; some are exactly down, up, level or along an axis.
 Camera anywhere(std::minstd_rand& random, int i) {

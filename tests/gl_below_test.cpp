@@ -17,24 +17,14 @@
 #include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double pi = std::numbers::pi, water_index = 1.333;
-
-/// Sets a sky of one colour and no other light: a pixel that the sky does not reach is black.
-gl::Sky even_sky(float radiance) {
-    gl::Sky sky;
-    sky.face_size = 16;
-    sky.levels = gl::sky_levels(16);
-    for (int level = 0; level < sky.levels; ++level)
-        for (int i = 0; i < 6 * (16 >> level) * (16 >> level); ++i)
-            for (const float channel : {radiance, radiance, radiance, 1.f})
-                sky.texels.push_back(glm::packHalf1x16(channel));
-    return sky;
-}
+using std::numbers::pi;
+constexpr double water_index = 1.333;
 
 /// Sets sunlight straight down from a black sky.
 gl::Sky only_sun() {

@@ -13,30 +13,31 @@
 #include <vector>
 
 #include "pelagic/tests/gl_probe.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double steepness = 0.44;  // amplitude times wave number, as in crest_light.py
+constexpr double crest_steepness = 0.44;  // amplitude times wave number, as in crest_light.py
 
-struct Row {
+struct CrestRow {
     float amplitude_m, sun_deg, eye_deg, height_m, thickness_m;
     glm::vec3 radiance;
     float error_green;
 };
 
-std::vector<Row> read_rows() {
-    std::ifstream file(PELAGIC_CREST_LIGHT);
+std::vector<CrestRow> read_rows() {
+    std::ifstream file(in_sources("docs/images/reference/crest_light.csv"));
     std::string line;
     std::getline(file, line);
     EXPECT_EQ(line, "water,amplitude_m,sun_deg,eye_deg,height_m,thickness_m,red,green,blue,error_green");
-    std::vector<Row> rows;
+    std::vector<CrestRow> rows;
     while (std::getline(file, line)) {
         for (char& c : line)
             if (c == ',') c = ' ';
         std::istringstream cells(line);
         std::string water;
-        Row row{};
+        CrestRow row{};
         cells >> water >> row.amplitude_m >> row.sun_deg >> row.eye_deg >> row.height_m >> row.thickness_m >>
             row.radiance.r >> row.radiance.g >> row.radiance.b >> row.error_green;
         EXPECT_TRUE(cells) << line;
@@ -49,7 +50,7 @@ std::vector<Row> read_rows() {
 float radians_of(float degrees) { return degrees * std::numbers::pi_v<float> / 180; }
 
 /// Returns the block of a sea in the light of a sun alone.
-gl::SceneBlock block_of(float sun_deg, float significant_height_m, float gain) {
+gl::SceneBlock crest_block(float sun_deg, float significant_height_m, float gain) {
     gl::SceneBlock block;
     const gl::WaterOptics water = gl::water_optics(gl::default_jerlov_type);
     block.sun = {-std::cos(radians_of(sun_deg)), std::sin(radians_of(sun_deg)), 0, 0};
@@ -91,7 +92,7 @@ class GlCrest : public testing::Test {
 /// Returns the slope of the face away from the sun of a Gerstner wave.
 float slope_at(float height_over_amplitude) {
     const double cosine = height_over_amplitude, sine = std::sqrt(1 - cosine * cosine);
-    return static_cast<float>(-steepness * sine / (1 - steepness * cosine));
+    return static_cast<float>(-crest_steepness * sine / (1 - crest_steepness * cosine));
 }
 
 // 135 points of faces from below the still-water level to near the crest, where the wave is 0.6 to
@@ -105,11 +106,11 @@ TEST_F(GlCrest, IsWithinThirtyPercentOfTracedPhotons) {
     };
     double sum = 0;
     float thinnest_m = 100, thickest_m = 0;
-    const std::vector<Row> rows = read_rows();
+    const std::vector<CrestRow> rows = read_rows();
     ASSERT_EQ(rows.size(), 135u);
-    for (const Row& row : rows) {
+    for (const CrestRow& row : rows) {
         // The standard deviation of the heights of a wave of amplitude A is A / sqrt(2).
-        const gl::SceneBlock block = block_of(row.sun_deg, 4 * row.amplitude_m / std::numbers::sqrt2_v<float>, 1);
+        const gl::SceneBlock block = crest_block(row.sun_deg, 4 * row.amplitude_m / std::numbers::sqrt2_v<float>, 1);
         const Light found = light(block, slope_at(row.height_m / row.amplitude_m), row.eye_deg, row.height_m);
         const glm::vec3 all = found.flat + found.crest;
         const float bound = 0.3f + row.error_green / row.radiance.g;
@@ -133,14 +134,14 @@ TEST_F(GlCrest, AddsNothingToAFlatSeaAndToFacesThatFaceTheSun) {
     for (const float sun_deg : {2.f, 10.f, 40.f, 89.f})
         for (const float eye_deg : {1.f, 10.f, 60.f, 90.f})
             for (const float slope : {0.f, 0.3f})
-                EXPECT_EQ(light(block_of(sun_deg, 2, 10), slope, eye_deg, 0.5f).crest, glm::vec3(0))
+                EXPECT_EQ(light(crest_block(sun_deg, 2, 10), slope, eye_deg, 0.5f).crest, glm::vec3(0))
                     << sun_deg << ", " << eye_deg << ", " << slope;
 }
 
 TEST_F(GlCrest, IsProportionalToTheGain) {
-    const glm::vec3 once = light(block_of(20, 4, 1), -0.4f, 10, 1).crest;
-    const glm::vec3 thrice = light(block_of(20, 4, 3), -0.4f, 10, 1).crest;
-    const glm::vec3 none = light(block_of(20, 4, 0), -0.4f, 10, 1).crest;
+    const glm::vec3 once = light(crest_block(20, 4, 1), -0.4f, 10, 1).crest;
+    const glm::vec3 thrice = light(crest_block(20, 4, 3), -0.4f, 10, 1).crest;
+    const glm::vec3 none = light(crest_block(20, 4, 0), -0.4f, 10, 1).crest;
     for (int c = 0; c < 3; ++c) {
         EXPECT_GT(once[c], 0);
         EXPECT_NEAR(thrice[c], 3 * once[c], 3e-3f * once[c]);  // halves have steps of 1e-3

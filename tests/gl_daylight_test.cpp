@@ -14,7 +14,7 @@
 namespace pelagic {
 namespace {
 
-constexpr int width = 96, height = 54;
+constexpr int daylight_width = 96, daylight_height = 54;
 
 class GlDaylight : public testing::Test {
    protected:
@@ -33,7 +33,7 @@ class GlDaylight : public testing::Test {
         display_.show(
             radiance,
             {.exposure = gl::exposure_of_ev(ev, luminance_of_unit_), .luminance_of_unit = luminance_of_unit_},
-            {0, 0, width, height});
+            {0, 0, daylight_width, daylight_height});
         const auto rgba = screen_.read();
         std::vector<float> luminances;
         for (std::size_t i = 0; i < rgba.size(); i += 4)
@@ -45,18 +45,16 @@ class GlDaylight : public testing::Test {
 
     GlScene scene_{{.quality = "low",
                     .resolution = 64,
-                    .width = width,
-                    .height = height,
+                    .width = daylight_width,
+                    .height = daylight_height,
                     .samples = 0,
                     .writes = gl::PixelKind::radiance}};
     gl::Display display_{scene_.gl()};
     gl::LightMeter meter_{scene_.gl()};
-    gl::RenderTarget screen_{scene_.gl(), width, height, 0};
+    gl::RenderTarget screen_{scene_.gl(), daylight_width, daylight_height, 0};
     gl::SkyBaker baker_{make_default_executor(), 32};
     float luminance_of_unit_ = 1;
 };
-
-double uniform(std::minstd_rand& random) { return static_cast<double>(random()) / 2147483647.0; }
 
 /// Views from just above the crests to 1500 m, in all directions except straight down and up.
 Camera somewhere(std::minstd_rand& random) {

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -19,15 +20,16 @@
 #include "pelagic/gl/water/exclusions.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
+#include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double length_m = 6.4, beam_m = 2.4, height_m = 1.1;
+using std::numbers::pi;
+constexpr double hull_length_m = 6.4, hull_beam_m = 2.4, hull_height_m = 1.1;
 constexpr int map_columns = 128, map_rows = 48;
-constexpr double texel_m = 0.05;  // along both axes
+constexpr double map_texel_m = 0.05;  // along both axes
 
 class Random {
    public:
@@ -89,7 +91,7 @@ class Truth {
 };
 
 const HullMesh& interior() {
-    static const HullMesh mesh = boat_mesh(length_m, beam_m, height_m);
+    static const HullMesh mesh = boat_mesh(hull_length_m, hull_beam_m, hull_height_m);
     return mesh;
 }
 
@@ -118,7 +120,7 @@ TEST(ExclusionMap, IsTheMeshToWithinACell) {
     std::printf("%d of %d points inside, %d wrong, at most %.1f mm from the mesh\n", inside, points, wrong,
                 1000 * furthest_m);
     EXPECT_GT(inside, points / 10);
-    EXPECT_LE(furthest_m, texel_m);
+    EXPECT_LE(furthest_m, map_texel_m);
 }
 
 TEST(ExclusionMap, NamesAnInvalidPlan) {
@@ -308,7 +310,8 @@ Pose random_pose(int number, const SurfaceQuery& water, Random& random) {
                          std::sin(azimuth) * std::cos(elevation));
     const glm::dvec3 middle = at + glm::dvec3(0, 0.5, 0);
     if (number % 3 == 1) {
-        const glm::dvec3 seat(random(-0.3, 0.2) * length_m, random(0.6, 0.95) * height_m, random(-0.2, 0.2) * beam_m);
+        const glm::dvec3 seat(random(-0.3, 0.2) * hull_length_m, random(0.6, 0.95) * hull_height_m,
+                              random(-0.2, 0.2) * hull_beam_m);
         pose.camera.position_m = at + pose.boats[0].orientation * seat;
         pose.camera.target_m = pose.camera.position_m - out;
     } else if (number % 3 == 2) {
@@ -384,7 +387,7 @@ TEST_F(GlExclusion, LeavesOutTheWaterInAnOpenBoatInAStorm) {
     std::printf("%d pixels, %d left out, %d wrong, at most %.1f mm from the mesh\n", pixels, left_out, wrong,
                 1000 * furthest_m);
     EXPECT_GT(left_out, pixels / 10);
-    EXPECT_LE(furthest_m, texel_m);
+    EXPECT_LE(furthest_m, map_texel_m);
     // 354 pixels are wrong, and 765 with boats half a cell further forward.
     EXPECT_LT(wrong, pixels / 2000);
 }
@@ -395,7 +398,7 @@ TEST_F(GlExclusion, KeepsEachEyeInACockpitDry) {
     const DepthTarget target(scene_.gl(), 2 * side, side);
     const Frame& frame = upload(1);
     const glm::dvec3 seat(10, height_at(SurfaceQuery(frame), 10, 20) - 1, 20);
-    const gl::Exclusion boat{.position_m = seat - glm::dvec3(0, 0.6 * height_m, 0)};
+    const gl::Exclusion boat{.position_m = seat - glm::dvec3(0, 0.6 * hull_height_m, 0)};
     const auto wet_pixels = [&](const glm::dvec3& left, const glm::dvec3& right,
                                 std::span<const gl::Exclusion> exclusions) {
         std::array<gl::Eye, 2> eyes;
@@ -432,14 +435,9 @@ TEST_F(GlExclusion, RejectsAnInvalidListAndDrawsOn) {
     const Camera camera{.position_m = {0, 30, 0}, .target_m = {10, 0, 0}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 8, 8});
     gl::DrawInput input = input_for(frame, {&eye, 1}, camera.position_m);
-    const auto message_for = [&](const std::vector<gl::Exclusion>& exclusions) -> std::string {
+    const auto message_for = [&](const std::vector<gl::Exclusion>& exclusions) {
         input.exclusions = exclusions;
-        try {
-            scene_.renderer->draw(input);
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return "";
+        return message_of([&] { scene_.renderer->draw(input); });
     };
     EXPECT_EQ(message_for(std::vector<gl::Exclusion>(9)), "DrawInput::exclusions has 9 elements, expected at most 8");
     EXPECT_EQ(message_for({{.map = 1}}),

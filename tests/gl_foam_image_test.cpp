@@ -15,7 +15,7 @@ namespace pelagic {
 namespace {
 
 using gl::FoamImage;
-constexpr int side = FoamImage::side;
+constexpr int foam_side = FoamImage::side;
 constexpr std::array layers = {FoamImage::bubbles, FoamImage::lace, FoamImage::streaks};
 
 const FoamImage& image() {
@@ -30,12 +30,12 @@ double rank(FoamImage::Layer layer, int x, int y, int level = 0) {
 /// Returns the mean square step from one column, or row, to the next.
 double step(FoamImage::Layer layer, int channel, int from, bool columns) {
     double square = 0;
-    for (int i = 0; i < side; ++i) {
+    for (int i = 0; i < foam_side; ++i) {
         const int a = image().texel(0, layer, columns ? from : i, columns ? i : from)[channel];
         const int b = image().texel(0, layer, columns ? from + 1 : i, columns ? i : from + 1)[channel];
         square += (a - b) * (a - b);
     }
-    return square / side;
+    return square / foam_side;
 }
 
 // At a seam the step to the next column would be that of unrelated texels, many times the usual
@@ -45,8 +45,8 @@ TEST(FoamImage, RepeatsWithoutASeam) {
         for (int channel = 0; channel < 4; ++channel)
             for (const bool columns : {false, true}) {
                 double largest = 0;
-                for (int i = 0; i + 1 < side; ++i) largest = std::max(largest, step(layer, channel, i, columns));
-                EXPECT_LE(step(layer, channel, side - 1, columns), largest)
+                for (int i = 0; i + 1 < foam_side; ++i) largest = std::max(largest, step(layer, channel, i, columns));
+                EXPECT_LE(step(layer, channel, foam_side - 1, columns), largest)
                     << "layer " << layer << ", channel " << channel;
             }
 }
@@ -55,7 +55,7 @@ TEST(FoamImage, CoversTheFractionOfTheThresholdAtEachLevel) {
     for (const FoamImage::Layer layer : layers)
         for (int level = 0; level <= 4; ++level)
             for (const double amount : {0.02, 0.1, 0.3, 0.5, 0.8, 0.97}) {
-                const int width = side >> level;
+                const int width = foam_side >> level;
                 int covered = 0;
                 for (int y = 0; y < width; ++y)
                     for (int x = 0; x < width; ++x) covered += rank(layer, x, y, level) > 1 - amount;
@@ -67,20 +67,21 @@ TEST(FoamImage, CoversTheFractionOfTheThresholdAtEachLevel) {
 /// Returns a layer's variance by waves across the cascade, kx + side ky; both from 0 to side / 2,
 /// of all four signs.
 std::vector<double> power_of(FoamImage::Layer layer) {
-    std::vector<std::complex<double>> turns, lines(side * side);
-    for (int i = 0; i < side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / side));
-    for (int y = 0; y < side; ++y)
-        for (int k = 0; k < side; ++k)
-            for (int x = 0; x < side; ++x)
-                lines[static_cast<std::size_t>(y * side + k)] +=
-                    turns[static_cast<std::size_t>(k * x % side)] * rank(layer, x, y);
-    std::vector<double> power(side * side);
-    for (int k = 0; k < side; ++k)
-        for (int l = 0; l <= side / 2; ++l) {
+    std::vector<std::complex<double>> turns, lines(foam_side * foam_side);
+    for (int i = 0; i < foam_side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / foam_side));
+    for (int y = 0; y < foam_side; ++y)
+        for (int k = 0; k < foam_side; ++k)
+            for (int x = 0; x < foam_side; ++x)
+                lines[static_cast<std::size_t>(y * foam_side + k)] +=
+                    turns[static_cast<std::size_t>(k * x % foam_side)] * rank(layer, x, y);
+    std::vector<double> power(foam_side * foam_side);
+    for (int k = 0; k < foam_side; ++k)
+        for (int l = 0; l <= foam_side / 2; ++l) {
             std::complex<double> sum = 0;
-            for (int y = 0; y < side; ++y)
-                sum += turns[static_cast<std::size_t>(l * y % side)] * lines[static_cast<std::size_t>(y * side + k)];
-            power[static_cast<std::size_t>(std::min(k, side - k) + side * l)] += std::norm(sum);
+            for (int y = 0; y < foam_side; ++y)
+                sum += turns[static_cast<std::size_t>(l * y % foam_side)] *
+                       lines[static_cast<std::size_t>(y * foam_side + k)];
+            power[static_cast<std::size_t>(std::min(k, foam_side - k) + foam_side * l)] += std::norm(sum);
         }
     power[0] = 0;
     return power;
@@ -93,9 +94,9 @@ std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, cons
     const std::vector<double> power = power_of(layer);
     std::vector<std::pair<double, double>> sorted;
     double all = 0;
-    for (int i = 0; i < side * side; ++i)
+    for (int i = 0; i < foam_side * foam_side; ++i)
         if (const double p = power[static_cast<std::size_t>(i)]; p > 0) {
-            sorted.emplace_back(waves_a_m(i % side, i / side), p);
+            sorted.emplace_back(waves_a_m(i % foam_side, i / foam_side), p);
             all += p;
         }
     std::sort(sorted.begin(), sorted.end());

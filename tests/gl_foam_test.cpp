@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 #include <optional>
 
 #include "pelagic/sim/query/foam_sampler.hpp"
@@ -11,19 +10,6 @@
 
 namespace pelagic {
 namespace {
-
-/// A uniform sky without a sun: the radiance of a surface is its reflectance.
-gl::Sky white_sky() {
-    gl::Sky sky;
-    sky.face_size = 16;
-    sky.levels = gl::sky_levels(sky.face_size);
-    std::size_t texels = 0;
-    for (int level = 0; level < sky.levels; ++level) texels += std::size_t{6} * (16u >> level) * (16u >> level);
-    sky.texels.assign(4 * texels, glm::packHalf1x16(1));
-    sky.sky_irradiance = glm::vec3(3.14159265f);
-    sky.sun_direction = {0.6f, 0.8f, 0};  // no light, but a direction is required
-    return sky;
-}
 
 /// A square of sea under the white sky, with any foam.
 class FoamScene : public GlScene {

@@ -12,7 +12,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::size_t positions = std::size_t{GlProbe::side} * GlProbe::side;
+constexpr std::size_t glint_positions = std::size_t{GlProbe::side} * GlProbe::side;
 
 /// Evaluates glints at positions 0.37 m apart, so that each has facets of its own.
 class GlGlints : public testing::Test {
@@ -41,7 +41,7 @@ Moments moments_of(const std::vector<float>& values, std::size_t channel) {
         sum += values[i];
         squares += double{values[i]} * values[i];
     }
-    const auto count = static_cast<double>(positions);
+    const auto count = static_cast<double>(glint_positions);
     return {sum / count, squares / count - sum / count * (sum / count)};
 }
 
@@ -55,7 +55,7 @@ TEST_F(GlGlints, HaveTheMeanAndTheVarianceOfACount) {
         const double variance = (mean < 5 ? 1 - mean / 16 : 1) / mean;
         std::printf("%4.1f glints: mean %.4f, variance %.4f of %.4f\n", mean, found.mean, found.variance, variance);
         // Five standard errors of a mean of 16,384 independent values.
-        EXPECT_NEAR(found.mean, 1, 5 * std::sqrt(variance / static_cast<double>(positions))) << mean;
+        EXPECT_NEAR(found.mean, 1, 5 * std::sqrt(variance / static_cast<double>(glint_positions))) << mean;
         // Samples of a footprint that share a cell add up to a tenth.
         EXPECT_GE(found.variance, 0.92 * variance) << mean;
         EXPECT_LE(found.variance, 1.18 * variance) << mean;
@@ -74,7 +74,7 @@ TEST_F(GlGlints, HaveTheMeanOfTheSmoothLobe) {
         const Moments found = moments_of(values, 0);
         std::printf("tilt %.2f: mean %.4f, deviation %.2f\n", tilt, found.mean, std::sqrt(found.variance));
         // Neighbours share facets: a fifth of the values count as independent.
-        EXPECT_NEAR(found.mean, 1, 5 * std::sqrt(found.variance * 5 / static_cast<double>(positions))) << tilt;
+        EXPECT_NEAR(found.mean, 1, 5 * std::sqrt(found.variance * 5 / static_cast<double>(glint_positions))) << tilt;
         EXPECT_GT(found.variance, 0.01) << tilt;
     }
 }
@@ -91,8 +91,8 @@ TEST_F(GlGlints, AreTheSameForBothEyes) {
     const std::vector<float> left = of_eye(0, "1.0"), right = of_eye(0.064, "1.001");
     std::size_t same = 0;
     for (std::size_t i = 0; i < left.size(); i += 4) same += std::abs(left[i] - right[i]) < 0.02;
-    std::printf("%.3f of the positions have the same glints\n", static_cast<double>(same) / positions);
-    EXPECT_GE(static_cast<double>(same), 0.98 * positions);
+    std::printf("%.3f of the positions have the same glints\n", static_cast<double>(same) / glint_positions);
+    EXPECT_GE(static_cast<double>(same), 0.98 * glint_positions);
 }
 
 }  // namespace

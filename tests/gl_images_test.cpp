@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 #include <string_view>
 
@@ -13,18 +14,18 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// 200 views: near the crests, high, far from the origin, tilted, moving.
 Camera swept_camera(int i, double highest_crest_m) {
     std::minstd_rand random(static_cast<unsigned>(i + 1));
-    const auto uniform = [&] { return static_cast<double>(random()) / 2147483647.0; };
-    const double height = highest_crest_m + 0.3 + 1500 * std::pow(uniform(), 5);
+    const auto part = [&] { return uniform(random); };
+    const double height = highest_crest_m + 0.3 + 1500 * std::pow(part(), 5);
     const double away = i % 10 == 9 ? 1e6 : 3000;
-    const glm::dvec3 at((uniform() - 0.5) * away + 7 * i, height, (uniform() - 0.5) * away);
-    const double azimuth = 2 * pi * uniform(), down = (uniform() - 0.15) * 1.2;
+    const glm::dvec3 at((part() - 0.5) * away + 7 * i, height, (part() - 0.5) * away);
+    const double azimuth = 2 * pi * part(), down = (part() - 0.15) * 1.2;
     const glm::dvec3 forward(std::cos(azimuth) * std::cos(down), -std::sin(down), std::sin(azimuth) * std::cos(down));
-    return {.position_m = at, .target_m = at + 50.0 * forward, .vertical_view_rad = 0.4 + 1.4 * uniform()};
+    return {.position_m = at, .target_m = at + 50.0 * forward, .vertical_view_rad = 0.4 + 1.4 * part()};
 }
 
 class GlHoles : public testing::TestWithParam<const char*> {};

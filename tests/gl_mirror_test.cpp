@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,13 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int columns = 64, rows = 32;
+using std::numbers::pi;
+constexpr int mirror_columns = 64, mirror_rows = 32;
 
 /// Angles of the eye from the zenith and roughnesses, by a pixel's column and row: to half a degree
 /// above the surface, alpha to 0.6.
-double eye_from_zenith(int column) { return 89.5 * pi / 180 * (column + 0.5) / columns; }
-double roughness(int row) { return 0.02 + 0.58 * (row + 0.5) / rows; }
+double eye_from_zenith(int column) { return 89.5 * pi / 180 * (column + 0.5) / mirror_columns; }
+double roughness(int row) { return 0.02 + 0.58 * (row + 0.5) / mirror_rows; }
 
 class GlMirror : public testing::Test {
    protected:
@@ -56,16 +57,16 @@ class GlMirror : public testing::Test {
             gl.DeleteShader(shader);
         }
         gl.LinkProgram(program);
-        gl::RenderTarget target(gl, columns, rows, 0, gl::PixelKind::radiance);
+        gl::RenderTarget target(gl, mirror_columns, mirror_rows, 0, gl::PixelKind::radiance);
         target.bind();
         const gl::VertexArray empty(gl);
         gl.BindVertexArray(empty.name());
         gl.UseProgram(program);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
         std::vector<float> upper_row_first = target.read_radiance(), values;
-        for (int row = rows - 1; row >= 0; --row)
-            values.insert(values.end(), upper_row_first.begin() + 4 * columns * row,
-                          upper_row_first.begin() + 4 * columns * (row + 1));
+        for (int row = mirror_rows - 1; row >= 0; --row)
+            values.insert(values.end(), upper_row_first.begin() + 4 * mirror_columns * row,
+                          upper_row_first.begin() + 4 * mirror_columns * (row + 1));
         gl.DeleteProgram(program);
         return values;
     }
@@ -97,9 +98,9 @@ TEST_F(GlMirror, WhiteFurnaceGainsNoLightAndLosesLittle) {
     result = vec4(64.0 * (sum + passed - 1.0), twice, passed, 1.0);  // halves have steps of 1e-3 around 1
 )");
     double min = 2, max = 0, min_rough = 2, max_with_twice = 0;
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const float* pixel = &values[4 * static_cast<std::size_t>(row * columns + column)];
+    for (int row = 0; row < mirror_rows; ++row)
+        for (int column = 0; column < mirror_columns; ++column) {
+            const float* pixel = &values[4 * static_cast<std::size_t>(row * mirror_columns + column)];
             const double once = 1 + pixel[0] / 64, all = once + pixel[1];
             max = std::max(max, once);
             max_with_twice = std::max(max_with_twice, all);
@@ -129,7 +130,7 @@ TEST_F(GlMirror, IsReciprocal) {
         ++seen;
         EXPECT_NEAR(values[i], 1, 2e-3);  // halves have steps of 1e-3
     }
-    EXPECT_GT(seen, columns * rows / 2);
+    EXPECT_GT(seen, mirror_columns * mirror_rows / 2);
 }
 
 // A calm sea, an eye 2 to 30 degrees above it, normals that lean up to 20 degrees to and fro: under
@@ -144,9 +145,9 @@ TEST_F(GlMirror, ReflectedLightChangesSmoothlyWithTheNormal) {
 )");
     int compared = 0;
     float max_stops = 0;
-    for (int row = 0; row < rows; ++row)
-        for (int column = 1; column < columns; ++column) {
-            const float* here = &values[4 * static_cast<std::size_t>(row * columns + column)];
+    for (int row = 0; row < mirror_rows; ++row)
+        for (int column = 1; column < mirror_columns; ++column) {
+            const float* here = &values[4 * static_cast<std::size_t>(row * mirror_columns + column)];
             const float* before = here - 4;
             if (here[1] < 0.02f || before[1] < 0.02f) continue;  // not seen
             ++compared;
@@ -154,7 +155,7 @@ TEST_F(GlMirror, ReflectedLightChangesSmoothlyWithTheNormal) {
         }
     std::printf("largest change: %.2f stops in 0.6 degrees\n", static_cast<double>(max_stops));
     EXPECT_LT(max_stops, 0.5f);
-    EXPECT_GT(compared, columns * rows / 2);
+    EXPECT_GT(compared, mirror_columns * mirror_rows / 2);
 }
 
 /// Computes Fresnel's reflectance from the amplitudes of both polarisations.
@@ -184,10 +185,11 @@ double mean_fresnel(double theta, double s) {
 TEST_F(GlMirror, UsesFresnelsMeanOverTheVisibleFacets) {
     const std::vector<float> values = computed("    result = vec4(mean_fresnel(cos(theta), alpha * sqrt(0.5)));\n");
     for (int row = 0; roughness(row) * std::sqrt(0.5) <= 0.2; row += 3)
-        for (int column = 0; column < columns; column += 3) {
+        for (int column = 0; column < mirror_columns; column += 3) {
             const double expected = mean_fresnel(eye_from_zenith(column), roughness(row) * std::sqrt(0.5));
             // The shader's formula omits the third and higher moments.
-            EXPECT_NEAR(values[4 * static_cast<std::size_t>(row * columns + column)], expected, 0.04 * expected)
+            EXPECT_NEAR(values[4 * static_cast<std::size_t>(row * mirror_columns + column)], expected,
+                        0.04 * expected)
                 << "alpha " << roughness(row) << ", " << eye_from_zenith(column) * 180 / pi << " degrees";
         }
 }

@@ -1,6 +1,8 @@
 #include "pelagic/tests/gl_scene.hpp"
 
 #include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <numbers>
 
 namespace pelagic {
 namespace {
@@ -113,6 +115,24 @@ std::vector<float> GlScene::light_from_above(const Frame& frame, int pixels, dou
 float linear_of(std::uint8_t srgb) {
     const float v = static_cast<float>(srgb) / 255;
     return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+gl::Sky even_sky(float radiance) {
+    gl::Sky sky;
+    sky.face_size = 16;
+    sky.levels = gl::sky_levels(16);
+    for (int level = 0; level < sky.levels; ++level)
+        for (int i = 0; i < 6 * (16 >> level) * (16 >> level); ++i)
+            for (const float channel : {radiance, radiance, radiance, 1.f})
+                sky.texels.push_back(glm::packHalf1x16(channel));
+    return sky;
+}
+
+gl::Sky white_sky() {
+    gl::Sky sky = even_sky(1);
+    sky.sky_irradiance = glm::vec3(std::numbers::pi_v<float>);
+    sky.sun_direction = {0.6f, 0.8f, 0};  // no light, but a direction is required
+    return sky;
 }
 
 }  // namespace pelagic

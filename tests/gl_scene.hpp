@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <string_view>
 #include <vector>
 
@@ -82,5 +83,14 @@ class GlScene {
 
 /// Converts an sRGB byte to light in [0, 1].
 float linear_of(std::uint8_t srgb);
+
+/// Returns a sky of one colour and no other light: a pixel that the sky does not reach is black.
+gl::Sky even_sky(float radiance);
+
+/// Returns a uniform sky without a sun: the radiance of a surface is its reflectance.
+gl::Sky white_sky();
+
+/// Returns a random number in (0, 1).
+inline double uniform(std::minstd_rand& random) { return static_cast<double>(random()) / 2147483647.0; }
 
 }  // namespace pelagic

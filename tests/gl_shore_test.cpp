@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/packing.hpp>
+#include <numbers>
 #include <vector>
 
 #include "pelagic/sim/dynamic_waves.hpp"
@@ -19,7 +20,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Texels of a shore; change them before the call of view().
 struct HandmadeShore {
@@ -256,19 +257,22 @@ TEST_F(GlShore, DynamicWavesAddToIt) {
     FourLargeCascades large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
     DynamicWavesView& dynamic_waves = large.frame.dynamic_waves;
-    dynamic_waves = {.resolution = side, .texel_m = 2, .first_x = 450 / 2 - side / 2, .first_z = -290 / 2 - side / 2};
     std::vector<float> heights(side * side), rises(heights.size());
     std::vector<std::uint8_t> foam(heights.size());
+    dynamic_waves = {.resolution = side,
+                     .texel_m = 2,
+                     .first_x = 450 / 2 - side / 2,
+                     .first_z = -290 / 2 - side / 2,
+                     .height_m = heights,
+                     .vertical_velocity_mps = rises,
+                     .foam = foam,
+                     .height_max_m = 3};
     for (std::int64_t z = dynamic_waves.first_z; z < dynamic_waves.first_z + side; ++z)
         for (std::int64_t x = dynamic_waves.first_x; x < dynamic_waves.first_x + side; ++x) {
             const double from_x = static_cast<double>(2 * x) - 440, from_z = static_cast<double>(2 * z) + 300;
             heights[static_cast<std::size_t>((z & (side - 1)) * side + (x & (side - 1)))] =
                 static_cast<float>(3 * std::exp(-(from_x * from_x + from_z * from_z) / 200));
         }
-    dynamic_waves.height_m = heights;
-    dynamic_waves.vertical_velocity_mps = rises;
-    dynamic_waves.foam = foam;
-    dynamic_waves.height_max_m = 3;
     upload(scene, large.frame);
     std::vector<double> exact;
     for (int row = 0; row < pixels; ++row)
@@ -450,19 +454,6 @@ TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
             apart = std::max(apart, std::abs(start[0] - start[4 * pixels]));
         }
     EXPECT_LE(apart, 2);
-}
-
-/// A uniform sky without a sun: the radiance of a surface is its reflectance.
-gl::Sky white_sky() {
-    gl::Sky sky;
-    sky.face_size = 16;
-    sky.levels = gl::sky_levels(sky.face_size);
-    std::size_t texels = 0;
-    for (int level = 0; level < sky.levels; ++level) texels += std::size_t{6} * (16u >> level) * (16u >> level);
-    sky.texels.assign(4 * texels, glm::packHalf1x16(1));
-    sky.sky_irradiance = glm::vec3(static_cast<float>(pi));
-    sky.sun_direction = {0.6f, 0.8f, 0};  // no light, but a direction is required
-    return sky;
 }
 
 /// Returns the green radiance of the pixels for which which(column, row) is true.

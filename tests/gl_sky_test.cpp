@@ -36,12 +36,12 @@ gl::SkyOptions clear_sky(float elevation_deg) {
     return {.sun_azimuth_rad = 0, .sun_elevation_rad = elevation_deg * 0.0174533f, .cloud_cover = 0};
 }
 
-constexpr int side = 32;
+constexpr int sky_side = 32;
 
 /// All tests share one baker: most of its time is the noise of the clouds, which it keeps.
 class SkyBake : public testing::Test {
    protected:
-    static void SetUpTestSuite() { baker_ = std::make_unique<gl::SkyBaker>(make_thread_executor(2), side); }
+    static void SetUpTestSuite() { baker_ = std::make_unique<gl::SkyBaker>(make_thread_executor(2), sky_side); }
     static void TearDownTestSuite() { baker_.reset(); }
     const gl::Sky& bake(const gl::SkyOptions& options) {
         baker_->schedule(options);
@@ -53,9 +53,9 @@ class SkyBake : public testing::Test {
 // Rayleigh scattering is proportional to the fourth power of frequency.
 TEST_F(SkyBake, ClearZenithIsBlueAndTheHorizonPaler) {
     const gl::Sky& sky = bake(clear_sky(50));
-    const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);  // +y
+    const glm::vec3 zenith = texel(sky, 2, sky_side / 2, sky_side / 2);  // +y
     // -x, away from the sun, just above the horizon
-    const glm::vec3 horizon = texel(sky, 1, side / 2, side / 2 - 1);
+    const glm::vec3 horizon = texel(sky, 1, sky_side / 2, sky_side / 2 - 1);
     EXPECT_GT(zenith.b, 1.5f * zenith.r);
     EXPECT_GT(zenith.b, zenith.g);
     EXPECT_LT(horizon.b / horizon.r, zenith.b / zenith.r);
@@ -149,15 +149,15 @@ float transmittance(const gl::Sky& sky, int face, int x, int y) {
 // An overcast is closed: the optical depth of its thinnest places is 4 or more. It is no uniform
 // veil either: the brightest texels above 30 degrees have 1.3 times the luminance of the darkest.
 TEST_F(SkyBake, OvercastIsOpaqueAndHasStructure) {
-    const gl::Cube directions(side);
+    const gl::Cube directions(sky_side);
     for (const unsigned seed : {1u, 5u}) {
         gl::SkyOptions overcast = gl::light_preset_named("overcast")->sky;
         overcast.cloud_seed = seed;
         const gl::Sky& sky = bake(overcast);
         float min = 1e9f, max = 0;
         for (int face = 0; face < 6; ++face)
-            for (int y = 0; y < side; ++y)
-                for (int x = 0; x < side; ++x) {
+            for (int y = 0; y < sky_side; ++y)
+                for (int x = 0; x < sky_side; ++x) {
                     const glm::vec3 direction = directions.direction(face, x, y);
                     if (direction.y < std::sin(0.1745f)) continue;
                     ASSERT_LE(transmittance(sky, face, x, y), 0.02f) << "seed " << seed << ", y " << direction.y;
@@ -175,19 +175,19 @@ TEST_F(SkyBake, OvercastIsOpaqueAndHasStructure) {
 // depend on the colour, is near 1 at the horizon and falls towards the nadir.
 TEST_F(SkyBake, LowerHalfReflectsTheCloudsAboveIt) {
     const gl::Sky& sky = bake({.sun_elevation_rad = 0.6f, .cloud_cover = 0.6f});
-    const gl::Cube directions(side);
+    const gl::Cube directions(sky_side);
     for (const int face : {0, 1, 4, 5}) {
-        for (int x = 0; x < side; ++x) {
+        for (int x = 0; x < sky_side; ++x) {
             float nearer_horizon = 1;
-            for (int y = side / 2; y < side; ++y) {
-                const glm::vec3 below = texel(sky, face, x, y), above = texel(sky, face, x, side - 1 - y);
+            for (int y = sky_side / 2; y < sky_side; ++y) {
+                const glm::vec3 below = texel(sky, face, x, y), above = texel(sky, face, x, sky_side - 1 - y);
                 const float reflectance = below.g / above.g;
                 // halves have steps of 1e-3
                 EXPECT_NEAR(below.r / above.r, reflectance, 3e-3f);
                 EXPECT_NEAR(below.b / above.b, reflectance, 3e-3f);
                 EXPECT_LE(reflectance, nearer_horizon + 3e-3f);
                 nearer_horizon = reflectance;
-                if (y == side / 2) {
+                if (y == sky_side / 2) {
                     EXPECT_GT(reflectance, 0.8f);
                 }
             }
@@ -200,7 +200,7 @@ TEST_F(SkyBake, LowerHalfReflectsTheCloudsAboveIt) {
 TEST_F(SkyBake, NightFitsIntoHalfFloats) {
     for (const auto& options : {clear_sky(-30), without_moon(-30), without_moon(-9)}) {
         const gl::Sky& sky = bake(options);
-        const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);
+        const glm::vec3 zenith = texel(sky, 2, sky_side / 2, sky_side / 2);
         EXPECT_GT(std::min({zenith.r, zenith.g, zenith.b}), 6.1e-5f);
         EXPECT_LT(sky.unit, 1e-3f);
         EXPECT_GT(sky.exposure, 0.f);
@@ -221,7 +221,7 @@ TEST_F(SkyBake, DoesNotDependOnTheNumberOfThreads) {
     const gl::SkyOptions options{.cloud_cover = 0.4f};
     const std::vector<std::uint16_t> expected = bake(options).texels;
     for (const auto& executor : {make_serial_executor(), make_thread_executor(5)}) {
-        gl::SkyBaker other(executor, side);
+        gl::SkyBaker other(executor, sky_side);
         other.schedule(options);
         EXPECT_EQ(other.complete().texels, expected);
     }
@@ -230,7 +230,7 @@ TEST_F(SkyBake, DoesNotDependOnTheNumberOfThreads) {
 // By night too, when the moon's light needs a second table of the atmosphere.
 TEST_F(SkyBake, DoesNotDependOnSlices) {
     const auto executor = make_sliced_executor();
-    gl::SkyBaker other(executor, side);
+    gl::SkyBaker other(executor, sky_side);
     for (const float elevation_deg : {30.f, -15.f}) {
         const gl::SkyOptions options = clear_sky(elevation_deg);
         const gl::Sky expected = bake(options);

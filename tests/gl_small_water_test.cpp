@@ -11,8 +11,6 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = GlProbe::side;
-
 /// Evaluates gl/shaders/small_water.glsl at positions within 100 m.
 class Probe : public GlProbe {
    public:
@@ -21,7 +19,7 @@ class Probe : public GlProbe {
                   "vec2 at = gl_FragCoord.xy * vec2(0.737, 0.913);\n" + body) {}
 };
 
-gl::SceneBlock block_of(gl::Surface surface, double time_s = 3, glm::dvec2 viewer = {0, 0}) {
+gl::SceneBlock small_water_block(gl::Surface surface, double time_s = 3, glm::dvec2 viewer = {0, 0}) {
     gl::SeaFacts facts;
     facts.sea.wind_speed_mps = 4;
     facts.surface = surface;
@@ -35,7 +33,7 @@ gl::SceneBlock block_of(gl::Surface surface, double time_s = 3, glm::dvec2 viewe
 double mean_square(const std::vector<float>& rgba, std::size_t channel) {
     double sum = 0;
     for (std::size_t i = channel; i < rgba.size(); i += 4) sum += double{rgba[i]} * double{rgba[i]};
-    return sum / (side * side);
+    return sum / (GlProbe::side * GlProbe::side);
 }
 
 const char* sum_of(gl::Surface surface) {
@@ -56,7 +54,7 @@ TEST_P(SmallWater, HasTheSlopesOfItsHeights) {
     vec2 gradient = SUM(near, 0.0).gradient;
     result = vec4(100.0 * (gradient - differences), gradient);
 )");
-    const std::vector<float> rgba = probe.ask(block_of(GetParam()));
+    const std::vector<float> rgba = probe.ask(small_water_block(GetParam()));
     const double error = std::sqrt(mean_square(rgba, 0) + mean_square(rgba, 1)) / 100;
     const double slope = std::sqrt(mean_square(rgba, 2) + mean_square(rgba, 3));
     std::printf("slopes of %.4f, off by %.5f\n", slope, error);
@@ -74,7 +72,7 @@ TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
     for (const double apart_m : {0.0, 0.02, 0.1, 0.4, 1.5, 50.0}) {
         Probe probe(GetParam(), std::string(sum_of(GetParam())) + "    Bumps b = SUM(at, " + std::to_string(apart_m) +
                                     ");\n    result = vec4(b.gradient, sqrt(b.unresolved), 1.0);\n");
-        const std::vector<float> rgba = probe.ask(block_of(GetParam()));
+        const std::vector<float> rgba = probe.ask(small_water_block(GetParam()));
         const double shown = mean_square(rgba, 0) + mean_square(rgba, 1), left = mean_square(rgba, 2);
         std::printf("pixels of %.2f m: %.5f shown, %.5f left\n", apart_m, shown, left);
         if (apart_m == 0) {
@@ -100,7 +98,7 @@ TEST(SmallWater, DoesNotDependOnTheReferencePosition) {
             std::string(sum_of(surface)) + "    result = vec4(SUM(at * 0.1 - origin, 0.0).gradient, 0.0, 1.0);\n";
         const auto slopes = [&](double time_s, const char* viewer, glm::dvec2 at) {
             return Probe(surface, "    const vec2 origin = " + std::string(viewer) + ";\n" + body)
-                .ask(block_of(surface, time_s, at));
+                .ask(small_water_block(surface, time_s, at));
         };
         const auto a = slopes(3, "vec2(0.0)", {0, 0}), b = slopes(3, "vec2(8.0, -5.0)", {8, -5});
         const auto later = slopes(203, "vec2(0.0)", {0, 0});  // loops last 200 s
@@ -116,7 +114,7 @@ TEST(SmallWater, DoesNotDependOnTheReferencePosition) {
 }
 
 /// Returns the river's flow at this fraction of its first cycle.
-gl::SceneBlock river_at(double cycles) { return block_of(gl::Surface::river, cycles * 2.5); }
+gl::SceneBlock river_at(double cycles) { return small_water_block(gl::Surface::river, cycles * 2.5); }
 
 // A copy of the bumps restarts at another position when its cycle ends, at weight 0. Between
 // restarts the steepness is constant.
@@ -126,7 +124,7 @@ TEST(SmallRiver, FlowsWithoutJumpsOrPulses) {
         const auto a = probe.ask(river_at(from)), b = probe.ask(river_at(to));
         double square = 0;
         for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] - b[i], 2);
-        return std::sqrt(square / (side * side));
+        return std::sqrt(square / (GlProbe::side * GlProbe::side));
     };
     // The first copy restarts at 1, the second at 0.5.
     for (const double wrap : {0.5, 1.0}) {

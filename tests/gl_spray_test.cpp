@@ -15,8 +15,8 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int side = 128;
+using std::numbers::pi;
+constexpr int spray_pixels = 128;
 /// Looks up, past the sea, which is then not in the image.
 const Camera upwards{.position_m = {3, 20, -5}, .target_m = {8, 120, -5}};
 
@@ -34,7 +34,7 @@ class Sky {
    public:
     std::vector<float> image(const SprayDroplet& droplet, GLuint depth = 0, bool weighs = false) {
         scene_.draw(upwards, frame_, false);
-        const gl::Eye eye = gl::eye_of(upwards, {0, 0, side, side});
+        const gl::Eye eye = gl::eye_of(upwards, {0, 0, spray_pixels, spray_pixels});
         if (weighs) {
             const DrawList& list = scene_.selection.select(
                 {.viewer_m = upwards.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame_.bounds});
@@ -54,8 +54,8 @@ class Sky {
     GlScene scene_{{.preset = "calm",
                     .quality = "low",
                     .resolution = 64,
-                    .width = side,
-                    .height = side,
+                    .width = spray_pixels,
+                    .height = spray_pixels,
                     .samples = 0,
                     .writes = gl::PixelKind::radiance}};
     const Frame& frame_ = scene_.ocean.frame_at(0);
@@ -63,7 +63,7 @@ class Sky {
 
 /// Pixels per metre at a distance.
 double pixels_a_metre(double distance_m) {
-    return 0.5 * side / std::tan(0.5 * upwards.vertical_view_rad) / distance_m;
+    return 0.5 * spray_pixels / std::tan(0.5 * upwards.vertical_view_rad) / distance_m;
 }
 
 struct Green {
@@ -139,15 +139,19 @@ TEST(GlSpray, IsEqualWithWeightedSamples) {
     Sky sky;
     const double radius_m = 20 / pixels_a_metre(12);
     const std::vector<float> image = sky.image(droplet_at(ahead_of(upwards, 12), radius_m, 1), 0, true);
-    const std::size_t middle = (std::size_t{side} * side / 2 + side / 2) * 4;
+    const std::size_t middle = (std::size_t{spray_pixels} * spray_pixels / 2 + spray_pixels / 2) * 4;
     ASSERT_GT(image[middle + 3], 0);
     EXPECT_LT(image[middle + 3], 1);
     EXPECT_NEAR(image[middle + 1] / image[middle + 3], closed_form(), 0.02 * closed_form());
 }
 
 TEST(GlSpray, IsHiddenBelowTheWater) {
-    GlScene scene(
-        {.preset = "calm", .quality = "low", .resolution = 64, .width = side, .height = side, .samples = 0});
+    GlScene scene({.preset = "calm",
+                   .quality = "low",
+                   .resolution = 64,
+                   .width = spray_pixels,
+                   .height = spray_pixels,
+                   .samples = 0});
     const Camera camera{.position_m = {0, 6, 0}, .target_m = {10, 0, 0}};
     const Frame& frame = scene.ocean.frame_at(0);
     const std::vector<std::uint8_t> without = scene.image(camera, frame);
@@ -181,7 +185,7 @@ class Plane {
 // of it shows all. Depths of 24 bits resolve 1e-3 m at 12 m, where the radius is about 2 m.
 TEST(GlSpray, FadesAtTheSurfacesOfADepthTexture) {
     Sky sky;
-    const gl::Eye eye = gl::eye_of(upwards, {0, 0, side, side});
+    const gl::Eye eye = gl::eye_of(upwards, {0, 0, spray_pixels, spray_pixels});
     const double radius_m = 20 / pixels_a_metre(12);
     const SprayDroplet droplet = droplet_at(ahead_of(upwards, 12), radius_m, 0.5f);
     const double all = green_of(sky.image(droplet)).sum;

@@ -20,7 +20,7 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = 48;
+constexpr int state_pixels = 48;
 
 template <class Function>
 Function* loaded(const char* name) {
@@ -33,9 +33,9 @@ Function* loaded(const char* name) {
 struct Target {
     explicit Target(const gl::Functions& gl) : colour(gl), depth(gl), framebuffer(gl) {
         gl.BindRenderbuffer(GL_RENDERBUFFER, colour.name());
-        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, side, side);
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, state_pixels, state_pixels);
         gl.BindRenderbuffer(GL_RENDERBUFFER, depth.name());
-        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH24_STENCIL8, side, side);
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH24_STENCIL8, state_pixels, state_pixels);
         gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.name());
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.name());
@@ -213,7 +213,7 @@ struct Look {
 void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) gl.PixelStorei(name, 0);
-    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    gl.ReadPixels(0, 0, state_pixels, state_pixels, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
@@ -239,7 +239,7 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
     after_each_call("upload");
     gl.Finish();
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
-    const gl::Eye eye = gl::eye_of(camera, {0, 0, side, side});
+    const gl::Eye eye = gl::eye_of(camera, {0, 0, state_pixels, state_pixels});
     Selection selection(quadtree);
     const DrawList& list =
         selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
@@ -265,7 +265,7 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
     const SprayDroplet droplet{.x_m = 12, .y_m = 8, .z_m = 8, .radius_m = 1, .opacity = 0.5f};
     renderer.draw_spray({.droplets = {&droplet, 1}});
     after_each_call("draw_spray");
-    std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
+    std::vector<std::uint8_t> pixels(std::size_t{4} * state_pixels * state_pixels);
     read_target(gl, pixels);
     return pixels;
 }
@@ -304,7 +304,7 @@ TEST(GlStateOfDisplay, OfAnApplicationIsRestoredAndHasNoEffect) {
         check("display's constructor");
         gl::LightMeter meter(gl);
         check("meter's constructor");
-        std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
+        std::vector<std::uint8_t> pixels(std::size_t{4} * state_pixels * state_pixels);
         for (const gl::MeteredCell& cell : meter.measure(part))
             pixels.push_back(static_cast<std::uint8_t>(50 + 10 * cell.mean_of_log2));
         check("measure");
@@ -313,7 +313,7 @@ TEST(GlStateOfDisplay, OfAnApplicationIsRestoredAndHasNoEffect) {
         gl.Finish();
         EXPECT_TRUE(meter.finished());
         check("finished");
-        display.show(part, {.bloom = 0.1f}, {0, 0, side, side});
+        display.show(part, {.bloom = 0.1f}, {0, 0, state_pixels, state_pixels});
         check("show");
         read_target(gl, pixels);
         return pixels;

@@ -7,8 +7,7 @@
 namespace pelagic {
 namespace {
 
-constexpr int side = slice_pixels;
-constexpr glm::dvec2 middle(1034.7, -263.9);
+constexpr glm::dvec2 slice_middle(1034.7, -263.9);
 
 /// One cascade, without horizontal displacement.
 SeaState sea_without_choppiness() {
@@ -18,19 +17,27 @@ SeaState sea_without_choppiness() {
 }
 
 TEST(GlSurface, HasThePositionsOfTheCascadesSum) {
-    GlScene scene(
-        {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
+    GlScene scene({.quality = "ultra",
+                   .resolution = 128,
+                   .width = slice_pixels,
+                   .height = slice_pixels,
+                   .samples = 1,
+                   .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
-    expect_slice_in_place(scene, frame, middle, displacement_of(frame, middle.x, middle.y).height,
+    expect_slice_in_place(scene, frame, slice_middle, displacement_of(frame, slice_middle.x, slice_middle.y).height,
                           [&](double x, double z) { return displacement_of(frame, x, z).height; });
 }
 
 // Small waves hardly change the sum, so each cascade is also drawn alone, with texels of a metre:
 // its layer, position and rotation.
 TEST(GlSurface, HasEachCascadeAtItsPositionAndRotation) {
-    GlScene scene(
-        {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
+    GlScene scene({.quality = "ultra",
+                   .resolution = 128,
+                   .width = slice_pixels,
+                   .height = slice_pixels,
+                   .samples = 1,
+                   .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& all =
         // at 3 s the middle of cascade 0 is a trough, and the slice clips almost everything
@@ -46,7 +53,8 @@ TEST(GlSurface, HasEachCascadeAtItsPositionAndRotation) {
         Frame frame = all;
         frame.cascades = cascades;
         const Cascade& cascade = cascades[alone];
-        expect_slice_in_place(scene, frame, middle, displacement_of(cascade, middle.x, middle.y).height,
+        expect_slice_in_place(scene, frame, slice_middle,
+                              displacement_of(cascade, slice_middle.x, slice_middle.y).height,
                               [&](double x, double z) { return displacement_of(cascade, x, z).height; });
     }
 }

@@ -26,13 +26,14 @@
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/gl_scene.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int width = 480, height = 270, vertices = 32;
+constexpr int unity_width = 480, unity_height = 270, unity_vertices = 32;
 constexpr int patches_of_draw = 100;  // fewer than in Unity: plain uniforms are limited
 
 std::string text_of(const fs::path& file) {
@@ -49,7 +50,7 @@ struct Stages {
 /// of URP's files.
 Stages shader_of_unity() {
     std::string name = (fs::temp_directory_path() / "pelagic_hlsl_XXXXXX").string();
-    const fs::path folder = mkdtemp(name.data()), packages = folder / "Packages", source = PELAGIC_SOURCE;
+    const fs::path folder = mkdtemp(name.data()), packages = folder / "Packages", source = source_folder;
     fs::create_directories(packages / "com.pelagic.ocean");
     fs::create_directories(packages / "com.unity.render-pipelines.universal");
     fs::create_directory_symlink(source / "unity/Runtime", packages / "com.pelagic.ocean/Runtime");
@@ -165,16 +166,16 @@ class Scene {
     Scene()
         : ocean_(sea_named("storm", 64), {.slopes = true, .foam = true}),
           textures_(gl_, 64, 4),
-          buffers_(gl_, vertices),
-          selection_({.size_m = 1024, .vertices = vertices, .lod_scale = 2}),
-          target_(gl_, width, height, 1, gl::PixelKind::radiance) {
+          buffers_(gl_, unity_vertices),
+          selection_({.size_m = 1024, .vertices = unity_vertices, .lod_scale = 2}),
+          target_(gl_, unity_width, unity_height, 1, gl::PixelKind::radiance) {
         const Frame& frame = ocean_.frame_at(12.5);
         textures_.upload(frame);
         gl::SeaFacts facts = gl::facts_of(frame);
         facts.has_foam = true;
         facts.writes_radiance = true;
         const Camera camera{.position_m = {20, 7, -35}, .target_m = {120, -14, 10}};
-        const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
+        const gl::Eye eye = gl::eye_of(camera, {0, 0, unity_width, unity_height});
         selection_.select(
             {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
         const gl::Sky& sky = test_sky();
@@ -320,7 +321,7 @@ class Scene {
     }
 
     void draw_patches(const LinkedProgram& program) const {
-        const PatchMesh mesh(vertices);
+        const PatchMesh mesh(unity_vertices);
         std::vector<glm::vec3> positions;
         for (const PatchMesh::Vertex& vertex : mesh.positions) positions.emplace_back(vertex.i, 0, vertex.j);
         gl::VertexArray array(gl_);
@@ -381,8 +382,8 @@ TEST(UnityShader, DrawsTheSeaOfTheHeadsetTier) {
         found_sum += b;
         errors.push_back(glm::length(a - b) / glm::length(a));
     }
-    ASSERT_GT(errors.size(), std::size_t{width * height / 3});
-    EXPECT_LE(different_coverage, width * height / 10000) << "edges of triangles may round otherwise";
+    ASSERT_GT(errors.size(), std::size_t{unity_width * unity_height / 3});
+    EXPECT_LE(different_coverage, unity_width * unity_height / 10000) << "edges of triangles may round otherwise";
     std::sort(errors.begin(), errors.end());
     const auto quantile = [&](double fraction) {
         return errors[static_cast<std::size_t>(fraction * static_cast<double>(errors.size() - 1))];

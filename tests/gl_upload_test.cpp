@@ -11,6 +11,7 @@
 
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/gl_scene.hpp"
+#include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
 namespace {
@@ -90,22 +91,12 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
 INSTANTIATE_TEST_SUITE_P(Cascades, GlUploads, testing::Values(1, 4),
                          [](const auto& cascades) { return std::to_string(cascades.param); });
 
-/// Returns the renderer's message for a frame that it cannot draw.
-std::string invalid_value_of(gl::SeaRenderer& renderer, const Frame& frame) {
-    try {
-        renderer.upload(frame);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(GlUpload, RejectsAnUnsuitableFrameAndNamesWhatIsMissing) {
     gl::HeadlessContext context;
     gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .cascades = 1});
     const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
         Ocean ocean(sea, options);
-        return invalid_value_of(renderer, ocean.frame_at(0));
+        return message_of([&] { renderer.upload(ocean.frame_at(0)); });
     };
     const auto serial = make_serial_executor();
     EXPECT_EQ(refused({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true}), "");
@@ -123,7 +114,7 @@ TEST(GlUpload, RejectsAnUnsuitableFrameAndNamesWhatIsMissing) {
     for (const bool is_mapped : {false, true}) {
         if (is_mapped) renderer.map_textures();  // memory that the frame does not use
         ocean.schedule(0, {&elsewhere, 1});
-        EXPECT_EQ(invalid_value_of(renderer, ocean.complete()),
+        EXPECT_EQ(message_of([&] { renderer.upload(ocean.complete()); }),
                   "the frame's textures are in memory that FrameTextures::map() did not return");
     }
 }

@@ -33,7 +33,7 @@ TEST(GlWaterFrame, SeaIsDrawnAtItsHeightAndPlace) {
 }
 
 /// A beach with its corner at a point, and heights above a level. Half floats hold the heights.
-gl::SeaFloor beach(glm::dvec2 corner_m, float level_m) {
+gl::SeaFloor tide_beach(glm::dvec2 corner_m, float level_m) {
     gl::SeaFloor floor{.columns = 32, .rows = 32};
     for (int i = 0; i < floor.columns * floor.rows; ++i)
         floor.heights_m.push_back(level_m + static_cast<float>(i % floor.columns) * 0.25f - 6);
@@ -59,10 +59,10 @@ TEST(GlWaterFrame, ImageIsThatOfACameraInTheWatersFrame) {
         for (glm::dvec3* const point : {&in_world.position_m, &in_world.target_m})
             *point += glm::dvec3(drift.x, 3, drift.y);
         scene.ocean.set_water_frame({});
-        scene.renderer->set_floor(beach(corner, 0));
+        scene.renderer->set_floor(tide_beach(corner, 0));
         const std::vector<std::uint8_t> expected = scene.image(in_water, time_s);
         scene.ocean.set_water_frame({.sea_level_m = 3, .current_x_mps = 8, .current_z_mps = -8});
-        scene.renderer->set_floor(beach(corner + drift, 3));
+        scene.renderer->set_floor(tide_beach(corner + drift, 3));
         const std::vector<std::uint8_t> found = scene.image(in_world, time_s);
         const std::vector<std::uint8_t> elsewhere = scene.image(in_water, time_s);
         const auto different = [&](const std::vector<std::uint8_t>& image) {

@@ -11,15 +11,10 @@
 
 namespace pelagic {
 
-#if defined(__x86_64__)
-std::uint16_t wrong_halves_sse4_2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
-std::uint16_t wrong_halves_avx2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
-std::uint16_t wrong_halves_avx512(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
-#elif defined(__wasm__)
-std::uint16_t wrong_halves_wasm128(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
-#else
-std::uint16_t wrong_halves_neon(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
-#endif
+#define PELAGIC_COMPILED_ISA(isa) \
+    std::uint16_t wrong_halves_##isa(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
 
 namespace {
 
@@ -28,18 +23,12 @@ constexpr int infinite_half = 0x7C00;
 
 std::uint16_t wrong_halves(Isa isa, std::uint32_t first, std::uint32_t last, std::uint16_t expected) {
     switch (isa) {
-#if defined(__x86_64__)
-        case Isa::sse4_2: return wrong_halves_sse4_2(first, last, expected);
-        case Isa::avx2: return wrong_halves_avx2(first, last, expected);
-        case Isa::avx512: return wrong_halves_avx512(first, last, expected);
+#define PELAGIC_COMPILED_ISA(isa) \
+    case Isa::isa:                \
+        return wrong_halves_##isa(first, last, expected);
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
         default: break;
-#elif defined(__wasm__)
-        case Isa::wasm128: return wrong_halves_wasm128(first, last, expected);
-        default: break;
-#else
-        case Isa::neon: return wrong_halves_neon(first, last, expected);
-        default: break;
-#endif
     }
     return 0xFFFF;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,13 +13,6 @@
 
 namespace pelagic {
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 bool contains(const std::vector<std::string>& lines, const std::string& line) {
     return std::ranges::find(lines, line) != lines.end();
@@ -70,9 +62,8 @@ TEST(CommandLine, FirstWordIsThePresetOrTheOutput) {
     const TemporaryFolder folder;
     for (const std::vector<std::string>& output :
          {std::vector<std::string>{"word"}, {"-o", "letter"}, {"--out", "name"}}) {
-        std::vector<std::string> command = {"export", "--resolution", "16", "--quiet"};
-        command.insert(command.end(), output.begin(), output.end());
-        const Outcome outcome = run_pelagic(command, [&] { std::filesystem::current_path(folder.path()); });
+        const Outcome outcome = run_pelagic(joined({"export", "--resolution", "16", "--quiet"}, output),
+                                            [&] { std::filesystem::current_path(folder.path()); });
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(outcome.out + outcome.err, "");
         EXPECT_EQ(files_in(folder / output.back()), files_in(folder / "word"));

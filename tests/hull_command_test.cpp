@@ -16,40 +16,36 @@
 namespace pelagic {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-constexpr double length_m = 4, beam_m = 2, mass_kg = 2000, density_kgpm3 = 1025;
-/// A box of 4 x 1 x 2 m around the origin.
-constexpr const char* box =
-    "v -2 -0.5 -1\nv 2 -0.5 -1\nv 2 0.5 -1\nv -2 0.5 -1\nv -2 -0.5 1\nv 2 -0.5 1\nv 2 0.5 1\nv -2 0.5 1\n"
-    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
-
-enum Column { time, x, y, z, heave, heading, pitch, roll, vx, vy, vz, draught, displaced, columns };
-constexpr const char* header = "time,x,y,z,heave,heading,pitch,roll,vx,vy,vz,draught,displaced";
-
 class HullCommand : public ::testing::Test {
    protected:
+    enum Column { time, x, y, z, heave, heading, pitch, roll, vx, vy, vz, draught, displaced, columns };
+    static constexpr const char* header = "time,x,y,z,heave,heading,pitch,roll,vx,vy,vz,draught,displaced";
+    static constexpr double length_m = 4, beam_m = 2, mass_kg = 2000, density_kgpm3 = 1025;
+    /// A box of 4 x 1 x 2 m around the origin.
+    static constexpr const char* box =
+        "v -2 -0.5 -1\nv 2 -0.5 -1\nv 2 0.5 -1\nv -2 0.5 -1\nv -2 -0.5 1\nv 2 -0.5 1\nv 2 0.5 1\nv -2 0.5 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+
     void SetUp() override { write_file(folder_ / "box.obj", box); }
 
     /// Runs a query of the box on a small sea.
     Outcome query(const Arguments& more, const std::string& wind_mps = "0.3") const {
-        Arguments all = {"query",
-                         "--hull",
-                         (folder_ / "box.obj").string(),
-                         "--mass",
-                         "2000",
-                         "--resolution",
-                         "32",
-                         "--cascades",
-                         "1",
-                         "--patch-size",
-                         "100",
-                         "--wind-speed",
-                         wind_mps,
-                         "--events-resolution",
-                         "128"};
-        all.insert(all.end(), more.begin(), more.end());
-        return run_pelagic(all);
+        const Arguments all = {"query",
+                               "--hull",
+                               (folder_ / "box.obj").string(),
+                               "--mass",
+                               "2000",
+                               "--resolution",
+                               "32",
+                               "--cascades",
+                               "1",
+                               "--patch-size",
+                               "100",
+                               "--wind-speed",
+                               wind_mps,
+                               "--events-resolution",
+                               "128"};
+        return run_pelagic(joined(all, more));
     }
 
     static std::vector<std::vector<double>> rows_of(const Outcome& run) {
@@ -119,12 +115,12 @@ TEST_F(HullCommand, RowsDoNotDependOnOtherTimes) {
 
 TEST_F(HullCommand, JsonHasTheValuesOfTheTable) {
     const auto rows = rows_of(query({"--times", "0:1:0.5"}));
-    const auto json = nlohmann::ordered_json::parse(query({"--times", "0:1:0.5", "--json"}).out);
-    ASSERT_EQ(json.size(), rows.size());
+    const auto printed = nlohmann::ordered_json::parse(query({"--times", "0:1:0.5", "--json"}).out);
+    ASSERT_EQ(printed.size(), rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         std::string names;
         std::size_t column = 0;
-        for (const auto& [name, value] : json[i].items()) {
+        for (const auto& [name, value] : printed[i].items()) {
             names += (names.empty() ? "" : ",") + name;
             EXPECT_EQ(value.get<double>(), rows[i][column++]);
         }
@@ -151,9 +147,7 @@ TEST_F(HullCommand, InvalidOptionsAreRejectedInOneLine) {
          {"--hull", file, "--mass", "9", "--loop-period", "86400", "--times", "0:86410:10"}},
     };
     for (const auto& [reason, more] : cases) {
-        Arguments all = {"query"};
-        all.insert(all.end(), more.begin(), more.end());
-        const Outcome run = run_pelagic(all);
+        const Outcome run = run_pelagic(joined({"query"}, more));
         EXPECT_EQ(run.exit_code, 2);
         EXPECT_EQ(run.out, "");
         EXPECT_NE(run.err.find(reason), std::string::npos) << "expected " << reason << ": " << run.err;

@@ -14,12 +14,13 @@
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
+#include "pelagic/tests/hull_states.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double step_s = 1.0 / 60;
+constexpr double hull_step_s = 1.0 / 60;
 
 /// Hulls on a grid, above the water, at rest and in it, each with another force.
 std::vector<FloatingHull> fleet(const Hull& hull, int count) {
@@ -34,16 +35,14 @@ std::vector<FloatingHull> fleet(const Hull& hull, int count) {
     return hulls;
 }
 
-const SeaState rough{.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 17, .fetch_m = 400e3, .choppiness = 1};
-
 std::uint64_t trajectory_hash(Isa isa, std::shared_ptr<Executor> executor) {
-    Ocean ocean(rough, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
+    Ocean ocean(rough_sea, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
     FloatingHulls jobs(executor);
     std::vector<FloatingHull> hulls = fleet(hull, 16);
     std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
     for (int i = 0; i < (is_sanitized ? 10 : 60); ++i) {
-        jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * step_s)), hulls, step_s);
+        jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), hulls, hull_step_s);
         for (const FloatingHull& floating : hulls)
             for (int axis = 0; axis < 3; ++axis)
                 for (const double value : {floating.state.position_m[axis], floating.state.velocity_mps[axis],
@@ -65,19 +64,14 @@ TEST(HullDeterminism, TrajectoriesAreBitIdenticalOnEachInstructionSetAndThreadCo
     }
 }
 
-bool equal(const HullState& a, const HullState& b) {
-    return a.position_m == b.position_m && a.orientation == b.orientation && a.velocity_mps == b.velocity_mps &&
-           a.angular_velocity_radps == b.angular_velocity_radps && a.water_velocity_y_mps == b.water_velocity_y_mps &&
-           a.submersion == b.submersion;
-}
-
 TEST(HullDeterminism, ARollbackOf30TicksReplaysBitEqual) {
-    Ocean ocean(rough, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean ocean(rough_sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
     FloatingHulls jobs(make_serial_executor());
     std::vector<FloatingHull> hulls = fleet(hull, 3), saved;
     const auto advance = [&](int from, int to) {
-        for (int i = from; i < to; ++i) jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * step_s)), hulls, step_s);
+        for (int i = from; i < to; ++i)
+            jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), hulls, hull_step_s);
     };
     advance(0, 20);
     saved = hulls;
@@ -90,7 +84,8 @@ TEST(HullDeterminism, ARollbackOf30TicksReplaysBitEqual) {
     HullState alone = fleet(hull, 3)[1].state;
     HullWorkspace workspace;
     for (int i = 0; i < 50; ++i)
-        hull.step(SurfaceQuery(ocean.frame_at((i + 0.5) * step_s)), alone, step_s, hulls[1].inputs, workspace);
+        hull.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), alone, hull_step_s, hulls[1].inputs,
+                  workspace);
     EXPECT_TRUE(equal(alone, hulls[1].state));
 }
 
@@ -107,11 +102,11 @@ struct Voyage {
     std::size_t droplets = 0;
 
     explicit Voyage(Isa isa, const std::shared_ptr<Executor>& executor)
-        : ocean(rough, {.executor = executor,
-                        .isa = isa,
-                        .queries = true,
-                        .velocities = true,
-                        .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}}),
+        : ocean(rough_sea, {.executor = executor,
+                            .isa = isa,
+                            .queries = true,
+                            .velocities = true,
+                            .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}}),
           hulls(1, {.hull = &hull, .state = hull.at_rest(3, -2, 0.4)}),
           wake(ocean.dynamic_waves(), hull, hulls[0].state),
           thrown(hull),
@@ -122,12 +117,12 @@ struct Voyage {
 
     void advance(int from, int to) {
         for (int tick = from; tick < to; ++tick) {
-            ocean.schedule(tick * step_s);
+            ocean.schedule(tick * hull_step_s);
             const Frame& frame = ocean.complete();
             FloatingHull& boat = hulls[0];
-            wake.press(frame, boat.state, boat.loads, step_s);
-            jobs.step(SurfaceQuery(frame), hulls, step_s);
-            thrown.update(SurfaceQuery(frame), boat.state, boat.loads, step_s, workspace, &wake);
+            wake.press(frame, boat.state, boat.loads, hull_step_s);
+            jobs.step(SurfaceQuery(frame), hulls, hull_step_s);
+            thrown.update(SurfaceQuery(frame), boat.state, boat.loads, hull_step_s, workspace, &wake);
             for (const Disturbance& foam : thrown.foam()) ocean.dynamic_waves().add_impulse(foam);
             droplets += thrown.emitters().size();
             for (const SprayEmitter& emitter : thrown.emitters())
@@ -158,7 +153,7 @@ TEST(HullDeterminism, SprayIsBitIdenticalOnEachInstructionSetAndThreadCount) {
 TEST(HullDeterminism, SprayAndFoamReplay30TicksBitEqual) {
     Voyage voyage(choose_isa(), make_thread_executor(2));
     voyage.advance(0, 40);
-    voyage.ocean.schedule(40 * step_s);
+    voyage.ocean.schedule(40 * hull_step_s);
     voyage.ocean.complete();
     const std::vector<std::uint8_t> waves = voyage.ocean.dynamic_waves().save_state();
     const std::vector<FloatingHull> hulls = voyage.hulls;

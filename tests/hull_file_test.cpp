@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-using Json = nlohmann::json;
+using nlohmann::json;
 
-const std::filesystem::path stored = PELAGIC_HULL_FILES;
+const std::filesystem::path stored = in_sources("tests/fuzz/corpus/hull_file");
 
 /// Returns the message of the error, or an empty string.
 std::string error_of(const std::filesystem::path& file) {
@@ -73,71 +74,71 @@ TEST(HullFile, TransformsOfGltfNodesAreApplied) {
 TEST(HullFile, BuffersOfGltfMayBeFilesBesideIt) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "my parts");
-    Json json = Json::parse(read_file(stored / "tetrahedron.gltf"));
+    json gltf = json::parse(read_file(stored / "tetrahedron.gltf"));
     std::string bytes(60, '\0');
     const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     std::memcpy(bytes.data(), corners, 48);
     const unsigned char indices[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     std::memcpy(bytes.data() + 48, indices, 12);
     write_file(folder / "my parts/a.bin", bytes);
-    json["buffers"][0]["uri"] = "my%20parts/a.bin";
-    write_file(folder / "hull.gltf", json.dump());
+    gltf["buffers"][0]["uri"] = "my%20parts/a.bin";
+    write_file(folder / "hull.gltf", gltf.dump());
     EXPECT_NEAR(read_hull("--hull", folder / "hull.gltf").volume_m3(), 1.0 / 3, 1e-14);
-    json["buffers"][0]["uri"] = "none.bin";
-    write_file(folder / "hull.gltf", json.dump());
+    gltf["buffers"][0]["uri"] = "none.bin";
+    write_file(folder / "hull.gltf", gltf.dump());
     EXPECT_NE(error_of(folder / "hull.gltf").find("none.bin, which can't be read"), std::string::npos)
         << error_of(folder / "hull.gltf");
 }
 
 TEST(HullFile, AnInvalidGltfFileIsRejectedInOneLine) {
     const TemporaryFolder folder;
-    const Json good = Json::parse(read_file(stored / "tetrahedron.gltf"));
-    Json deep = 1;
-    for (int level = 0; level < 40; ++level) deep = Json::array({deep});
-    const std::vector<std::pair<std::string, std::function<void(Json&)>>> cases = {
-        {"asset.version is \"1.0\", expected 2.0", [](Json& j) { j["asset"]["version"] = "1.0"; }},
+    const json good = json::parse(read_file(stored / "tetrahedron.gltf"));
+    json deep = 1;
+    for (int level = 0; level < 40; ++level) deep = json::array({deep});
+    const std::vector<std::pair<std::string, std::function<void(json&)>>> cases = {
+        {"asset.version is \"1.0\", expected 2.0", [](json& j) { j["asset"]["version"] = "1.0"; }},
         {"extensionsRequired is [\"KHR_draco_mesh_compression\"]",
-         [](Json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
-        {"scenes[1] does not exist", [](Json& j) { j["scene"] = 1; }},
-        {"nodes[0] has two parents", [](Json& j) { j["nodes"][1]["children"] = {0}; }},
-        {"nodes[7] does not exist", [](Json& j) { j["nodes"][1]["children"] = {7}; }},
+         [](json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
+        {"scenes[1] does not exist", [](json& j) { j["scene"] = 1; }},
+        {"nodes[0] has two parents", [](json& j) { j["nodes"][1]["children"] = {0}; }},
+        {"nodes[7] does not exist", [](json& j) { j["nodes"][1]["children"] = {7}; }},
         {"nodes[1].scale is no list of 3 numbers",
-         [](Json& j) {
+         [](json& j) {
              j["nodes"][1]["scale"] = {1, "2", 3};
          }},
         {"nodes[1].rotation is zero",
-         [](Json& j) {
+         [](json& j) {
              j["nodes"][1]["rotation"] = {0, 0, 0, 0};
          }},
-        {"nodes[1].mesh is -1, expected a whole number", [](Json& j) { j["nodes"][1]["mesh"] = -1; }},
-        {"the scene has no triangles", [](Json& j) { j["nodes"][1].erase("mesh"); }},
-        {"meshes[0].primitives[0].mode is 5", [](Json& j) { j["meshes"][0]["primitives"][0]["mode"] = 5; }},
-        {"accessors[1] is empty or reaches past the end", [](Json& j) { j["accessors"][1]["count"] = 15; }},
-        {"accessors[0] is empty or reaches past the end", [](Json& j) { j["accessors"][0]["count"] = 4294967295u; }},
-        {"has 11 corners, expected triangles", [](Json& j) { j["accessors"][1]["count"] = 11; }},
-        {"has index 3, expected less than 3", [](Json& j) { j["accessors"][0]["count"] = 3; }},
-        {"accessors[0].componentType is 5123", [](Json& j) { j["accessors"][0]["componentType"] = 5123; }},
-        {"accessors[0].type is not VEC3", [](Json& j) { j["accessors"][0]["type"] = "VEC2"; }},
-        {"accessors[0] is sparse", [](Json& j) { j["accessors"][0]["sparse"] = Json::object(); }},
-        {"byteStride 4 is out of range [12, 252]", [](Json& j) { j["bufferViews"][0]["byteStride"] = 4; }},
-        {"bufferViews[1] reaches past the end", [](Json& j) { j["bufferViews"][1]["byteOffset"] = 4294967295u; }},
-        {"buffers[0] has 60 bytes, expected 61", [](Json& j) { j["buffers"][0]["byteLength"] = 61; }},
-        {"expected a file in the folder of", [](Json& j) { j["buffers"][0]["uri"] = "../a.bin"; }},
-        {"expected a file in the folder of", [](Json& j) { j["buffers"][0]["uri"] = "%2Fdev/zero"; }},
-        {"expected a file in the folder of", [](Json& j) { j["buffers"][0]["uri"] = "http://a/b.bin"; }},
-        {"but not in base64", [](Json& j) { j["buffers"][0]["uri"] = "data:;base64,*"; }},
-        {"JSON has more than 32 levels", [&](Json& j) { j["extras"] = deep; }},
-        {"JSON has more than 200000 values", [](Json& j) { j["extras"] = std::vector<int>(200'000, 1); }},
-        {"the hull has 2 triangles", [](Json& j) { j["accessors"][1]["count"] = 6; }},
+        {"nodes[1].mesh is -1, expected a whole number", [](json& j) { j["nodes"][1]["mesh"] = -1; }},
+        {"the scene has no triangles", [](json& j) { j["nodes"][1].erase("mesh"); }},
+        {"meshes[0].primitives[0].mode is 5", [](json& j) { j["meshes"][0]["primitives"][0]["mode"] = 5; }},
+        {"accessors[1] is empty or reaches past the end", [](json& j) { j["accessors"][1]["count"] = 15; }},
+        {"accessors[0] is empty or reaches past the end", [](json& j) { j["accessors"][0]["count"] = 4294967295u; }},
+        {"has 11 corners, expected triangles", [](json& j) { j["accessors"][1]["count"] = 11; }},
+        {"has index 3, expected less than 3", [](json& j) { j["accessors"][0]["count"] = 3; }},
+        {"accessors[0].componentType is 5123", [](json& j) { j["accessors"][0]["componentType"] = 5123; }},
+        {"accessors[0].type is not VEC3", [](json& j) { j["accessors"][0]["type"] = "VEC2"; }},
+        {"accessors[0] is sparse", [](json& j) { j["accessors"][0]["sparse"] = json::object(); }},
+        {"byteStride 4 is out of range [12, 252]", [](json& j) { j["bufferViews"][0]["byteStride"] = 4; }},
+        {"bufferViews[1] reaches past the end", [](json& j) { j["bufferViews"][1]["byteOffset"] = 4294967295u; }},
+        {"buffers[0] has 60 bytes, expected 61", [](json& j) { j["buffers"][0]["byteLength"] = 61; }},
+        {"expected a file in the folder of", [](json& j) { j["buffers"][0]["uri"] = "../a.bin"; }},
+        {"expected a file in the folder of", [](json& j) { j["buffers"][0]["uri"] = "%2Fdev/zero"; }},
+        {"expected a file in the folder of", [](json& j) { j["buffers"][0]["uri"] = "http://a/b.bin"; }},
+        {"but not in base64", [](json& j) { j["buffers"][0]["uri"] = "data:;base64,*"; }},
+        {"JSON has more than 32 levels", [&](json& j) { j["extras"] = deep; }},
+        {"JSON has more than 200000 values", [](json& j) { j["extras"] = std::vector<int>(200'000, 1); }},
+        {"the hull has 2 triangles", [](json& j) { j["accessors"][1]["count"] = 6; }},
         {"vertex 0: y",
-         [](Json& j) {
+         [](json& j) {
              j["nodes"][0]["translation"] = {0, 1e300, 0};
          }},
     };
     for (const auto& [reason, change] : cases) {
-        Json json = good;
-        change(json);
-        write_file(folder / "hull.gltf", json.dump());
+        json gltf = good;
+        change(gltf);
+        write_file(folder / "hull.gltf", gltf.dump());
         const std::string error = error_of(folder / "hull.gltf");
         EXPECT_NE(error.find(reason), std::string::npos) << "expected " << reason << ": " << error;
         EXPECT_TRUE(error.starts_with((folder / "hull.gltf").string())) << error;

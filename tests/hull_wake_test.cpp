@@ -19,10 +19,10 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Waves of a millimetre, so that only hulls move the water.
-const SeaState still{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
+const SeaState still_sea{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
 
 TEST(HullPlan, HoldsTheVolumeOfTheHull) {
     const HullMesh mesh = boat_mesh(6, 2.2, 1.2);
@@ -35,7 +35,7 @@ TEST(HullPlan, HoldsTheVolumeOfTheHull) {
     EXPECT_EQ(*std::min_element(plan.coverage.begin(), plan.coverage.end()), 0) << "beside the bow";
 }
 
-struct Towed {
+struct TowedHull {
     Ocean ocean;
     Hull hull;
     FloatingHulls jobs;
@@ -44,8 +44,9 @@ struct Towed {
     int tick = 0;
     double time_s = 0, passed_s = 0;  ///< of the frame in flight, for advance_by()
 
-    Towed(const DynamicWavesOptions& waves, HullMesh mesh, const HullOptions& options, const WaterFrame& water = {})
-        : ocean(still,
+    TowedHull(const DynamicWavesOptions& waves, HullMesh mesh, const HullOptions& options,
+              const WaterFrame& water = {})
+        : ocean(still_sea,
                 {.executor = make_thread_executor(2), .queries = true, .velocities = true, .dynamic_waves = waves}),
           hull(std::move(mesh), options),
           jobs(make_serial_executor()),
@@ -117,7 +118,7 @@ TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
         double sinkage_of_ticks = 0;
         for (const std::vector<double>& lengths : rates) {
             SCOPED_TRACE("frames of " + std::to_string(lengths[0]) + " s" + (is_towed ? ", towed" : ""));
-            Towed boat(waves, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000}, water);
+            TowedHull boat(waves, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000}, water);
             const double speed_mps = is_towed ? 2.6 : water.current_x_mps, draught = boat.hull.afloat().draught_m;
             double largest = 0, sum = 0, seconds = 0;
             for (std::size_t i = 0; boat.time_s < (is_sanitized ? 1 : 30); ++i) {
@@ -148,8 +149,8 @@ TEST(HullWake, AHullKeepsItsDraughtAtAnyFrameRate) {
 TEST(HullWake, AHullAtRestKeepsItsDraught) {
     for (const WaterFrame& water :
          {WaterFrame{}, WaterFrame{.sea_level_m = 3, .current_x_mps = 1.5, .current_z_mps = -0.7}}) {
-        Towed boat({.resolution = 128, .side_m = 64, .border_m = 12}, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000},
-                   water);
+        TowedHull boat({.resolution = 128, .side_m = 64, .border_m = 12}, boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000},
+                       water);
         const double draught = boat.hull.afloat().draught_m;
         double largest = 0, largest_volume = 0;
         const int ticks = is_sanitized ? 60 : 30 * 60;
@@ -173,10 +174,11 @@ TEST(HullWake, AHullAtRestKeepsItsDraught) {
 TEST(HullWake, APassingHullMakesAnotherHeave) {
     const Hull launch(boat_mesh(6, 2.5, 1.5), {.mass_kg = 4000});
     const auto heave_of_the_other = [&](bool goes_by) {
-        Ocean ocean(still, {.executor = make_serial_executor(),
-                            .queries = true,
-                            .velocities = true,
-                            .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+        Ocean ocean(still_sea,
+                    {.executor = make_serial_executor(),
+                     .queries = true,
+                     .velocities = true,
+                     .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
         std::vector<FloatingHull> hulls(1, {.hull = &launch, .state = launch.at_rest(0, 0)});
         if (goes_by) hulls.push_back({.hull = &launch, .state = launch.at_rest(-16, 7)});
         std::vector<HullWake> wakes;
@@ -227,8 +229,8 @@ TEST(HullWake, OfATowedHullHasKelvinsAngleAndLength) {
         const double length = 10, speed = froude * std::sqrt(9.80665 * length),
                      wave = 2 * pi * speed * speed / 9.80665;
         const double texel = std::min(length / 12, wave / 10);
-        Towed boat({.resolution = 512, .side_m = 512 * texel, .ticks_per_s = 20, .border_m = 40 * texel},
-                   boat_mesh(length, 3, 2), {.mass_kg = 9000});
+        TowedHull boat({.resolution = 512, .side_m = 512 * texel, .ticks_per_s = 20, .border_m = 40 * texel},
+                       boat_mesh(length, 3, 2), {.mass_kg = 9000});
         // Waves fall behind at half of the hull's speed, after the pressure has grown.
         const double seconds = 32 * wave / speed + 2 * boat.wake.launch_s();
         for (int i = 0; i < 20 * seconds; ++i) boat.advance(speed);
@@ -254,11 +256,11 @@ TEST(HullWake, ATowedHullTrimsLikeAPlaningBoat) {
     constexpr double length = 7, beam = 2.4, mass = 3000, degree = pi / 180;
     for (const double froude : {0.3, 0.45, 0.6, 0.8, 1.0}) {
         SCOPED_TRACE(froude);
-        Towed boat({.resolution = 256, .side_m = 128, .border_m = 16}, boat_mesh(length, beam, 1.4),
-                   {.mass_kg = mass,
-                    .centre_of_mass_m = glm::dvec3(-0.8, 0.6, 0),
-                    .pressure_coefficient = 0.2,
-                    .suction_coefficient = 0.1});
+        TowedHull boat({.resolution = 256, .side_m = 128, .border_m = 16}, boat_mesh(length, beam, 1.4),
+                       {.mass_kg = mass,
+                        .centre_of_mass_m = glm::dvec3(-0.8, 0.6, 0),
+                        .pressure_coefficient = 0.2,
+                        .suction_coefficient = 0.1});
         const double speed = froude * std::sqrt(9.80665 * length);
         double lowest = 90, highest = -90, sum = 0, deepest = 0;
         int count = 0;

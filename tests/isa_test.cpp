@@ -11,7 +11,13 @@
 namespace pelagic {
 namespace {
 
-std::vector<Isa> compiled_isas() { return {PELAGIC_COMPILED_ISAS}; }
+std::vector<Isa> compiled_isas() {
+    return {
+#define PELAGIC_COMPILED_ISA(isa) Isa::isa,
+#include "pelagic/generated/compiled_isas.inc"
+#undef PELAGIC_COMPILED_ISA
+    };
+}
 
 class CompiledIsa : public testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(Isas, CompiledIsa, testing::ValuesIn(compiled_isas()), isa_test_name);

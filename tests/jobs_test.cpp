@@ -22,6 +22,7 @@
 #include "pelagic/jobs/platform.hpp"
 #include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
@@ -523,27 +524,17 @@ TEST_P(MisuseDeathTest, SchedulingARunInFlightIsAsserted) {
 }
 #endif
 
-/// Returns the message of the std::invalid_argument that `action` throws.
-std::string reason_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing";
-}
-
 TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
     for (const auto make : {make_thread_executor, make_default_executor}) {
-        EXPECT_EQ(reason_of([&] { make(-3); }), "threads is -3, expected 0 to 1024");
-        EXPECT_EQ(reason_of([&] { make(1025); }), "threads is 1025, expected 0 to 1024");
+        EXPECT_EQ(message_of([&] { make(-3); }), "threads is -3, expected 0 to 1024");
+        EXPECT_EQ(message_of([&] { make(1025); }), "threads is 1025, expected 0 to 1024");
     }
 }
 
 TEST(ExecutorOptions, BadSpinTimesThrowTheRange) {
     for (const auto& executor : {make_thread_executor(2), make_default_executor(2)}) {
-        EXPECT_EQ(reason_of([&] { executor->set_spin_us(-1); }), "spin_us is -1, expected 0 to 1000");
-        EXPECT_EQ(reason_of([&] { executor->set_spin_us(1001); }), "spin_us is 1001, expected 0 to 1000");
+        EXPECT_EQ(message_of([&] { executor->set_spin_us(-1); }), "spin_us is -1, expected 0 to 1000");
+        EXPECT_EQ(message_of([&] { executor->set_spin_us(1001); }), "spin_us is 1001, expected 0 to 1000");
     }
 }
 
@@ -560,7 +551,7 @@ TEST(ExecutorOptions, MaskOfCoresMustContainAnAvailableCore) {
     EXPECT_EQ(make_thread_executor_on(~std::uint64_t{0}, 3)->thread_limit(), 3);
     EXPECT_GE(make_thread_executor_on(~std::uint64_t{0})->thread_limit(), 1);
     if (std::thread::hardware_concurrency() < 64) {
-        EXPECT_EQ(reason_of([] { make_thread_executor_on(std::uint64_t{1} << 63); }),
+        EXPECT_EQ(message_of([] { make_thread_executor_on(std::uint64_t{1} << 63); }),
                   "cpu_mask is 0x8000000000000000, expected a CPU that this process may use");
     }
 }
@@ -581,11 +572,11 @@ TEST(ThreadExecutor, ThreadsStayOnTheMasksCores) {
 }
 
 TEST(ExecutorOptions, ApplicationsJobsAreChecked) {
-    EXPECT_EQ(reason_of([] { make_callback_executor({}); }), "parallel_for is null; expected a function");
+    EXPECT_EQ(message_of([] { make_callback_executor({}); }), "parallel_for is null; expected a function");
     TestApplication application;
     ApplicationJobs jobs = application.jobs();
     jobs.threads = 0;
-    EXPECT_EQ(reason_of([&] { make_callback_executor(jobs); }), "threads is 0, expected 1 to 1024");
+    EXPECT_EQ(message_of([&] { make_callback_executor(jobs); }), "threads is 0, expected 1 to 1024");
 }
 
 TEST(CallbackExecutor, RunsStagesInOrderAThousandTimes) {
@@ -700,10 +691,10 @@ TEST(ExecutorOptions, DefaultIsOneTbbIfItIsBuilt) {
 TEST(JobGraph, BadStagesThrowTheReasonAndAreNotAdded) {
     JobGraph graph;
     const JobBody nothing = [](std::size_t, std::size_t) {};
-    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .batch = 0, .body = nothing}); }),
+    EXPECT_EQ(message_of([&] { graph.add({.name = "rows", .count = 1, .batch = 0, .body = nothing}); }),
               "stage rows has a batch of 0, expected at least 1");
-    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .body = {}}); }), "stage rows has no body");
-    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .waits_for = {0}, .body = nothing}); }),
+    EXPECT_EQ(message_of([&] { graph.add({.name = "rows", .count = 1, .body = {}}); }), "stage rows has no body");
+    EXPECT_EQ(message_of([&] { graph.add({.name = "rows", .count = 1, .waits_for = {0}, .body = nothing}); }),
               "stage rows waits for stage number 0, expected one of the 0 added before it");
     EXPECT_EQ(graph.add({.name = "good", .count = 1, .body = nothing}), 0u);
 }

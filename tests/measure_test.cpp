@@ -26,7 +26,7 @@ namespace {
 using nlohmann::json;
 using std::numbers::pi;
 
-void export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
+void export_to_measure(const std::filesystem::path& folder, std::vector<std::string> flags) {
     flags.insert(flags.begin(), {"export", "--out", folder.string(), "--no-sync", "--overwrite"});
     if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
         flags.insert(flags.end(), {"--maps", "displacement"});
@@ -73,8 +73,8 @@ TEST(Fourier, MatchesTheDefinitionForAnyLength) {
 // shortest waves have a period of 2.5 s.
 TEST(Measure, LoopHasTheSeedsSpectrum) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--preset", "moderate", "--patch-size", "200", "--resolution", "64", "--loop-period",
-                               "60", "--loop-frames", "120", "--wind-direction", "70"});
+    export_to_measure(folder / "out", {"--preset", "moderate", "--patch-size", "200", "--resolution", "64",
+                                       "--loop-period", "60", "--loop-frames", "120", "--wind-direction", "70"});
     const json found = measured(folder / "out");
     EXPECT_TRUE(found["frames"]["one_loop"].get<bool>());
     const double height = figure(found, "significant_wave_height_m");
@@ -102,10 +102,11 @@ TEST(Measure, LoopHasTheSeedsSpectrum) {
 // peaks at 7.0 s and its swell at 14 s.
 TEST(Measure, PeaksOfWindSeaAndSwellAreSeparate) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--wind-speed",   "14", "--wind-direction",  "-130", "--spreading",    "hasselmann",
-                               "--swell-height", "2",  "--swell-direction", "-60",  "--swell-period", "14",
-                               "--seed",         "62", "--patch-size",      "1200", "--resolution",   "64",
-                               "--loop-frames",  "400"});
+    export_to_measure(folder / "out",
+                      {"--wind-speed",   "14", "--wind-direction",  "-130", "--spreading",    "hasselmann",
+                       "--swell-height", "2",  "--swell-direction", "-60",  "--swell-period", "14",
+                       "--seed",         "62", "--patch-size",      "1200", "--resolution",   "64",
+                       "--loop-frames",  "400"});
     const json found = measured(folder / "out");
     // Harmonics of the loop are 7 % apart at the swell's peak, and bands of the drawn spectrum are
     // 5 % wide.
@@ -128,9 +129,7 @@ TEST(Measure, HalvesAndTiffAndFramesWithoutALoopAgree) {
     std::vector<double> heights;
     for (const auto& more :
          std::vector<std::vector<std::string>>{{}, {"--half"}, {"--format", "tif"}, {"--format", "tif", "--half"}}) {
-        std::vector<std::string> flags = sea;
-        flags.insert(flags.end(), more.begin(), more.end());
-        export_to(folder / "out", flags);
+        export_to_measure(folder / "out", joined(sea, more));
         const json found = measured(folder / "out");
         EXPECT_FALSE(found["frames"]["one_loop"].get<bool>());
         heights.push_back(figure(found, "significant_wave_height_m"));
@@ -154,8 +153,8 @@ struct OneWave {
     static constexpr double amplitude_m = 0.5, depth_m = 12, loop_period_s = 40;
 
     void write_to(const std::filesystem::path& folder) {
-        export_to(folder, {"--resolution", "32", "--patch-size", "100", "--depth", "12", "--loop-period", "40",
-                           "--loop-frames", "64"});
+        export_to_measure(folder, {"--resolution", "32", "--patch-size", "100", "--depth", "12", "--loop-period",
+                                   "40", "--loop-frames", "64"});
         const double k = 2 * pi / 100 * 5;
         harmonic = std::round(std::sqrt(9.80665 * k * std::tanh(k * depth_m)) * loop_period_s / (2 * pi));
         for (int frame = 0; frame < frames; ++frame) {
@@ -200,8 +199,8 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
 // The cascades are rotated against each other, and each holds a band of the waves.
 TEST(Measure, SeveralCascadesHaveTheSeedsSpectrum) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60", "--loop-frames", "60",
-                               "--wind-direction", "200"});
+    export_to_measure(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60",
+                                       "--loop-frames", "60", "--wind-direction", "200"});
     const json found = measured(folder / "out");
     EXPECT_EQ(found["cascades"].size(), 3u);
     EXPECT_EQ(found["cascades_there"], 3);
@@ -300,9 +299,7 @@ TEST(Measure, LayersPartsAndTexturesMatchSingleFiles) {
              {"ktx2", {"--format", "ktx2", "--mips"}, true},
              {"zstd", {"--format", "ktx2", "--compression", "zstd", "--axes", "z-up"}, true}}) {
         SCOPED_TRACE(name);
-        std::vector<std::string> all = sea;
-        all.insert(all.end(), flags.begin(), flags.end());
-        export_to(folder / name, all);
+        export_to_measure(folder / name, joined(sea, flags));
         const json found = measured(folder / name);
         if (files.empty()) files = found;
         EXPECT_EQ(found["cascades"], files["cascades"]);
@@ -331,7 +328,7 @@ TEST(Measure, LayersPartsAndTexturesMatchSingleFiles) {
 
 TEST(Measure, OneFrameGivesNeitherPeriodNorDirection) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--resolution", "32"});
+    export_to_measure(folder / "out", {"--resolution", "32"});
     const json found = measured(folder / "out");
     EXPECT_TRUE(found["waves"]["peak_period_s"]["found"].is_null());
     EXPECT_TRUE(found["waves"]["mean_direction_deg"]["found"].is_null());
@@ -344,7 +341,7 @@ TEST(Measure, OneFrameGivesNeitherPeriodNorDirection) {
 
 TEST(Measure, WritesOnlyTheRequestedImage) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--resolution", "16", "--patch-size", "250", "--loop-frames", "32"});
+    export_to_measure(folder / "out", {"--resolution", "16", "--patch-size", "250", "--loop-frames", "32"});
     const auto before = files_in(folder / "out");
     const Outcome outcome =
         run_pelagic({"info", "--measure", (folder / "out").string(), "--svg", (folder / "plot.svg").string()});
@@ -372,7 +369,7 @@ TEST(Measure, WritesOnlyTheRequestedImage) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-void expect_rejected(const std::vector<std::string>& arguments, int code, const std::string& reason) {
+void expect_refused(const std::vector<std::string>& arguments, int code, const std::string& reason) {
     const Outcome outcome = run_pelagic(arguments);
     EXPECT_EQ(outcome.exit_code, code) << outcome.err;
     EXPECT_NE(outcome.err.find(reason), std::string::npos) << "expected " << reason << "\nsays " << outcome.err;
@@ -384,26 +381,26 @@ void expect_rejected(const std::vector<std::string>& arguments, int code, const 
 TEST(Measure, HostileFoldersGiveOneLine) {
     const TemporaryFolder folder;
     const std::filesystem::path out = folder / "out";
-    export_to(out, {"--resolution", "16", "--patch-size", "250", "--frames", "3"});
+    export_to_measure(out, {"--resolution", "16", "--patch-size", "250", "--frames", "3"});
     const std::string sea_json = read_file(out / "sea.json"), image = read_file(out / "displacement_0001.exr");
     const std::vector<std::string> measure = {"info", "--measure", out.string()};
     const auto with_record = [&](const auto& change, const std::string& reason) {
         json record = json::parse(sea_json);
         change(record);
         write_file(out / "sea.json", record.dump());
-        expect_rejected(measure, 2, reason);
+        expect_refused(measure, 2, reason);
         write_file(out / "sea.json", sea_json);
     };
-    expect_rejected({"info", "--measure", ""}, 2, "--measure is empty");
-    expect_rejected({"info", "--measure", (out / "sea.json").string()}, 2,
-                    "expected a folder that pelagic export has written");
-    expect_rejected({"info", "--measure", folder.path().string()}, 2,
-                    "sea.json is missing: expected a finished export");
-    expect_rejected({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "no sea option is accepted");
-    expect_rejected({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
-    expect_rejected({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
-                    "can't write");
-    expect_rejected({"info", "--svg", "x.svg"}, 2, "it requires --measure DIR");
+    expect_refused({"info", "--measure", ""}, 2, "--measure is empty");
+    expect_refused({"info", "--measure", (out / "sea.json").string()}, 2,
+                   "expected a folder that pelagic export has written");
+    expect_refused({"info", "--measure", folder.path().string()}, 2,
+                   "sea.json is missing: expected a finished export");
+    expect_refused({"info", "--measure", out.string(), "--wind-speed", "3"}, 2, "no sea option is accepted");
+    expect_refused({"info", "--measure", out.string(), "--svg", ""}, 2, "--svg is empty");
+    expect_refused({"info", "--measure", out.string(), "--svg", (folder / "none" / "x.svg").string()}, 1,
+                   "can't write");
+    expect_refused({"info", "--svg", "x.svg"}, 2, "it requires --measure DIR");
 
     with_record([](json& record) { record["export"]["pack"] = "parts"; }, "frame 0 names no displacement image");
     with_record([](json& record) { record["export"]["format"] = "dds"; },
@@ -427,36 +424,36 @@ TEST(Measure, HostileFoldersGiveOneLine) {
     with_record([](json& record) { record["deep"] = json::parse("[[[[[[[[[[1]]]]]]]]]]"); }, "malformed JSON");
     for (const std::string text : {"", "{", "[]", "\"sea\"", "{\"a\": 1e999}"}) {
         write_file(out / "sea.json", text);
-        expect_rejected(measure, 2, "malformed JSON");
+        expect_refused(measure, 2, "malformed JSON");
     }
     write_file(out / "sea.json", sea_json);
 
     const auto with_image = [&](const std::string& bytes, const std::string& reason) {
         write_file(out / "displacement_0001.exr", bytes);
-        expect_rejected(measure, 1, "displacement_0001.exr: " + reason);
+        expect_refused(measure, 1, "displacement_0001.exr: " + reason);
     };
     with_image("", "");
     with_image("no image", "");
     with_image(image.substr(0, image.size() / 2), "");
     with_image(std::string(std::size_t{2} << 20, 'x'), "it is larger than 16 x 16 pixels can be");
-    export_to(folder / "other", {"--resolution", "32", "--patch-size", "250"});
+    export_to_measure(folder / "other", {"--resolution", "32", "--patch-size", "250"});
     with_image(read_file(folder / "other" / "displacement_0000.exr"), "it has 32 x 32 pixels, expected 16 x 16");
     std::filesystem::remove(out / "displacement_0001.exr");
-    expect_rejected(measure, 1, "displacement_0001.exr: No such file");
+    expect_refused(measure, 1, "displacement_0001.exr: No such file");
     std::filesystem::create_symlink("displacement_0000.exr", out / "displacement_0001.exr");
-    expect_rejected(measure, 1, "it is a symbolic link");
+    expect_refused(measure, 1, "it is a symbolic link");
     std::filesystem::remove(out / "displacement_0001.exr");
     ASSERT_EQ(::mkfifo((out / "displacement_0001.exr").c_str(), 0666), 0);
-    expect_rejected(measure, 1, "it is a FIFO");
+    expect_refused(measure, 1, "it is a FIFO");
     std::filesystem::remove(out / "displacement_0001.exr");
     std::filesystem::create_symlink("/dev/zero", out / "sea.json.new");
     std::filesystem::rename(out / "sea.json.new", out / "sea.json");
-    expect_rejected(measure, 1, "it is a symbolic link");
+    expect_refused(measure, 1, "it is a symbolic link");
 }
 
 TEST(Measure, NonHeightImagesAreRejected) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--resolution", "16", "--patch-size", "250"});
+    export_to_measure(folder / "out", {"--resolution", "16", "--patch-size", "250"});
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
         std::vector<float> pixels(3 * 16 * 16);
         pixels[100 * 3 + 1] = bad;
@@ -465,7 +462,7 @@ TEST(Measure, NonHeightImagesAreRejected) {
                                  OIIO::ImageSpec(16, 16, 3, OIIO::TypeDesc::FLOAT)));
         ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
         output->close();
-        expect_rejected({"info", "--measure", (folder / "out").string()}, 1, "which is no height in metres");
+        expect_refused({"info", "--measure", (folder / "out").string()}, 1, "which is no height in metres");
     }
 }
 

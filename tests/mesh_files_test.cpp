@@ -135,17 +135,17 @@ TEST(MeshFiles, ObjIsText) {
     EXPECT_NE(mesh_as_obj(third, ObjDigits::all).find("\nv 0 0.3333333333333333 -0.5\n"), std::string::npos);
 }
 
-std::string text_of(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+std::string as_text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 template <class Number>
-Number number_at(const std::string& bytes, std::size_t at) {
+Number value_at(const std::string& bytes, std::size_t at) {
     Number number;
     std::memcpy(&number, bytes.substr(at).data(), sizeof number);
     return number;
 }
 
 TEST(MeshFiles, PlyIsBinaryAfterItsHeader) {
-    const std::string file = text_of(mesh_as_ply(small_mesh(true)));
+    const std::string file = as_text(mesh_as_ply(small_mesh(true)));
     const std::string header =
         "ply\nformat binary_little_endian 1.0\n"
         "comment Pelagic: a sea, faces counter-clockwise from above\nelement vertex 4\n"
@@ -159,11 +159,11 @@ TEST(MeshFiles, PlyIsBinaryAfterItsHeader) {
     ASSERT_EQ(file.size(), header.size() + 4 * vertex + 1 + 4 * 4);
     const std::size_t second = header.size() + vertex;
     const std::vector<float> numbers = {1, 0, 0, 0.6f, 0.8f, 0, 1.125f, 0.875f, 0.25f};
-    for (std::size_t k = 0; k < numbers.size(); ++k) EXPECT_EQ(number_at<float>(file, second + 4 * k), numbers[k]);
+    for (std::size_t k = 0; k < numbers.size(); ++k) EXPECT_EQ(value_at<float>(file, second + 4 * k), numbers[k]);
     EXPECT_EQ(file.substr(second + 36, 3), "\x40\x40\x40");  // a quarter of 255, rounded
     EXPECT_EQ(file[header.size() + 4 * vertex], 4);
-    EXPECT_EQ(number_at<std::uint32_t>(file, file.size() - 12), 2u);
-    EXPECT_EQ(text_of(mesh_as_ply(small_mesh(false))).find("foam"), std::string::npos);
+    EXPECT_EQ(value_at<std::uint32_t>(file, file.size() - 12), 2u);
+    EXPECT_EQ(as_text(mesh_as_ply(small_mesh(false))).find("foam"), std::string::npos);
 }
 
 TEST(MeshFiles, MddIsBigEndian) {
@@ -174,7 +174,7 @@ TEST(MeshFiles, MddIsBigEndian) {
     append_mdd_header(file, std::vector<float>{0, 0.25f}, 1);
     append_mdd_frame(file, mesh);
     using namespace std::string_literals;
-    EXPECT_EQ(text_of(file),
+    EXPECT_EQ(as_text(file),
               "\0\0\0\x02\0\0\0\x01\0\0\0\0\x3e\x80\0\0"s
               "\x3f\x80\0\0\xc0\0\0\0\x3f\0\0\0"s);
 }
@@ -182,16 +182,16 @@ TEST(MeshFiles, MddIsBigEndian) {
 /// The parsed parts of a glTF file.
 struct Glb {
     explicit Glb(const Bytes& bytes) {
-        const std::string file = text_of(bytes);
+        const std::string file = as_text(bytes);
         EXPECT_EQ(file.substr(0, 4), "glTF");
-        EXPECT_EQ(number_at<std::uint32_t>(file, 4), 2u);
-        EXPECT_EQ(number_at<std::uint32_t>(file, 8), file.size());
-        const std::uint32_t text = number_at<std::uint32_t>(file, 12);
+        EXPECT_EQ(value_at<std::uint32_t>(file, 4), 2u);
+        EXPECT_EQ(value_at<std::uint32_t>(file, 8), file.size());
+        const std::uint32_t text = value_at<std::uint32_t>(file, 12);
         EXPECT_EQ(file.substr(16, 4), "JSON");
         description = json::parse(file.substr(20, text));
         EXPECT_EQ(file.substr(24 + text, 4), std::string("BIN\0", 4));
         buffer = file.substr(28 + text);
-        EXPECT_EQ(number_at<std::uint32_t>(file, 20 + text), buffer.size());
+        EXPECT_EQ(value_at<std::uint32_t>(file, 20 + text), buffer.size());
     }
     template <class Number>
     std::vector<Number> numbers(std::size_t accessor) const {

@@ -15,6 +15,7 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
 namespace {
@@ -98,15 +99,11 @@ TEST(OneLine, IsShortAndKeepsBothEnds) {
 
 TEST(OneLine, IsUsedForTheNamesOfStages) {
     JobGraph graph;
-    try {
-        graph.add({.name = std::string(1000, '\n'), .batch = 0, .body = {}});
-        FAIL();
-    } catch (const std::invalid_argument& error) {
-        const std::string what = error.what();
-        EXPECT_LE(what.size(), max_line_bytes);
-        EXPECT_EQ(what.find('\n'), std::string::npos);
-        EXPECT_TRUE(what.ends_with("has a batch of 0, expected at least 1")) << what;
-    }
+    const std::string what =
+        message_of([&] { graph.add({.name = std::string(1000, '\n'), .batch = 0, .body = {}}); });
+    EXPECT_LE(what.size(), max_line_bytes);
+    EXPECT_EQ(what.find('\n'), std::string::npos);
+    EXPECT_TRUE(what.ends_with("has a batch of 0, expected at least 1")) << what;
 }
 
 }  // namespace

@@ -3,24 +3,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <random>
 #include <vector>
 
+#include "pelagic/tests/analytic_points.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {
 
-using Long = long double;
-constexpr Long pi = std::numbers::pi_v<Long>;
 // I0(1) / e
 const Long mean_exp = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;
-
-double rounded(Long value) { return static_cast<double>(value); }
 
 /// Returns the height by the header's definition; slopes are computed from its differences.
 Long height_of(const PondSea& sea, Long time_s, Long x, Long z) {
@@ -29,11 +24,11 @@ Long height_of(const PondSea& sea, Long time_s, Long x, Long z) {
     Long height = 0, wavelength = sea.wavelength_m;
     part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay, wavelength /= sea.growth) {
-        const Long k = 2 * pi / wavelength, w = std::sqrt(9.80665L * k + 7.4e-5L * k * k * k);
-        const Long golden = 0.6180339887498949, direction = sea.direction_rad + 2 * pi * i * golden;
+        const Long k = 2 * long_pi / wavelength, w = std::sqrt(9.80665L * k + 7.4e-5L * k * k * k);
+        const Long golden = 0.6180339887498949, direction = sea.direction_rad + 2 * long_pi * i * golden;
         const Long way_x = std::cos(direction), way_z = std::sin(direction);
-        const Long phase = k * (way_x * x + way_z * z) - w * time_s + 2 * pi * i * golden * golden;
-        const Long wave = std::exp(std::sin(phase) - 1), drag = sea.drag * part * sea.wavelength_m / (2 * pi);
+        const Long phase = k * (way_x * x + way_z * z) - w * time_s + 2 * long_pi * i * golden * golden;
+        const Long wave = std::exp(std::sin(phase) - 1), drag = sea.drag * part * sea.wavelength_m / (2 * long_pi);
         height += sea.height_m * part / parts * (wave - mean_exp);
         x -= way_x * drag * wave * std::cos(phase);
         z -= way_z * drag * wave * std::cos(phase);
@@ -41,26 +36,14 @@ Long height_of(const PondSea& sea, Long time_s, Long x, Long z) {
     return height;
 }
 
-struct Places {
-    explicit Places(std::size_t count, double reach_m) {
-        std::mt19937 random(4);
-        for (std::size_t i = 0; i < count; ++i) {
-            x.push_back((static_cast<double>(random()) * 0x1p-31 - 1) * reach_m);
-            z.push_back((static_cast<double>(random()) * 0x1p-31 - 1) * reach_m);
-        }
+struct PondArrays {
+    PondArrays(const PondWaves& water, double time_s, const AnalyticPositions& places,
+               const std::vector<float>& footprint = {}) {
+        for (auto* const array : {&height, &normal_x, &normal_y, &normal_z, &rise, &variance})
+            array->resize(places.x.size());
+        water.sample(time_s, places.view(), {height, normal_x, normal_y, normal_z, rise, variance}, footprint);
     }
-    AnalyticPoints view() const { return {x, z}; }
-    std::vector<double> x, z;
-};
-
-enum Kind { height, normal_x, normal_y, normal_z, rise, variance, kinds };
-
-struct Samples {
-    Samples(const PondWaves& water, double time_s, const Places& places, const std::vector<float>& footprint = {})
-        : of(kinds, std::vector<float>(places.x.size())) {
-        water.sample(time_s, places.view(), {of[0], of[1], of[2], of[3], of[4], of[5]}, footprint);
-    }
-    std::vector<std::vector<float>> of;
+    std::vector<float> height, normal_x, normal_y, normal_z, rise, variance;
 };
 
 class PondOnEachIsa : public testing::TestWithParam<Isa> {};
@@ -71,10 +54,10 @@ INSTANTIATE_TEST_SUITE_P(Isas, PondOnEachIsa, testing::ValuesIn(isas_here()), is
 TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
     const PondSea sea{.octaves = 1, .height_m = 1, .wavelength_m = 1};
     const PondWaves water(sea, GetParam());
-    const Places places(2000, 10);
-    const Samples samples(water, 0, places);
+    const AnalyticPositions places = random_positions(2000, 10, 4);
+    const PondArrays samples(water, 0, places);
     for (std::size_t i = 0; i < places.x.size(); ++i)
-        ASSERT_NEAR(samples.of[height][i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
+        ASSERT_NEAR(samples.height[i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
 }
 
 // The drag of later octaves amplifies the rounding errors of earlier ones, up to ten times an
@@ -82,41 +65,38 @@ TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
 TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithExactDerivatives) {
     const PondSea sea;
     const PondWaves water(sea, GetParam());
-    const Places places(120, 1000);
+    const AnalyticPositions places = random_positions(120, 1000, 4);
     const double t = 321.5;
-    const Samples samples(water, t, places);
+    const PondArrays samples(water, t, places);
     const Long step = 1e-6L;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
         const Long x = places.x[i], z = places.z[i];
-        ASSERT_NEAR(samples.of[height][i], rounded(height_of(sea, t, x, z)), 1e-6 * sea.height_m);
+        ASSERT_NEAR(samples.height[i], rounded(height_of(sea, t, x, z)), 1e-6 * sea.height_m);
         const Long h_x = (height_of(sea, t, x + step, z) - height_of(sea, t, x - step, z)) / (2 * step);
         const Long h_z = (height_of(sea, t, x, z + step) - height_of(sea, t, x, z - step)) / (2 * step);
         const Long length = std::sqrt(1 + h_x * h_x + h_z * h_z);
-        ASSERT_NEAR(samples.of[normal_x][i], rounded(-h_x / length), 1e-5);
-        ASSERT_NEAR(samples.of[normal_y][i], rounded(1 / length), 1e-5);
-        ASSERT_NEAR(samples.of[normal_z][i], rounded(-h_z / length), 1e-5);
+        ASSERT_NEAR(samples.normal_x[i], rounded(-h_x / length), 1e-5);
+        ASSERT_NEAR(samples.normal_y[i], rounded(1 / length), 1e-5);
+        ASSERT_NEAR(samples.normal_z[i], rounded(-h_z / length), 1e-5);
         const Long rises = (height_of(sea, t + step, x, z) - height_of(sea, t - step, x, z)) / (2 * step);
-        ASSERT_NEAR(samples.of[rise][i], rounded(rises), 1e-5);
-        ASSERT_EQ(samples.of[variance][i], 0);
+        ASSERT_NEAR(samples.rise[i], rounded(rises), 1e-5);
+        ASSERT_EQ(samples.variance[i], 0);
     }
 }
 
 TEST_P(PondOnEachIsa, MatchesTheGoldenHashes) {
-    const Places places(501, 100);
+    const AnalyticPositions places = random_positions(501, 100, 4);
     std::vector<float> footprint;
     for (int i = 0; i < 501; ++i) footprint.push_back(0.001f * static_cast<float>(i % 50));
-    const Samples samples(PondWaves({}, GetParam()), 77, places, footprint);
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const auto& array : samples.of)
-        for (const float value : array) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
-    EXPECT_EQ(hash, 14251735415318672993u);
+    const PondArrays s(PondWaves({}, GetParam()), 77, places, footprint);
+    EXPECT_EQ(hash_of({s.height, s.normal_x, s.normal_y, s.normal_z, s.rise, s.variance}), 14251735415318672993u);
 }
 
 TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
     const PondWaves water({});
-    const Samples samples(water, 5, Places(20000, 500));
+    const PondArrays samples(water, 5, random_positions(20000, 500, 4));
     double sum = 0;
-    for (const float h : samples.of[height]) {
+    for (const float h : samples.height) {
         EXPECT_GE(h, water.lowest_m());
         EXPECT_LE(h, water.highest_m());
         sum += h;
@@ -129,25 +109,25 @@ TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
 // in the variance: the sum is preserved. 20000 positions give a mean square within 3 %.
 TEST(Pond, MeanSquareSlopeDoesNotDependOnTheFootprint) {
     const PondWaves water(PondSea{.drag = 0});
-    const Places places(20000, 500);
-    const auto mean_square_slope = [&](const Samples& samples) {
+    const AnalyticPositions places = random_positions(20000, 500, 4);
+    const auto mean_square_slope = [&](const PondArrays& samples) {
         double sum = 0;
         for (std::size_t i = 0; i < places.x.size(); ++i)
-            sum += 1 / (double{samples.of[normal_y][i]} * samples.of[normal_y][i]) - 1;
+            sum += 1 / (double{samples.normal_y[i]} * samples.normal_y[i]) - 1;
         return sum / 20000;
     };
-    const double all = mean_square_slope(Samples(water, 5, places));
+    const double all = mean_square_slope(PondArrays(water, 5, places));
     double before = all;
     for (const float footprint_m : {0.02f, 0.1f, 0.4f, 1.f}) {
-        const Samples samples(water, 5, places, std::vector<float>(20000, footprint_m));
+        const PondArrays samples(water, 5, places, std::vector<float>(20000, footprint_m));
         const double shown = mean_square_slope(samples);
         EXPECT_LT(shown, before);
-        EXPECT_NEAR(shown + samples.of[variance][0], all, 0.03 * all) << footprint_m;
+        EXPECT_NEAR(shown + samples.variance[0], all, 0.03 * all) << footprint_m;
         before = shown;
     }
-    const Samples flat(water, 5, places, std::vector<float>(20000, 1.f));
-    EXPECT_EQ(flat.of[normal_y][7], 1);
-    EXPECT_EQ(flat.of[height][7], 0);
+    const PondArrays flat(water, 5, places, std::vector<float>(20000, 1.f));
+    EXPECT_EQ(flat.normal_y[7], 1);
+    EXPECT_EQ(flat.height[7], 0);
 }
 
 TEST(Pond, RaysMeetTheFirstWaterOnTheirPath) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/options/sea_scales.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
 
@@ -25,7 +26,7 @@ ResolvedSea resolved(const std::string& flag, const std::string& value) {
 }
 
 std::filesystem::path file_of(const SeaPreset& preset) {
-    return std::filesystem::path(PELAGIC_PRESETS) / (std::string(preset.name) + ".toml");
+    return std::filesystem::path(in_sources("presets")) / (std::string(preset.name) + ".toml");
 }
 
 TEST(Presets, FilesMatchTheSeasOfTheirNames) {
@@ -46,7 +47,7 @@ TEST(Presets, FilesMatchTheSeasOfTheirNames) {
         EXPECT_EQ(sea_as_json(in_library), sea_as_json(named)) << preset.name;
         EXPECT_EQ(sea_preset_named(preset.name), &preset);
     }
-    const auto files = std::distance(std::filesystem::directory_iterator(PELAGIC_PRESETS), {});
+    const auto files = std::distance(std::filesystem::directory_iterator(in_sources("presets")), {});
     EXPECT_EQ(static_cast<std::size_t>(files), sea_presets().size());
     EXPECT_EQ(sea_preset_named("Storm"), nullptr);
     EXPECT_EQ(sea_preset_named(""), nullptr);

@@ -70,8 +70,8 @@ TEST(QuadtreeCommand, WholeMeshIsOneSurfaceWithAFlatBorder) {
                      (folder / "sea.obj").string(), "--json", (folder / "sea.json").string(), "--resolution", "64"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Obj obj = read_obj(read_file(folder / "sea.obj"));
-    const auto json = nlohmann::json::parse(read_file(folder / "sea.json"));
-    EXPECT_EQ(obj.faces.size(), json.at("triangles").get<std::size_t>());
+    const auto statistics = nlohmann::json::parse(read_file(folder / "sea.json"));
+    EXPECT_EQ(obj.faces.size(), statistics.at("triangles").get<std::size_t>());
     const Welded welded(obj);
     EXPECT_GT(obj.vertices.size(), welded.numbers.size()) << "each patch has vertices of its own";
 
@@ -154,9 +154,9 @@ TEST(QuadtreeCommand, PlyAndGltfHoldTheSameMesh) {
     EXPECT_NE(ply.find("element vertex " + std::to_string(obj.vertices.size()) + "\n"), std::string::npos);
     EXPECT_NE(ply.find("element face " + std::to_string(obj.faces.size()) + "\n"), std::string::npos);
     EXPECT_NE(ply.find("property float foam\n"), std::string::npos);
-    const auto json = nlohmann::json::parse(glb.substr(20, glb.find("BIN") - 24));
-    EXPECT_EQ(json.at("accessors").at(0).at("count"), obj.vertices.size());
-    EXPECT_EQ(json["accessors"][json["meshes"][0]["primitives"][0]["indices"].get<std::size_t>()]["count"],
+    const auto gltf = nlohmann::json::parse(glb.substr(20, glb.find("BIN") - 24));
+    EXPECT_EQ(gltf.at("accessors").at(0).at("count"), obj.vertices.size());
+    EXPECT_EQ(gltf["accessors"][gltf["meshes"][0]["primitives"][0]["indices"].get<std::size_t>()]["count"],
               3 * obj.faces.size());
 }
 
@@ -166,15 +166,15 @@ TEST(QuadtreeCommand, StatisticsAreConsistent) {
     const Outcome run = run_pelagic({"quadtree", "--size", "4096", "--camera", "10,5,10", "--target", "500,0,100",
                                      "--fov", "70", "--stereo", "0.064", "--json", json_file, "--resolution", "32"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const auto json = nlohmann::json::parse(read_file(json_file));
+    const auto statistics = nlohmann::json::parse(read_file(json_file));
     int patches = 0, instances = 0;
-    for (const auto& level : json.at("patches_by_level")) patches += level.at("patches").get<int>();
-    for (const auto& batch : json.at("batches")) instances += batch.at("instances").get<int>();
-    EXPECT_EQ(patches, json.at("instances"));
-    EXPECT_EQ(instances, json.at("instances"));
-    EXPECT_EQ(json.at("views"), 2);
-    EXPECT_LE(json.at("batches").size(), 16u);
-    EXPECT_GT(json.at("microseconds").get<double>(), 0);
+    for (const auto& level : statistics.at("patches_by_level")) patches += level.at("patches").get<int>();
+    for (const auto& batch : statistics.at("batches")) instances += batch.at("instances").get<int>();
+    EXPECT_EQ(patches, statistics.at("instances"));
+    EXPECT_EQ(instances, statistics.at("instances"));
+    EXPECT_EQ(statistics.at("views"), 2);
+    EXPECT_LE(statistics.at("batches").size(), 16u);
+    EXPECT_GT(statistics.at("microseconds").get<double>(), 0);
     EXPECT_NE(run.out.find("triangles"), std::string::npos);
 }
 

@@ -18,9 +18,9 @@ namespace pelagic {
 namespace {
 
 #if defined(NDEBUG)
-constexpr int views = 1000;
+constexpr int view_count = 1000;
 #else
-constexpr int views = 24;
+constexpr int view_count = 24;
 #endif
 
 /// Interpolates a frame's displacement between its texels.
@@ -193,7 +193,7 @@ TEST_F(Culling, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
     const QuadtreeOptions choices[] = {quadtree_preset_named("low")->options(2048),
                                        {.size_m = 1024, .vertices = 16, .lod_scale = 2.4},
                                        {.size_m = 8192, .vertices = 8, .lod_scale = 2.2}};
-    for (int i = 0; i < views; ++i) {
+    for (int i = 0; i < view_count; ++i) {
         const QuadtreeOptions& options = choices[i % 3];
         const double height = i % 5 == 0 ? random.between(20, options.size_m / 4) : random.between(-3, 12);
         const glm::dvec3 eye(random.between(-3000, 3000), height, random.between(-3000, 3000));
@@ -202,7 +202,7 @@ TEST_F(Culling, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
         ASSERT_NO_FATAL_FAILURE(
             compare(options, eye, {{projection.matrix * random_camera(random, eye), projection.zero_to_one}}));
     }
-    ASSERT_GT(truly_, 10 * views);
+    ASSERT_GT(truly_, 10 * view_count);
     EXPECT_LE(kept_, 1.6 * truly_);
     EXPECT_LE(worst_, 1.6);
     RecordProperty("kept_over_visible", std::to_string(static_cast<double>(kept_) / truly_));
@@ -214,7 +214,7 @@ TEST_F(Culling, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
 TEST_F(Culling, LosesNoVisibleTriangleOfEitherEye) {
     Random random(12);
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
-    for (int i = 0; i < views / 10; ++i) {
+    for (int i = 0; i < view_count / 10; ++i) {
         const glm::dvec3 head(random.between(-900, 900), random.between(0.5, 5), random.between(-900, 900));
         const glm::dmat4 camera = random_camera(random, head);
         std::vector<std::pair<glm::dmat4, bool>> eyes;
@@ -278,7 +278,7 @@ class CullingOfSeveralCascades : public Culling {
 TEST_F(CullingOfSeveralCascades, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
     Random random(13);
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
-    for (int i = 0; i < views / 10; ++i) {
+    for (int i = 0; i < view_count / 10; ++i) {
         const double height = i % 5 == 0 ? random.between(20, options.size_m / 4) : random.between(-3, 12);
         const glm::dvec3 eye(random.between(-3000, 3000), height, random.between(-3000, 3000));
         const Projection projection = random_projection(random, i);
@@ -286,7 +286,7 @@ TEST_F(CullingOfSeveralCascades, LosesNoVisibleTriangleAndKeepsFewInvisiblePatch
         ASSERT_NO_FATAL_FAILURE(
             compare(options, eye, {{projection.matrix * random_camera(random, eye), projection.zero_to_one}}));
     }
-    EXPECT_GT(truly_, views);
+    EXPECT_GT(truly_, view_count);
     EXPECT_LE(kept_, 1.6 * truly_);
     std::printf("kept %.3f times the visible patches\n", static_cast<double>(kept_) / truly_);
 }

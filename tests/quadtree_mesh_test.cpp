@@ -22,7 +22,7 @@ Point point(CellVertex v) { return {v.x, v.z}; }
 
 /// Returns twice the area seen from above, positive if counter-clockwise. With x to the right, z
 /// points down.
-int doubled_area(Point a, Point b, Point c) {
+int doubled_cell_area(Point a, Point b, Point c) {
     return (b.second - a.second) * (c.first - a.first) - (b.first - a.first) * (c.second - a.second);
 }
 
@@ -33,7 +33,7 @@ TEST(Stitching, PatternCoversItsCellOnceWithTrianglesThatFaceUp) {
         int area = 0;
         for (int t = 0; t < pattern.count; ++t) {
             const FanTriangle& triangle = pattern.triangles[static_cast<std::size_t>(t)];
-            const int doubled = doubled_area(point(cell_middle), point(triangle.second), point(triangle.third));
+            const int doubled = doubled_cell_area(point(cell_middle), point(triangle.second), point(triangle.third));
             EXPECT_GT(doubled, 0) << stitches;
             area += doubled;
         }
@@ -78,7 +78,7 @@ TEST_P(EachMesh, RangesAreClosedInsideAndHaveTheExpectedBorder) {
         long area = 0;
         for (std::uint32_t k = range.first; k < range.first + range.count; k += 3) {
             const Point corners[3] = {at(k), at(k + 1), at(k + 2)};
-            const int doubled = doubled_area(corners[0], corners[1], corners[2]);
+            const int doubled = doubled_cell_area(corners[0], corners[1], corners[2]);
             ASSERT_GT(doubled, 0);
             area += doubled;
             for (int e = 0; e < 3; ++e) edges.push_back({corners[e], corners[(e + 1) % 3]});

@@ -18,6 +18,17 @@ namespace pelagic {
 
 inline constexpr double sizes_m[] = {256, 512, 1024, 2048, 4096, 8192};
 
+/// The presets on every size, and a small patch near water.
+inline std::vector<QuadtreeOptions> all_quadtree_options() {
+    std::vector<QuadtreeOptions> all;
+    for (const QuadtreePreset& preset : quadtree_presets())
+        for (const double size : sizes_m) all.push_back(preset.options(size));
+    QuadtreeOptions near_water = quadtree_preset_named("low")->options(4096);
+    near_water.finest_patch_m = 16;
+    all.push_back(near_water);
+    return all;
+}
+
 /// Returns a uniform value in [low, high), the same on every standard library.
 class Random {
    public:

@@ -20,16 +20,6 @@ int viewers() { return of_sweep(500, 2000); }
 int viewers() { return 60; }  // fewer under sanitizers, which have a tenth of the speed
 #endif
 
-std::vector<QuadtreeOptions> all_options() {
-    std::vector<QuadtreeOptions> all;
-    for (const QuadtreePreset& preset : quadtree_presets())
-        for (const double size : sizes_m) all.push_back(preset.options(size));
-    QuadtreeOptions near_water = quadtree_preset_named("low")->options(4096);
-    near_water.finest_patch_m = 16;
-    all.push_back(near_water);
-    return all;
-}
-
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
 constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 
@@ -102,12 +92,14 @@ class Tiling {
 }
 
 class EachPresetAndSize : public testing::TestWithParam<QuadtreeOptions> {};
-INSTANTIATE_TEST_SUITE_P(Quadtrees, EachPresetAndSize, testing::ValuesIn(all_options()), [](const auto& test) {
-    if (test.param.finest_patch_m != QuadtreeOptions().finest_patch_m) return std::string("near_water");
-    const auto presets = quadtree_presets();
-    return std::string(presets[test.index / std::size(sizes_m)].name) + "_" +
-           std::to_string(static_cast<int>(test.param.size_m));
-});
+INSTANTIATE_TEST_SUITE_P(Quadtrees, EachPresetAndSize, testing::ValuesIn(all_quadtree_options()),
+                         [](const auto& test) {
+                             if (test.param.finest_patch_m != QuadtreeOptions().finest_patch_m)
+                                 return std::string("near_water");
+                             const auto presets = quadtree_presets();
+                             return std::string(presets[test.index / std::size(sizes_m)].name) + "_" +
+                                    std::to_string(static_cast<int>(test.param.size_m));
+                         });
 
 TEST_P(EachPresetAndSize, BordersCloseForEveryViewer) {
     Selection selection(GetParam());

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,14 +20,7 @@
 namespace pelagic {
 namespace {
 
-constexpr const char* header = "x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged";
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
+constexpr const char* query_header = "x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged";
 
 std::vector<double> numbers_in(const std::string& line) {
     std::vector<double> numbers;
@@ -62,7 +54,7 @@ TEST(QueryCommand, PrintsTheLibrarysResultsExactly) {
         EXPECT_EQ(outcome.err, "note: interpolation is " + std::string(name_of(interpolation)) + "\n");
         const std::vector<std::string> lines = lines_of(outcome.out);
         ASSERT_EQ(lines.size(), 4u);
-        EXPECT_EQ(lines[0], header);
+        EXPECT_EQ(lines[0], query_header);
 
         Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
                     {.executor = make_serial_executor(), .queries = true, .velocities = true});
@@ -233,7 +225,7 @@ TEST(QueryCommand, PrintsJsonWithTheSameNumbers) {
 TEST(QueryCommand, PrintsASeriesOfTimes) {
     const std::vector<std::string> lines = lines_of(query("1,2\n3,4\n", {"--times", "-0.5:0.5:0.1"}).out);
     ASSERT_EQ(lines.size(), 1 + 11 * 2u);
-    EXPECT_EQ(lines[0], "time," + std::string(header));
+    EXPECT_EQ(lines[0], "time," + std::string(query_header));
     EXPECT_TRUE(lines[1].starts_with("-0.5,1,2,"));
     EXPECT_TRUE(lines[22].starts_with("0.5,3,4,"));
     for (const auto& [row, time] : {std::pair{3, "-0.4"}, {21, "0.5"}}) {
@@ -344,7 +336,7 @@ TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
 TEST(QueryCommand, HelpListsTheOutputColumns) {
     const Outcome outcome = run_pelagic({"query", "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
-    for (const char* part : {"--points", "--time", header})
+    for (const char* part : {"--points", "--time", query_header})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
     EXPECT_NE(run_pelagic({"--help"}).out.find("query"), std::string::npos);
 }

@@ -27,15 +27,15 @@ inline Points random_points(std::size_t count, double reach_m, unsigned seed) {
 }
 
 struct Samples {
-    explicit Samples(std::size_t count)
+    explicit Samples(std::size_t count, bool velocities = true)
         : height(count),
           normal_x(count),
           normal_y(count),
           normal_z(count),
           jacobian(count),
-          velocity_x(count),
-          velocity_y(count),
-          velocity_z(count),
+          velocity_x(velocities ? count : 0),
+          velocity_y(velocity_x),
+          velocity_z(velocity_x),
           error(count),
           converged(count) {}
     SurfaceSamples view() {

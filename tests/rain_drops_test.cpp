@@ -25,13 +25,13 @@ const DynamicWavesOptions stiff{.step = DynamicWavesStep::verlet,
                                 .border_m = 0,
                                 .wave_speed_mps = 1e-6,
                                 .decay_per_s = 0};
-constexpr double texel = 0.25;
+constexpr double cell_m = 0.25;
 /// The radius is two texels, so sums over texels equal integrals to 1e-8. A drop reaches six texels
 /// and one more on either side.
-const Rain wide{.drops_per_m2_s = 1, .radius_m = 2 * texel, .height_m = 0.03, .seed = 7};
-constexpr std::int64_t reach = 6;
+const Rain wide_drops{.drops_per_m2_s = 1, .radius_m = 2 * cell_m, .height_m = 0.03, .seed = 7};
+constexpr std::int64_t drop_texels = 6;
 /// The area on which drops of this radius fall completely inside a grid of 64 texels.
-constexpr double fallen_on_m2 = (64 - 2 * reach - 1) * (64 - 2 * reach - 1) * texel * texel;
+constexpr double fallen_on_m2 = (64 - 2 * drop_texels - 1) * (64 - 2 * drop_texels - 1) * cell_m * cell_m;
 
 std::vector<double> heights(const DynamicWaveGrid& grid) {
     std::vector<double> all;
@@ -79,7 +79,7 @@ std::vector<Crater> craters(const std::vector<double>& added, double height_m) {
 TEST(RainDrops, HasTheRequestedNumberOfDrops) {
     constexpr int ticks = 1000;
     constexpr double mean = 3;  // drops a tick
-    Rain sparse = wide;
+    Rain sparse = wide_drops;
     sparse.drops_per_m2_s = mean * stiff.ticks_per_s / fallen_on_m2;
     std::vector<double> counts;
     double quarters[4] = {};
@@ -103,12 +103,12 @@ TEST(RainDrops, HasTheRequestedNumberOfDrops) {
 // The square of height_m (q - 1) e^-q has the integral height_m^2 pi radius_m^2 / 4.
 TEST(RainDrops, HasTheEnergyOfIndependentDrops) {
     for (const double drops : {1.0, 20.0}) {
-        Rain rain = wide;
+        Rain rain = wide_drops;
         rain.drops_per_m2_s = drops;
         constexpr int ticks = 300;
         double sum = 0;
         for_ticks(rain, ticks, [&](const std::vector<double>& added) {
-            for (const double height : added) sum += height * height * texel * texel;
+            for (const double height : added) sum += height * height * cell_m * cell_m;
         });
         const double fallen = drops * fallen_on_m2 * ticks / stiff.ticks_per_s;
         const double expected = fallen * rain.height_m * rain.height_m * pi * rain.radius_m * rain.radius_m / 4;
@@ -119,7 +119,7 @@ TEST(RainDrops, HasTheEnergyOfIndependentDrops) {
 }
 
 TEST(RainDrops, HasDropsOfTheDocumentedShape) {
-    Rain sparse = wide;
+    Rain sparse = wide_drops;
     sparse.drops_per_m2_s = 0.3;
     double seen = 0, same = 0, parts = 0;
     for_ticks(sparse, 600, [&](const std::vector<double>& added) {
@@ -136,9 +136,9 @@ TEST(RainDrops, HasDropsOfTheDocumentedShape) {
                 const std::int64_t x = deepest.x + i % 17 - 8, z = deepest.z + i / 17 - 8;
                 if (x < 0 || x > 63 || z < 0 || z > 63) continue;
                 const double s =
-                    (static_cast<double>(x) - static_cast<double>(eighths_x) / 8) * texel / wide.radius_m;
+                    (static_cast<double>(x) - static_cast<double>(eighths_x) / 8) * cell_m / wide_drops.radius_m;
                 const double t =
-                    (static_cast<double>(z) - static_cast<double>(eighths_z) / 8) * texel / wide.radius_m;
+                    (static_cast<double>(z) - static_cast<double>(eighths_z) / 8) * cell_m / wide_drops.radius_m;
                 const double q = s * s + t * t, height = sparse.height_m * (q - 1) * std::exp(-q);
                 largest = std::max(largest, std::fabs(added[static_cast<std::size_t>(z * 64 + x)] - height));
             }
@@ -162,8 +162,8 @@ TEST(RainDrops, DropsHaveNoVolume) {
     for (const double texels :
          // Up to 12 texels of reach, over rows of several jobs.
          {1.0, 5.0 / 3, 2.0, 8.0 / 3, 4.0}) {
-        Rain rain = wide;
-        rain.radius_m = texels * texel;
+        Rain rain = wide_drops;
+        rain.radius_m = texels * cell_m;
         for_ticks(rain, 200, [&](const std::vector<double>& added) {
             double volume = 0, moved = 0;
             for (const double height : added) volume += height, moved += std::fabs(height);
@@ -212,14 +212,14 @@ void expect_same_inside(const DynamicWaveGrid& a, const DynamicWaveGrid& b, std:
 
 TEST(RainDrops, DoesNotDependOnTheGridPosition) {
     // the reach of a drop that only one grid holds completely
-    constexpr std::int64_t margin = 2 * reach + 2;
+    constexpr std::int64_t margin = 2 * drop_texels + 2;
     DynamicWavesOptions large = stiff;
     large.resolution = 128;
     large.side_m = 32;
     DynamicWavePool here(stiff), there(stiff), larger(large), goes(stiff);
     there.grid.set_center(3.1, -2.3);
     larger.grid.set_center(-4, 5.2);
-    for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
+    for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide_drops);
     for (int tick = 0; tick < 40; ++tick) {
         // eight texels along x and six along z in all
         goes.grid.set_center(0.05 * tick, -0.04 * tick);
@@ -233,7 +233,7 @@ TEST(RainDrops, DoesNotDependOnTheGridPosition) {
     larger.grid.set_center(-9e7 + 2, 9e7 - 1);
     DynamicWavePool fresh(large);
     fresh.grid.set_center(-9e7, 9e7);
-    fresh.grid.set_rain(wide);
+    fresh.grid.set_rain(wide_drops);
     fresh.tick(40);
     larger.tick(40);
     there.tick(40);
@@ -245,7 +245,7 @@ TEST(RainDrops, DoesNotDependOnTheGridPosition) {
     EXPECT_TRUE(differs);
 }
 
-const DynamicWavesOptions small{.resolution = 64, .side_m = 32, .border_m = 6};
+const DynamicWavesOptions small_pond{.resolution = 64, .side_m = 32, .border_m = 6};
 const Rain pours{.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 3};
 
 void rain_and_pan(DynamicWavePool& pool, int from, int to) {
@@ -258,7 +258,7 @@ void rain_and_pan(DynamicWavePool& pool, int from, int to) {
 
 TEST(RainDrops, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
     const auto hash_on = [](Isa isa, std::shared_ptr<Executor> executor) {
-        DynamicWavePool pool(small, isa, std::move(executor));
+        DynamicWavePool pool(small_pond, isa, std::move(executor));
         pool.grid.set_rain(pours);
         rain_and_pan(pool, 0, 100);
         return pool.grid.hash();
@@ -271,7 +271,7 @@ TEST(RainDrops, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
 
 TEST(RainDrops, RestoredStateContinuesBitIdentically) {
     for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
-        DynamicWavesOptions options = small;
+        DynamicWavesOptions options = small_pond;
         options.step = step;
         DynamicWavePool stays(options), late(options);
         stays.grid.set_rain(pours);
@@ -284,7 +284,7 @@ TEST(RainDrops, RestoredStateContinuesBitIdentically) {
 }
 
 TEST(RainDrops, RateZeroDisablesRain) {
-    DynamicWavePool dry(small), over(small), other(small), same(small);
+    DynamicWavePool dry(small_pond), over(small_pond), other(small_pond), same(small_pond);
     over.grid.set_rain(pours);
     over.grid.set_rain({.drops_per_m2_s = 0, .radius_m = 1e9, .height_m = std::numeric_limits<double>::quiet_NaN()});
     same.grid.set_rain(pours);
@@ -302,9 +302,9 @@ TEST(RainDrops, RateZeroDisablesRain) {
 // are exact.
 TEST(RainDrops, DropsNarrowerThanATexelAreWidenedAndFlattened) {
     DynamicWavePool wider(stiff), narrow(stiff);
-    Rain rain{.drops_per_m2_s = 3, .radius_m = texel, .height_m = 0.04};
+    Rain rain{.drops_per_m2_s = 3, .radius_m = cell_m, .height_m = 0.04};
     wider.grid.set_rain(rain);
-    rain.radius_m = texel / 2;
+    rain.radius_m = cell_m / 2;
     narrow.grid.set_rain(rain);
     wider.tick();
     narrow.tick();

@@ -11,6 +11,9 @@
 
 namespace pelagic {
 
+using Arguments = std::vector<std::string>;
+using Files = std::map<std::string, std::string>;  ///< bytes by name
+
 struct Outcome {
     int exit_code = -1;  ///< or 128 + signal
     std::string out, err;
@@ -25,6 +28,21 @@ pid_t start_pelagic(const std::vector<std::string>& arguments, const std::filesy
 int wait_for(pid_t process);
 
 Outcome run_pelagic(const std::vector<std::string>& arguments, const std::function<void()>& in_child = {});
+
+/// Expects the exit code, and one line on stderr that contains `expected`.
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& expected);
+
+/// Returns the first arguments, then the others.
+Arguments joined(Arguments first, const Arguments& more);
+
+/// Two maps for --maps, so that a frame has several files: EXR only, or with PNG, which takes much
+/// more time.
+inline const std::string two_exr_maps = "displacement,compression", maps_with_png = "displacement,gradient";
+
+/// Returns the arguments of an export of one small cascade. Without --maps among `more` it writes EXR
+/// files of displacements only: for PNG and TIFF the command loads the image library, which takes
+/// much more time than such an export.
+Arguments small_export(const std::filesystem::path& folder, const Arguments& more = {});
 
 /// For `in_child`: permanently drops root's capabilities to bypass file permissions. The process
 /// stays root, because another user might not reach the temporary folders.
@@ -46,8 +64,9 @@ class TemporaryFolder {
 
 std::string read_file(const std::filesystem::path& file);
 void write_file(const std::filesystem::path& file, const std::string& text);
+std::vector<std::string> lines_of(const std::string& text);
 
 /// Returns every file of a folder, including hidden files, and its bytes.
-std::map<std::string, std::string> files_in(const std::filesystem::path& folder);
+Files files_in(const std::filesystem::path& folder);
 
 }  // namespace pelagic

@@ -22,7 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-Ocean ocean_of(const SeaState& sea) { return Ocean(sea, {.executor = make_serial_executor()}); }
+Ocean serial_ocean(const SeaState& sea) { return Ocean(sea, {.executor = make_serial_executor()}); }
 
 double variance_of(const oracle::Plane& values) {
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -31,7 +31,7 @@ double variance_of(const oracle::Plane& values) {
     return sum / static_cast<double>(values.size());
 }
 
-double correlation(const oracle::Plane& a, const oracle::Plane& b) {
+double plane_correlation(const oracle::Plane& a, const oracle::Plane& b) {
     const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size());
     const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / static_cast<double>(b.size());
     double both = 0;
@@ -45,7 +45,7 @@ double mean_significant_height(SeaState sea, int seeds, int moments = 4) {
     double variance = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
         sea.seed = static_cast<std::uint32_t>(seed);
-        Ocean ocean = ocean_of(sea);
+        Ocean ocean = serial_ocean(sea);
         for (int i = 0; i < moments; ++i) {
             const double height = measured_significant_wave_height_m(ocean.frame_at(i * 37.7));
             variance += height * height / 16 / (seeds * moments);
@@ -247,7 +247,7 @@ TEST(Symmetry, TheDrawnSeaIsReal) {
 
 TEST(Symmetry, EnergyInSpaceEqualsEnergyInTheSpectrum) {
     const SeaState sea{.resolution = 128, .patch_size_m = 250};
-    Ocean ocean = ocean_of(sea);
+    Ocean ocean = serial_ocean(sea);
     const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(4.5));
     double space = 0, waves = 0;
     for (const double h : surface.height) space += h * h / static_cast<double>(surface.height.size());
@@ -263,7 +263,7 @@ TEST(Direction, WavesTravelDownwind) {
         const double direction = eighth * pi / 4;
         const SeaState sea{
             .resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .wind_alignment = 1};
-        Ocean ocean = ocean_of(sea);
+        Ocean ocean = serial_ocean(sea);
         const auto spectrum_of = [&](double time_s) {
             const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(time_s));
             return oracle::forward_fft({surface.height.begin(), surface.height.end()}, surface.n);
@@ -291,10 +291,10 @@ TEST(Direction, WavesTravelDownwind) {
 TEST(Crests, AreSharpAndHaveTheLowestJacobian) {
     for (const SpectrumModel model : values_of<SpectrumModel>()) {
         const SeaState sea{.spectrum = model, .resolution = 256, .patch_size_m = 250, .choppiness = 1};
-        Ocean ocean = ocean_of(sea);
+        Ocean ocean = serial_ocean(sea);
         const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(2));
         const oracle::Plane jacobian = oracle::jacobian_of(surface, sea.patch_size_m);
-        const double together = correlation(surface.height, jacobian);
+        const double together = plane_correlation(surface.height, jacobian);
         RecordProperty(std::string(name_of(model)), std::to_string(together));
         EXPECT_LT(together, -0.5) << name_of(model);
 
@@ -311,7 +311,7 @@ TEST(Crests, AreSharpAndHaveTheLowestJacobian) {
 }
 
 TEST(Crests, WithoutChoppinessThereIsNoHorizontalDisplacement) {
-    Ocean ocean = ocean_of({.resolution = 64, .patch_size_m = 250, .choppiness = 0});
+    Ocean ocean = serial_ocean({.resolution = 64, .patch_size_m = 250, .choppiness = 0});
     const Frame& frame = ocean.frame_at(1.7);
     for (int j = 0; j < 64; ++j) {
         for (int i = 0; i < 64; ++i) {
@@ -324,10 +324,10 @@ TEST(Crests, WithoutChoppinessThereIsNoHorizontalDisplacement) {
 TEST(Resolution, DoublingTheResolutionKeepsTheSea) {
     for (const int n : {16, 64, 128}) {
         SeaState sea{.resolution = n, .patch_size_m = 250, .choppiness = 1};
-        Ocean coarse_ocean = ocean_of(sea);
+        Ocean coarse_ocean = serial_ocean(sea);
         sea.resolution = 2 * n;
         sea.patch_size_m = 250;
-        Ocean fine_ocean = ocean_of(sea);
+        Ocean fine_ocean = serial_ocean(sea);
         const oracle::Displacement coarse = oracle::displacement_of(coarse_ocean.frame_at(6));
         const oracle::Displacement fine = oracle::displacement_of(fine_ocean.frame_at(6));
         for (const auto plane :
@@ -349,7 +349,7 @@ TEST(Resolution, DoublingTheResolutionKeepsTheSea) {
 /// Returns the fraction of the heights' variance in each frequency 1/T, 2/T, ... of a loop, by a
 /// Fourier sum over time at every texel.
 std::vector<double> measured_shares(const SeaState& sea, int frames) {
-    Ocean ocean = ocean_of(sea);
+    Ocean ocean = serial_ocean(sea);
     const std::size_t texels = static_cast<std::size_t>(sea.resolution) * static_cast<std::size_t>(sea.resolution);
     const auto harmonics = static_cast<std::size_t>(frames / 2);
     std::vector<std::vector<std::complex<double>>> sums(harmonics, std::vector<std::complex<double>>(texels));

@@ -40,7 +40,7 @@ void write_image(const std::filesystem::path& file, const ShoreOptions& shore) {
     ASSERT_TRUE(image.write(file.string())) << image.geterror();
 }
 
-Outcome query(const TemporaryFolder& folder, const std::string& points, std::vector<std::string> more) {
+Outcome query_shore(const TemporaryFolder& folder, const std::string& points, std::vector<std::string> more) {
     write_file(folder / "points.csv", points);
     more.insert(more.begin(), {"query", "--points", (folder / "points.csv").string()});
     return run_pelagic(more);
@@ -63,10 +63,10 @@ TEST(ShoreCommand, QueriesAreBitIdenticalToTheLibrary) {
     }
     const std::vector<std::string> sea = {"--resolution", "32",  "--cascades",      "3",     "--wind-speed", "8",
                                           "--time",       "7.3", "--interpolation", "linear"};
-    std::vector<std::string> with_shore = {
+    const Arguments with_shore = {
         "--floor", (folder / "floor.exr").string(), "--floor-size", "600", "--floor-middle", "1e6,-3e5", "--shore"};
-    with_shore.insert(with_shore.end(), sea.begin(), sea.end());
-    const Outcome outcome = query(folder, points, with_shore), open = query(folder, points, sea);
+    const Outcome outcome = query_shore(folder, points, joined(with_shore, sea)),
+                  open = query_shore(folder, points, sea);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 8},
@@ -105,8 +105,8 @@ TEST(ShoreCommand, WarnsOfCoarseTexels) {
     std::vector<std::string> fine = on, coarse = on;
     fine.insert(fine.end(), {"--floor-size", "600"});
     coarse.insert(coarse.end(), {"--floor-size", "30000"});
-    EXPECT_EQ(query(folder, "0,0\n", fine).err.find("coarse"), std::string::npos);
-    const Outcome outcome = query(folder, "0,0\n", coarse);
+    EXPECT_EQ(query_shore(folder, "0,0\n", fine).err.find("coarse"), std::string::npos);
+    const Outcome outcome = query_shore(folder, "0,0\n", coarse);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.err.find("note: texels of 112.7 m are coarse for the shore's shortest long waves, "),
               std::string::npos)
@@ -137,7 +137,7 @@ TEST(ShoreCommand, InvalidOptionsAreNamed) {
         {{"--floor", file, "--shore", "--current", "1,0"}, "pelagic: --current cannot be combined with --shore\n"},
     };
     for (const auto& [arguments, line] : cases) {
-        const Outcome run = query(folder, "0,0\n", arguments);
+        const Outcome run = query_shore(folder, "0,0\n", arguments);
         EXPECT_EQ(run.exit_code, 2);
         EXPECT_EQ(run.out, "");
         EXPECT_EQ(run.err, line);

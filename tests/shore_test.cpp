@@ -20,6 +20,7 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/shores.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -65,7 +66,7 @@ TEST(Shore, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
 
 // tests/golden/shore.txt holds hashes that every compiler, processor and version must reproduce.
 TEST(Shore, MatchesTheGoldenHashes) {
-    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/shore.txt");
+    std::ifstream golden(in_sources("tests/golden/shore.txt"));
     Ocean ocean(breeze, with_bay());
     int lines = 0;
     for (std::string time, hash; golden >> time >> hash; ++lines) {

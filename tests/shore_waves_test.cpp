@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "oracle/sea_oracle.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/shore/refraction.hpp"
 #include "pelagic/sim/shore/shore_waves.hpp"
@@ -17,17 +19,8 @@
 namespace pelagic {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, gravity = 9.80665;
-
-/// Solves omega^2 = g k tanh(k d) by bisection.
-double wave_number_at(double omega, double depth_m) {
-    double low = 0, high = 1e3;
-    for (int i = 0; i < 200; ++i) {
-        const double k = 0.5 * (low + high);
-        (gravity * k * std::tanh(k * depth_m) < omega * omega ? low : high) = k;
-    }
-    return low;
-}
+using oracle::wave_number_at;
+using std::numbers::pi;
 
 double group_velocity_at(double omega, double depth_m) {
     const double k = wave_number_at(omega, depth_m), kd = k * depth_m;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,11 +15,12 @@
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
 namespace {
 
-SeaState sea_of(std::string_view preset) {
+SeaState preset_sea(std::string_view preset) {
     SeaState sea = sea_preset_named(preset)->sea;
     sea.resolution = 128;
     return sea;
@@ -41,18 +41,9 @@ Droplets droplets_of(Spray& spray, Ocean& ocean, double time_s, double x_m = 0, 
 }
 
 /// Returns whether two lists are bit-identical. A droplet has no padding.
-bool equal(const Droplets& a, const Droplets& b) {
+bool same_droplets(const Droplets& a, const Droplets& b) {
     static_assert(sizeof(SprayDroplet) == 3 * sizeof(double) + 6 * sizeof(float));
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(SprayDroplet)) == 0;
-}
-
-std::string message_of(auto call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
 }
 
 /// One droplet that leaves the point (1, 2, 3) at time 10, in still air.
@@ -111,7 +102,7 @@ TEST(Spray, GrowsWiderAndThinnerUntilItEnds) {
 
 TEST(Spray, IsAbsentFromACalmSeaAndDenseInAStorm) {
     const auto count = [](std::string_view preset) {
-        Ocean ocean(sea_of(preset), {.velocities = true});
+        Ocean ocean(preset_sea(preset), {.velocities = true});
         Spray spray;
         return droplets_of(spray, ocean, 20).size();
     };
@@ -127,7 +118,7 @@ TEST(Spray, IsAbsentFromACalmSeaAndDenseInAStorm) {
 // surface intersects itself, a query returns the highest point, and a droplet may have left a lower
 // one.
 TEST(Spray, LeavesTheSurfaceWhereItBreaks) {
-    Ocean ocean(sea_of("storm"), {.queries = true, .velocities = true, .foam = true});
+    Ocean ocean(preset_sea("storm"), {.queries = true, .velocities = true, .foam = true});
     Spray spray({.amount = 10});
     int all = 0, on_surface = 0, breaking = 0;
     for (int tick = 100; tick < 130; ++tick) {
@@ -154,7 +145,7 @@ TEST(Spray, LeavesTheSurfaceWhereItBreaks) {
 // In the mean over droplets, gusts across the wind cancel. Droplets that are older than most
 // relaxation times move with the wind.
 TEST(Spray, DriftsWithTheWind) {
-    SeaState sea = sea_of("beaufort-11");
+    SeaState sea = preset_sea("beaufort-11");
     sea.wind_direction_rad = 2;
     Ocean ocean(sea, {.velocities = true});
     Spray spray;
@@ -169,35 +160,36 @@ TEST(Spray, DriftsWithTheWind) {
 }
 
 TEST(Spray, IsEqualAfterAJumpAndStepByStep) {
-    Ocean ocean(sea_of("beaufort-9"), {.velocities = true});
+    Ocean ocean(preset_sea("beaufort-9"), {.velocities = true});
     Spray steps, jump;
     for (int frame = 0; frame < 60; ++frame) droplets_of(steps, ocean, frame / 24.0, 40, -7);
     const double time_s = 59 / 24.0;
     const Droplets expected = droplets_of(jump, ocean, time_s, 40, -7);
     ASSERT_GT(expected.size(), 100u);
-    EXPECT_TRUE(equal(droplets_of(steps, ocean, time_s, 40, -7), expected));
+    EXPECT_TRUE(same_droplets(droplets_of(steps, ocean, time_s, 40, -7), expected));
     droplets_of(jump, ocean, 500, 40, -7);
-    EXPECT_TRUE(equal(droplets_of(jump, ocean, time_s, 40, -7), expected)) << "after a jump back";
+    EXPECT_TRUE(same_droplets(droplets_of(jump, ocean, time_s, 40, -7), expected)) << "after a jump back";
     droplets_of(steps, ocean, time_s + 0.9, 40, -7);
     droplets_of(jump, ocean, time_s + 0.31, 40, -7);
-    EXPECT_TRUE(
-        equal(droplets_of(jump, ocean, time_s + 0.9, 40, -7), droplets_of(steps, ocean, time_s + 0.9, 40, -7)));
+    EXPECT_TRUE(same_droplets(droplets_of(jump, ocean, time_s + 0.9, 40, -7),
+                              droplets_of(steps, ocean, time_s + 0.9, 40, -7)));
 }
 
 class SprayOnEachIsa : public OnEachIsa {};
 
 TEST_P(SprayOnEachIsa, IsBitIdentical) {
     static const Droplets expected = [] {
-        Ocean ocean(sea_of("storm"),
+        Ocean ocean(preset_sea("storm"),
                     {.executor = make_serial_executor(), .isa = isas_here().front(), .velocities = true});
         Spray spray;
         return droplets_of(spray, ocean, 12.34);
     }();
     ASSERT_GT(expected.size(), 100u);
     for (const ExecutorKind& kind : executor_kinds()) {
-        Ocean ocean(sea_of("storm"), {.executor = kind.make(kind.threads), .isa = GetParam(), .velocities = true});
+        Ocean ocean(preset_sea("storm"),
+                    {.executor = kind.make(kind.threads), .isa = GetParam(), .velocities = true});
         Spray spray;
-        EXPECT_TRUE(equal(droplets_of(spray, ocean, 12.34), expected)) << kind.name;
+        EXPECT_TRUE(same_droplets(droplets_of(spray, ocean, 12.34), expected)) << kind.name;
     }
 }
 
@@ -205,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Isa, SprayOnEachIsa, testing::ValuesIn(isas_here()), is
 
 // Positions differ by rounding of times only: 2^-52 * 60 s * 30 m/s < 1e-12 m.
 TEST(Spray, RepeatsWithTheLoop) {
-    SeaState sea = sea_of("storm");
+    SeaState sea = preset_sea("storm");
     sea.loop_period_s = 30;
     Ocean ocean(sea, {.velocities = true});
     Spray spray({.loop_period_s = 30});
@@ -232,7 +224,7 @@ TEST(Spray, KeepsTheNewestDropletsOfEmitters) {
 }
 
 TEST(Spray, OfEmittersOutlastsAJump) {
-    Ocean ocean(sea_of("storm"), {.velocities = true});
+    Ocean ocean(preset_sea("storm"), {.velocities = true});
     Spray spray;
     const SprayEmitter emitter{.time_s = 50, .extent_m = 2, .spread_mps = 3, .count = 500};
     spray.emit({&emitter, 1});
@@ -259,7 +251,7 @@ TEST(Spray, RejectsBadInputInOneLine) {
     EXPECT_EQ(message_of([] { Spray({.loop_period_s = 0.5}); }),
               "loop_period_s 0.5 is out of range [1, 1e6], or 0 for no loop");
     EXPECT_EQ(message_of([&] { spray.missing_tick_s(nan); }), "time_s nan is out of range [-1e9, 1e9]");
-    Ocean still(sea_of("storm")), moving(sea_of("storm"), {.velocities = true});
+    Ocean still(preset_sea("storm")), moving(preset_sea("storm"), {.velocities = true});
     EXPECT_EQ(message_of([&] { spray.add_tick(still.frame_at(0), 0, 0); }),
               "spray needs frames of an ocean with velocities");
     EXPECT_EQ(message_of([&] { spray.add_tick(moving.frame_at(0.05), 0, 0); }),
@@ -270,7 +262,7 @@ TEST(Spray, RejectsBadInputInOneLine) {
 
 // Far from the origin and late, cells and ticks still have integers of their own.
 TEST(Spray, WorksFarAwayAndLate) {
-    Ocean ocean(sea_of("storm"), {.velocities = true});
+    Ocean ocean(preset_sea("storm"), {.velocities = true});
     Spray spray;
     for (const SprayDroplet& droplet : droplets_of(spray, ocean, 9.9e8, 9.9e7, -9.9e7)) {
         EXPECT_NEAR(droplet.x_m, 9.9e7, 120);
@@ -289,7 +281,7 @@ TEST(Spray, AllocatesInTheConstructorOnly) {
         },
         .release = [](void*, void* memory, std::size_t,
                       std::size_t alignment) { ::operator delete (memory, std::align_val_t{alignment}); }};
-    Ocean ocean(sea_of("storm"), {.velocities = true});
+    Ocean ocean(preset_sea("storm"), {.velocities = true});
     Spray spray({}, counting);
     const int before = allocations;
     EXPECT_GT(before, 0);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -69,7 +70,7 @@ TEST(StartUp, FindsTheImageLibrariesBesideTheTool) {
     const std::filesystem::path libraries = (bin / PELAGIC_MODULE_FOLDER).lexically_normal();
     std::filesystem::create_directories(bin);
     std::filesystem::create_directories(libraries);
-    std::filesystem::copy_file(PELAGIC_BINARY, tool);
+    std::filesystem::copy_file(tested_binary, tool);
     std::filesystem::create_symlink(tool, folder / "link");
     const auto run = [&] {
         const pid_t process = ::fork();
@@ -88,7 +89,7 @@ TEST(StartUp, FindsTheImageLibrariesBesideTheTool) {
         EXPECT_NE(read_file(folder / "err").find(file + std::string(", which ") + use), std::string::npos)
             << read_file(folder / "err");
         EXPECT_FALSE(std::filesystem::exists(folder / "out"));
-        std::filesystem::copy_file(std::filesystem::path(PELAGIC_BINARY).parent_path() / PELAGIC_MODULE_FOLDER / file,
+        std::filesystem::copy_file(std::filesystem::path(tested_binary).parent_path() / PELAGIC_MODULE_FOLDER / file,
                                    libraries / file);
     }
     EXPECT_EQ(run(), 0) << read_file(folder / "err");

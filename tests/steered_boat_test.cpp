@@ -6,12 +6,14 @@
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <sstream>
 #include <string>
 
 #include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/viewer/picked_place.hpp"
 #include "pelagic/viewer/steered_boat.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -19,7 +21,7 @@
 namespace pelagic::viewer {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Ripples of millimetres.
 const SeaState level{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
@@ -169,7 +171,7 @@ TEST(SteeredBoat, LeavesAWake) {
 
 // examples/boat/boat.obj, in millimetres.
 TEST(SteeredBoat, HasTheHullOfTheExampleFile) {
-    std::ifstream file(PELAGIC_EXAMPLES "/boat/boat.obj");
+    std::ifstream file(in_sources("examples/boat/boat.obj"));
     const gl::Boat::Surface hull = gl::Boat::hull();
     std::size_t vertices = 0, triangles = 0;
     for (std::string line; std::getline(file, line);) {

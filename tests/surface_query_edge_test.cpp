@@ -15,14 +15,13 @@
 namespace pelagic {
 namespace {
 
-constexpr int n = 16;
-
 /// A crumpled surface: each cell is about 60 texels long and one wide when displaced, so rounding
 /// errors of its length are large relative to its width, and the patch overlaps itself many times.
 /// A texel is a metre. Positions are multiples of 105 units that a float represents exactly, so
 /// that a third, a fifth or a seventh of an edge is exactly on it.
 class Crumpled {
    public:
+    static constexpr int n = 16;
     static constexpr double unit = 0x1p-16;
 
     explicit Crumpled(unsigned seed) : dx_(n * n), height_(n * n), dz_(n * n), folds_(n * n / 8, 0xFF) {
@@ -68,6 +67,7 @@ class Crumpled {
 };
 
 TEST(SurfaceQueryEdges, APointOnAnEdgeBelongsToOneOfItsCells) {
+    constexpr int n = Crumpled::n;
     std::size_t asked = 0, lower = 0;
     for (unsigned seed = 0; seed < 5; ++seed) {
         const Crumpled surface(seed);

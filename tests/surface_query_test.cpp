@@ -17,46 +17,11 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 #include "pelagic/tests/oracle/surface_oracle.hpp"
+#include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
-
-struct Points {
-    std::vector<double> x, z;
-    SurfacePoints view() const { return {x, z}; }
-};
-
-struct Samples {
-    explicit Samples(std::size_t count, bool velocities = false)
-        : height(count),
-          normal_x(count),
-          normal_y(count),
-          normal_z(count),
-          jacobian(count),
-          error(count),
-          converged(count),
-          velocity_x(velocities ? count : 0),
-          velocity_y(velocity_x),
-          velocity_z(velocity_x) {}
-    SurfaceSamples view() {
-        return {height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error, converged};
-    }
-    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, error;
-    std::vector<std::uint8_t> converged;
-    std::vector<float> velocity_x, velocity_y, velocity_z;
-};
-
-Points random_points(std::size_t count, double reach_m, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> anywhere(-reach_m, reach_m);
-    Points points;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.x.push_back(anywhere(random));
-        points.z.push_back(anywhere(random));
-    }
-    return points;
-}
 
 /// Returns points in the squares of the world where the surface may be folded.
 Points points_where_overturned(const Frame& frame, std::size_t count, unsigned seed) {
@@ -77,7 +42,7 @@ Points points_where_overturned(const Frame& frame, std::size_t count, unsigned s
     return points;
 }
 
-std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa = choose_isa()) {
+std::unique_ptr<Ocean> ocean_with_queries(const SeaState& sea, Isa isa = choose_isa()) {
     return std::make_unique<Ocean>(
         sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true});
 }
@@ -92,7 +57,7 @@ struct Worst {
 /// 1: the search stops 16 micrometres away, texels are decimetres wide and slopes change by less
 /// than 1 from one to the next.
 void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const Points& points, Worst& worst) {
-    Samples samples(points.x.size());
+    Samples samples(points.x.size(), false);
     SurfaceQuery(frame).sample(points.view(), samples.view());
     const double bound = 1e-3 + 1e-4 * measured_significant_wave_height_m(frame);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -126,7 +91,7 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansMatchTheOracleFromCalmToStorm) {
             sea.choppiness = choppiness;
             sea.wind_direction_rad = 0.35 * ++seed;
             sea.seed = seed;
-            const auto ocean = ocean_of(sea);
+            const auto ocean = ocean_with_queries(sea);
             const Frame& frame = ocean->frame_at(3.7 * seed);
             Worst worst;
             expect_as_oracle(frame, oracle::Surface(frame, sea.patch_size_m),
@@ -186,7 +151,7 @@ TEST(SurfaceQuery, ReturnsTheHighestOfSeveralIntersections) {
                            .wind_speed_mps = 20,
                            .choppiness = 1,
                            .seed = seed};
-        const auto ocean = ocean_of(sea);
+        const auto ocean = ocean_with_queries(sea);
         const Frame& frame = ocean->frame_at(seed);
         const oracle::Surface surface(frame, sea.patch_size_m);
         Worst worst;
@@ -198,7 +163,7 @@ TEST(SurfaceQuery, ReturnsTheHighestOfSeveralIntersections) {
 }
 
 TEST(SurfaceQuery, ReturnsTheHighestOfManyIntersections) {
-    const auto ocean = ocean_of({.resolution = 128, .patch_size_m = 250, .choppiness = 1});
+    const auto ocean = ocean_with_queries({.resolution = 128, .patch_size_m = 250, .choppiness = 1});
     for (const float factor : {8.f, 12.f, 20.f}) {
         const Exaggerated sea(ocean->frame_at(factor), factor, kernels_for(ocean->isa()));
         const oracle::Surface surface(sea.frame(), sea.frame().sea.patch_size_m);
@@ -215,7 +180,7 @@ TEST(SurfaceQuery, TheFoldMapCoversEveryPointWithSeveralIntersections) {
                        .patch_size_m = 250,
                        .wind_speed_mps = 20,
                        .choppiness = 1};
-    const auto ocean = ocean_of(sea);
+    const auto ocean = ocean_with_queries(sea);
     const Frame& frame = ocean->frame_at(5);
     const oracle::Surface surface(frame, sea.patch_size_m);
     const Points points = random_points(is_sanitized ? 2000 : 100000, sea.patch_size_m, 6);
@@ -292,7 +257,7 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
     const double width = Trochoid::x_of(-Trochoid::turning_point());  // width of half a loop
     Points points = random_points(20000, 1, 3);
     for (double& x : points.x) x *= Trochoid::patch_m / 2;
-    Samples samples(points.x.size());
+    Samples samples(points.x.size(), false);
     SurfaceQuery(trochoid.frame()).sample(points.view(), samples.view());
     // Between texels the curve is linear. Its error is at most the second derivative times an
     // eighth of a texel squared: horizontally (a k^2) and vertically (A k^2). A horizontal error is
@@ -325,7 +290,7 @@ TEST(SurfaceQuery, VelocityMatchesTheOraclesDifferenceInTime) {
                            .choppiness = choppiness,
                            .loop_period_s = 60};
         const double time_s = 11.5, dt = 1e-3;
-        const auto ocean = ocean_of(sea);
+        const auto ocean = ocean_with_queries(sea);
         const Frame& frame = ocean->frame_at(time_s);
         const oracle::Surface surface(frame, sea.patch_size_m);
         const oracle::Fields before = oracle::fields_at(sea, time_s - dt),
@@ -340,7 +305,7 @@ TEST(SurfaceQuery, VelocityMatchesTheOraclesDifferenceInTime) {
                             z = derivative(&oracle::Fields::dz);
 
         const Points points = random_points(3000, 300, 8);
-        Samples samples(points.x.size(), true);
+        Samples samples(points.x.size());
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             const oracle::ReferencePoint rest = surface.intersections_at(points.x[i], points.z[i]).front().rest;
@@ -359,11 +324,11 @@ class SurfaceQueryOnEachIsa : public OnEachIsa {};
 TEST_P(SurfaceQueryOnEachIsa, MatchesTheOracleForEveryResolution) {
     for (const int n : {16, 32, 64, 512}) {
         const SeaState sea{.resolution = n, .patch_size_m = 100, .choppiness = 1};
-        const auto ocean = ocean_of(sea, GetParam());
+        const auto ocean = ocean_with_queries(sea, GetParam());
         const Frame& frame = ocean->frame_at(1);
         const oracle::Surface surface(frame, sea.patch_size_m);
         const Points points = random_points(500, 300, 4);
-        Samples samples(points.x.size());
+        Samples samples(points.x.size(), false);
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i)
             ASSERT_NEAR(samples.height[i], surface.intersections_at(points.x[i], points.z[i]).front().height, 1e-3)
@@ -375,7 +340,7 @@ INSTANTIATE_TEST_SUITE_P(Isa, SurfaceQueryOnEachIsa, testing::ValuesIn(isas_here
 
 TEST(SurfaceQuery, RepetitionsFarFromTheOriginAreBitIdentical) {
     const SeaState sea{.resolution = 64, .patch_size_m = 128};
-    const auto ocean = ocean_of(sea);
+    const auto ocean = ocean_with_queries(sea);
     const SurfaceQuery query(ocean->frame_at(2));
     // Sixteenths of a metre, so that moving them by whole patches is exact.
     Points near, far;
@@ -385,7 +350,7 @@ TEST(SurfaceQuery, RepetitionsFarFromTheOriginAreBitIdentical) {
         far.x.push_back(near.x.back() + 128 * 1e9);
         far.z.push_back(near.z.back() - 128 * 3e8);
     }
-    Samples here(400), there(400);
+    Samples here(400, false), there(400, false);
     query.sample(near.view(), here.view());
     query.sample(far.view(), there.view());
     EXPECT_EQ(here.height, there.height);
@@ -394,11 +359,11 @@ TEST(SurfaceQuery, RepetitionsFarFromTheOriginAreBitIdentical) {
 }
 
 TEST(SurfaceQuery, InvalidPositionsDoNotConverge) {
-    const auto ocean = ocean_of({.resolution = 32, .patch_size_m = 250});
+    const auto ocean = ocean_with_queries({.resolution = 32, .patch_size_m = 250});
     const SurfaceQuery query(ocean->frame_at(0));
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3}, {0, 0, 0, nan, 0, 4}};
-    Samples samples(6);
+    Samples samples(6, false);
     query.sample(points.view(), samples.view());
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(samples.error[i], infinity);
@@ -410,10 +375,10 @@ TEST(SurfaceQuery, InvalidPositionsDoNotConverge) {
 
 TEST(SurfaceQuery, ReportsTheErrorIfTheToleranceIsBelowFloatPrecision) {
     const SeaState sea{.resolution = 64, .patch_size_m = 100};
-    const auto ocean = ocean_of(sea);
+    const auto ocean = ocean_with_queries(sea);
     const SurfaceQuery query(ocean->frame_at(0), 1e-12);
     const Points points = random_points(1000, 100, 5);
-    Samples samples(1000);
+    Samples samples(1000, false);
     query.sample(points.view(), samples.view());
     for (std::size_t i = 0; i < 1000; ++i) {
         EXPECT_EQ(samples.converged[i] != 0, samples.error[i] <= 1e-12f);

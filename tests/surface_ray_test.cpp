@@ -14,8 +14,6 @@
 namespace pelagic {
 namespace {
 
-using Place = std::array<double, 3>;
-
 class SurfaceRayTest : public testing::Test {
    protected:
     SurfaceRayTest()

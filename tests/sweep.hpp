@@ -6,7 +6,7 @@
 
 namespace pelagic {
 
-/// `./test.sh night` sets PELAGIC_FULL_SWEEPS for the suites that tests/CMakeLists.txt names under
+/// `./test.sh soak` sets PELAGIC_FULL_SWEEPS for the suites that tests/CMakeLists.txt names under
 /// SWEEPS.
 inline bool sweeps_are_full() {
     const char* full = std::getenv("PELAGIC_FULL_SWEEPS");

@@ -20,32 +20,33 @@
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/frame_bits.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr double period_s = 12;
+constexpr double peak_period_s = 12;
 
 SeaState with_swell(SeaState sea) {
     sea.swell_height_m = 3;
-    sea.swell_period_s = period_s;
+    sea.swell_period_s = peak_period_s;
     sea.swell_direction_rad = 0.6;
     return sea;
 }
 
 const SeaState ripples{.resolution = 64, .wind_speed_mps = 3, .fetch_m = 5e3};
-const SeaState swell = with_swell(ripples);
+const SeaState sea_with_swell = with_swell(ripples);
 
 Forecast from_afar(double distance_m, double over_s) {
     return {.first = ripples,
-            .changes = {{.sea = swell, .from_s = 10, .over_s = over_s, .swell_from_m = distance_m}}};
+            .changes = {{.sea = sea_with_swell, .from_s = 10, .over_s = over_s, .swell_from_m = distance_m}}};
 }
 
 /// In deep water cg = g / 2 omega. Returns the delay from the start of the change to the arrival of
 /// waves of `omega`.
 double deep_delay_s(double omega, double distance_m) {
-    const double first = two_pi / (1.5 * period_s), last = two_pi / (period_s / 3);
+    const double first = two_pi / (1.5 * peak_period_s), last = two_pi / (peak_period_s / 3);
     return 2 * distance_m / gravity_mps2 * (std::clamp(omega, first, last) - first);
 }
 
@@ -56,16 +57,16 @@ double fraction_of(double omega, const SeaChange& change, double time_s) {
 }
 
 TEST(SwellArrival, FrequenciesArriveAtAConstantRateInDeepWater) {
-    const SwellArrival arrival(swell, 4e6);
-    for (const double omega : {0.1, two_pi / 18, 0.4, two_pi / period_s, 1.0, two_pi / 4, 3.0})
+    const SwellArrival arrival(sea_with_swell, 4e6);
+    for (const double omega : {0.1, two_pi / 18, 0.4, two_pi / peak_period_s, 1.0, two_pi / 4, 3.0})
         EXPECT_NEAR(arrival.delay_s(omega), deep_delay_s(omega, 4e6), 1e-9 * arrival.span_s()) << omega;
     EXPECT_EQ(arrival.delay_s(0.1), 0);
     EXPECT_EQ(arrival.delay_s(3), arrival.span_s());
-    EXPECT_EQ(arrival.delay_of_peak_s(), arrival.delay_s(two_pi / period_s));
+    EXPECT_EQ(arrival.delay_of_peak_s(), arrival.delay_s(two_pi / peak_period_s));
 }
 
 TEST(SwellArrival, ArrivalTimesSpreadLessInShallowWater) {
-    SeaState shallow = swell;
+    SeaState shallow = sea_with_swell;
     shallow.depth_m = 2;
     // Long waves have a group speed of sqrt(g depth); waves of 18 s are 1 % slower, and waves of 4
     // s (k depth 0.77) 22 %: 1/0.78 - 1/0.99.
@@ -81,7 +82,7 @@ TEST(SwellArrival, ForecastHasTheEndAndTheWeightOfThePeak) {
         const ForecastMoment moment = forecast.at(10 + since_s);
         EXPECT_EQ(moment.before, 0u);
         EXPECT_EQ(moment.after, 1u);
-        EXPECT_NEAR(moment.weight, fraction_of(two_pi / period_s, change, 10 + since_s), 1e-9);
+        EXPECT_NEAR(moment.weight, fraction_of(two_pi / peak_period_s, change, 10 + since_s), 1e-9);
     }
     EXPECT_EQ(forecast.at(10).after, 0u);
     EXPECT_EQ(forecast.at(change.end_s()).before, 1u);
@@ -161,7 +162,7 @@ std::complex<double> term(const Cascade& cascade, int m, int n) {
 TEST(SwellArrival, LongWavesArriveBeforeShortWaves) {
     const Forecast forecast = from_afar(2e4, 1000);
     const SeaChange& change = forecast.changes[0];
-    const double loop_s = swell.loop_period_s;
+    const double loop_s = sea_with_swell.loop_period_s;
     Ocean ocean(forecast, {.executor = make_thread_executor(2)});
     struct Seen {
         int m, n;
@@ -178,7 +179,7 @@ TEST(SwellArrival, LongWavesArriveBeforeShortWaves) {
             const CascadeGrid::Place along = cascade.grid.in_cascade(std::cos(0.6), std::sin(0.6));
             const int m = static_cast<int>(std::lround(steps * along.along));
             const int n = static_cast<int>(std::lround(steps * along.across));
-            const double omega = angular_frequency(spacing * std::hypot(m, n), swell.depth_m);
+            const double omega = angular_frequency(spacing * std::hypot(m, n), sea_with_swell.depth_m);
             const std::uint32_t harmonic = loop_harmonic(omega, loop_s);
             const std::complex<double> height = term(cascade, m, n);
             if (harmonic >= 32 || std::abs(height) < 1) continue;
@@ -244,17 +245,11 @@ TEST(SwellArrival, StatisticsAreThoseOfTheWavesThatHaveArrived) {
     }
 }
 
-struct Bits {
-    std::uint64_t frame, foam;
-    bool operator==(const Bits&) const = default;
-};
-Bits bits_of(const Frame& frame) { return {hash_of(frame), foam_hash_of(frame)}; }
-
 TEST(SwellArrival, FramesAreBitIdenticalInAnyOrderOnEveryInstructionSet) {
     Forecast forecast = from_afar(1e3, 20);
     forecast.changes.push_back({.sea = ripples, .from_s = 300, .over_s = 5});
     const std::vector<double> times = {5, 12, 60, 90.5, 150, 250, 277, 280, 302};
-    std::vector<Bits> alone;
+    std::vector<FrameBits> alone;
     for (const double time_s : times) {
         Ocean ocean(forecast, {.executor = make_serial_executor(), .isa = isas_here().front(), .foam = true});
         alone.push_back(bits_of(ocean.frame_at(time_s)));

@@ -11,11 +11,12 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr int n = 32;
+constexpr int target_n = 32;
 constexpr std::uint32_t guard = 0xA5C3A5C3;
 
 /// An application's memory for one map of one cascade, with guard words on both sides of every
@@ -44,13 +45,14 @@ class Guarded {
 
 std::vector<std::size_t> texels_by_level() {
     std::vector<std::size_t> texels;
-    for (int level = 0; level < mip_levels(n); ++level)
-        texels.push_back(static_cast<std::size_t>(n >> level) * static_cast<std::size_t>(n >> level));
+    for (int level = 0; level < mip_levels(target_n); ++level)
+        texels.push_back(static_cast<std::size_t>(target_n >> level) * static_cast<std::size_t>(target_n >> level));
     return texels;
 }
 
 struct CascadeMemory {
-    Guarded halves{{2 * n * n}}, gradients{texels_by_level()}, slopes{texels_by_level()}, moments{texels_by_level()};
+    Guarded halves{{2 * target_n * target_n}}, gradients{texels_by_level()}, slopes{texels_by_level()},
+        moments{texels_by_level()};
 
     TextureTargets targets() {
         const auto chain = [](Guarded& map) {
@@ -62,7 +64,7 @@ struct CascadeMemory {
     }
     bool holds(const Cascade& cascade) {
         const auto is_chain = [&](Guarded& map, std::span<const std::uint32_t> chain) {
-            for (int level = 0; level < mip_levels(n); ++level) {
+            for (int level = 0; level < mip_levels(target_n); ++level) {
                 const auto texels = cascade.level_of(chain, level);
                 if (std::memcmp(map.piece(static_cast<std::size_t>(level)), texels.data(), texels.size_bytes()) != 0)
                     return false;
@@ -76,15 +78,15 @@ struct CascadeMemory {
     }
 };
 
-SeaState sea_of(int cascades) {
-    return cascades == 1 ? SeaState{.resolution = n, .patch_size_m = 130}
-                         : SeaState{.cascades = cascades, .resolution = n};
+SeaState target_sea(int cascades) {
+    return cascades == 1 ? SeaState{.resolution = target_n, .patch_size_m = 130}
+                         : SeaState{.cascades = cascades, .resolution = target_n};
 }
 
 class TextureTargetsOnEachIsa : public OnEachIsa {
    protected:
     Ocean ocean_of(int cascades) const {
-        return Ocean(sea_of(cascades),
+        return Ocean(target_sea(cascades),
                      {.executor = make_serial_executor(), .isa = GetParam(), .gradients = true, .slopes = true});
     }
 };
@@ -133,16 +135,11 @@ TEST_P(TextureTargetsOnEachIsa, MapsWithoutATargetStayInTheFrame) {
 }
 
 std::string invalid_value_of(Ocean& ocean, std::span<const TextureTargets> targets) {
-    try {
-        ocean.schedule(1, targets);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return message_of([&] { ocean.schedule(1, targets); });
 }
 
 TEST(TextureTargets, InvalidTargetsAreRejectedBeforeTheFrameIsComputed) {
-    Ocean ocean({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor()});
+    Ocean ocean({.resolution = target_n, .patch_size_m = 130}, {.executor = make_serial_executor()});
     const std::uint64_t before = hash_of(ocean.frame_at(5));
     CascadeMemory memory;
     const TextureTargets whole = memory.targets();
@@ -152,7 +149,8 @@ TEST(TextureTargets, InvalidTargetsAreRejectedBeforeTheFrameIsComputed) {
     EXPECT_EQ(invalid_value_of(ocean, two), "there are targets of 2 cascades, expected 1");
     TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
     EXPECT_EQ(invalid_value_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
-    Ocean with_slopes({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor(), .slopes = true});
+    Ocean with_slopes({.resolution = target_n, .patch_size_m = 130},
+                      {.executor = make_serial_executor(), .slopes = true});
     for (const std::size_t bytes : {1, 2, 3})
         for (const std::size_t level : {0, 2})
             for (const auto& [name, chain] : {std::pair{"gradient_rgba8", &TextureTargets::gradient_rgba8},
@@ -171,7 +169,7 @@ TEST(TextureTargets, InvalidTargetsAreRejectedBeforeTheFrameIsComputed) {
 
     TextureTargets good{.displacement_rgba16f = whole.displacement_rgba16f};
     EXPECT_EQ(invalid_value_of(ocean, {&good, 1}), "");
-    std::vector<std::uint16_t> halves(4 * n * n);
+    std::vector<std::uint16_t> halves(4 * target_n * target_n);
     EXPECT_THROW(copy_frame(ocean.complete(), FrameBuffers{.displacement_rgba16f = halves}), std::invalid_argument);
 }
 

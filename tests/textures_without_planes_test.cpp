@@ -18,12 +18,14 @@
 #include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
 
-SeaState sea_of(int cascades, int n) {
+SeaState textured_sea(int cascades, int n) {
     return cascades == 1 ? SeaState{.resolution = n, .patch_size_m = 250, .wind_direction_rad = 1, .choppiness = 1}
                          : SeaState{.cascades = cascades, .resolution = n, .choppiness = 1};
 }
@@ -83,7 +85,7 @@ TEST_P(TexturesWithoutPlanesOnEachIsa, AreThoseOfFramesWithPlanes) {
             for (const bool foam : {false, true}) {
                 if (foam && n > 512) continue;  // 16 ticks of the warm-up take seconds
                 SCOPED_TRACE(std::to_string(cascades) + " x " + std::to_string(n) + (foam ? " with foam" : ""));
-                expect_identical_textures(sea_of(cascades, n),
+                expect_identical_textures(textured_sea(cascades, n),
                                           {.executor = make_serial_executor(), .isa = GetParam(), .foam = foam});
             }
         }
@@ -93,7 +95,7 @@ TEST_P(TexturesWithoutPlanesOnEachIsa, AreThoseOfFramesWithPlanesInBothSetsOfMap
     for (const int cascades : {1, 4})
         for (const int n : {128, 256})
             expect_identical_textures(
-                sea_of(cascades, n),
+                textured_sea(cascades, n),
                 {.executor = make_serial_executor(), .isa = GetParam(), .gradients = true, .slopes = true});
 }
 
@@ -113,7 +115,7 @@ TEST(TexturesWithoutPlanes, DoNotDependOnTheExecutor) {
             for (const int n : {128, 256})
                 for (const bool foam : {false, true}) {
                     SCOPED_TRACE(name + ", " + std::to_string(cascades) + " x " + std::to_string(n));
-                    expect_identical_textures(sea_of(cascades, n), {.executor = executor, .foam = foam});
+                    expect_identical_textures(textured_sea(cascades, n), {.executor = executor, .foam = foam});
                 }
 }
 
@@ -124,7 +126,7 @@ TEST(TexturesWithoutPlanes, AreThoseOfPondAndAnalyticWaves) {
 }
 
 TEST(TexturesWithoutPlanes, AreIdenticalDuringASeaStateTransition) {
-    const SeaState calm = sea_of(1, 256);
+    const SeaState calm = textured_sea(1, 256);
     SeaState rough = calm;
     rough.wind_speed_mps = calm.wind_speed_mps + 4;
     const Forecast forecast{.first = calm, .changes = {{.sea = rough, .from_s = 1, .over_s = 10}}};
@@ -137,12 +139,12 @@ TEST(TexturesWithoutPlanes, AreIdenticalDuringASeaStateTransition) {
 // A change of these hashes changes every user's textures; its commit message must give the reason.
 TEST(TexturesWithoutPlanes, HaveTheGoldenHashes) {
     std::map<std::string, std::string> golden;
-    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/textures.txt");
+    std::ifstream file(in_sources("tests/golden/textures.txt"));
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
     for (const int cascades : {1, 4})
         for (const int n : {128, 256}) {
-            Ocean ocean(sea_of(cascades, n), {.executor = make_serial_executor(), .planes = false});
+            Ocean ocean(textured_sea(cascades, n), {.executor = make_serial_executor(), .planes = false});
             std::ostringstream hash;
             hash << std::hex << hash_of(ocean.frame_at(12.34));
             const std::string key = std::to_string(cascades) + "x" + std::to_string(n) + "@12.34";
@@ -154,7 +156,7 @@ TEST(TexturesWithoutPlanes, HaveTheGoldenHashes) {
 
 TEST(TexturesWithoutPlanes, TakeLessMemory) {
     for (const int cascades : {1, 4}) {
-        const SeaState sea = sea_of(cascades, 256);
+        const SeaState sea = textured_sea(cascades, 256);
         const Ocean with(sea, {.executor = make_serial_executor()});
         const Ocean without(sea, {.executor = make_serial_executor(), .planes = false});
         // Of two sets of planes of 12 bytes a texel, one working buffer of 12 bytes remains.
@@ -164,12 +166,7 @@ TEST(TexturesWithoutPlanes, TakeLessMemory) {
 }
 
 std::string refusal_of(const OceanOptions& options) {
-    try {
-        Ocean(sea_of(4, 64), options);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return {};
+    return message_of([&] { Ocean(textured_sea(4, 64), options); });
 }
 
 TEST(TexturesWithoutPlanes, AreRefusedTogetherWithWhatNeedsPlanes) {
@@ -183,25 +180,17 @@ TEST(TexturesWithoutPlanes, AreRefusedTogetherWithWhatNeedsPlanes) {
 }
 
 TEST(TexturesWithoutPlanes, HaveNoMeasuredWaveHeight) {
-    Ocean ocean(sea_of(1, 64), {.executor = make_serial_executor(), .planes = false});
+    Ocean ocean(textured_sea(1, 64), {.executor = make_serial_executor(), .planes = false});
     EXPECT_THROW(measured_significant_wave_height_m(ocean.frame_at(1)), std::invalid_argument);
 }
 
 TEST(TexturesWithoutPlanes, CopyOnlyTextures) {
-    Ocean ocean(sea_of(1, 64), {.executor = make_serial_executor(), .planes = false});
+    Ocean ocean(textured_sea(1, 64), {.executor = make_serial_executor(), .planes = false});
     const Frame& frame = ocean.frame_at(1);
     std::vector<float> plane(64 * 64);
     std::vector<std::uint16_t> halves(4 * 64 * 64);
     copy_frame(frame, FrameBuffers{.displacement_rgba16f = halves});
     EXPECT_TRUE(are_identical<std::uint16_t>(halves, frame.cascades[0].displacement_rgba16f));
-    const auto message_of = [](auto&& call) -> std::string {
-        try {
-            call();
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return {};
-    };
     const std::string refused = "height is requested, but the ocean was created without planes";
     EXPECT_EQ(message_of([&] { copy_frame(frame, FrameBuffers{.height = plane}); }), refused);
     EXPECT_EQ(message_of([&] { ocean.frame_at(2, FrameBuffers{.height = plane}); }), refused);
@@ -210,7 +199,7 @@ TEST(TexturesWithoutPlanes, CopyOnlyTextures) {
 }
 
 TEST(TexturesWithoutPlanes, AreWrittenToMemoryOfTheApplication) {
-    const SeaState sea = sea_of(1, 256);
+    const SeaState sea = textured_sea(1, 256);
     Ocean with(sea, {.executor = make_serial_executor()});
     Ocean without(sea, {.executor = make_serial_executor(), .planes = false});
     AlignedBuffer<std::uint16_t> halves(4 * 256 * 256);

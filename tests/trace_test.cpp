@@ -52,8 +52,8 @@ class RecordingSink final : public TraceSink {
 };
 
 /// The smallest sea whose frames use the executor.
-constexpr SeaState small_sea{.resolution = 128, .patch_size_m = 250};
-constexpr int frames = 5;
+constexpr SeaState traced_sea{.resolution = 128, .patch_size_m = 250};
+constexpr int traced_frames = 5;
 
 /// A few frames of a small sea, each scheduled before the previous one is read, as applications do.
 class TraceOnEachExecutor : public testing::TestWithParam<ExecutorKind> {
@@ -62,14 +62,14 @@ class TraceOnEachExecutor : public testing::TestWithParam<ExecutorKind> {
 
     void draw() {
         ocean_.schedule(0);
-        for (int i = 1; i <= frames; ++i) {
+        for (int i = 1; i <= traced_frames; ++i) {
             hashes_.push_back(hash_of(ocean_.complete()));
-            if (i < frames) ocean_.schedule(i * 0.3);
+            if (i < traced_frames) ocean_.schedule(i * 0.3);
         }
     }
 
     std::shared_ptr<RecordingSink> sink_ = std::make_shared<RecordingSink>();
-    Ocean ocean_{small_sea, {.executor = executor(), .trace = sink_}};
+    Ocean ocean_{traced_sea, {.executor = executor(), .trace = sink_}};
     std::vector<std::uint64_t> hashes_;
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, TraceOnEachExecutor, testing::ValuesIn(executor_kinds()),
@@ -81,7 +81,7 @@ TEST_P(TraceOnEachExecutor, HasEveryBlockOfEveryStageOnceAFrame) {
     draw();
     std::map<Job, int> expected, found;
     for (const Stage& stage : ocean_.graph().stages())
-        for (int frame = 0; frame < frames; ++frame)
+        for (int frame = 0; frame < traced_frames; ++frame)
             for (std::size_t block = 0; block < block_count(stage); ++block)
                 ++expected[{stage.name, frame, static_cast<double>(block)}];
     for (const Recorded& job : sink_->of_runs("frame", false)) {
@@ -95,7 +95,7 @@ TEST_P(TraceOnEachExecutor, HasEveryBlockOfEveryStageOnceAFrame) {
 // Distributing so little work to threads would only slow it down.
 TEST_P(TraceOnEachExecutor, FramesOf64StayOnTheCompletingThread) {
     Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = executor(), .trace = sink_});
-    for (int i = 0; i < frames; ++i) ocean.frame_at(i);
+    for (int i = 0; i < traced_frames; ++i) ocean.frame_at(i);
     const auto jobs = sink_->of_runs("frame", false);
     ASSERT_FALSE(jobs.empty());
     for (const Recorded& job : jobs) EXPECT_EQ(job.thread, std::this_thread::get_id()) << job.name;
@@ -119,7 +119,7 @@ TEST_P(TraceOnEachExecutor, StagesStartAfterTheirDependenciesHaveEnded) {
     draw();
     const std::vector<Recorded> jobs = sink_->of_runs("frame", false);
     const auto stages = ocean_.graph().stages();
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0; frame < traced_frames; ++frame) {
         std::map<std::string, TraceClock::time_point> first_start, last_end;
         for (const Recorded& job : jobs) {
             if (job.span.args[0].value != frame) continue;
@@ -167,8 +167,8 @@ TEST_P(TraceOnEachExecutor, NoMoreThreadsThanTheLimitWorkAtOnce) {
 TEST_P(TraceOnEachExecutor, AFrameIsInFlightFromScheduleToCompleteAroundItsJobs) {
     draw();
     const std::vector<Recorded> flights = sink_->of_runs("frame", true);
-    ASSERT_EQ(static_cast<int>(flights.size()), frames);
-    for (int frame = 0; frame < frames; ++frame) {
+    ASSERT_EQ(static_cast<int>(flights.size()), traced_frames);
+    for (int frame = 0; frame < traced_frames; ++frame) {
         const TraceSpan& flight = flights[static_cast<std::size_t>(frame)].span;
         EXPECT_EQ(flight.args[0].value, frame);
         EXPECT_STREQ(flight.category, "flight");
@@ -182,7 +182,7 @@ TEST_P(TraceOnEachExecutor, AFrameIsInFlightFromScheduleToCompleteAroundItsJobs)
 
 TEST_P(TraceOnEachExecutor, ANewSeaIsTraced) {
     draw();
-    ocean_.schedule_sea({.resolution = small_sea.resolution, .patch_size_m = 250, .seed = 5});
+    ocean_.schedule_sea({.resolution = traced_sea.resolution, .patch_size_m = 250, .seed = 5});
     draw();
     ocean_.complete_sea();
     EXPECT_EQ(sink_->of_runs("sea", true).size(), 2u) << "the first one and the new one";
@@ -194,15 +194,15 @@ TEST_P(TraceOnEachExecutor, ANewSeaIsTraced) {
 
 TEST_P(TraceOnEachExecutor, TracedFramesAreBitIdentical) {
     draw();
-    Ocean untraced(small_sea, {.executor = executor()});
-    for (int frame = 0; frame < frames; ++frame)
+    Ocean untraced(traced_sea, {.executor = executor()});
+    for (int frame = 0; frame < traced_frames; ++frame)
         EXPECT_EQ(hashes_[static_cast<std::size_t>(frame)], hash_of(untraced.frame_at(frame * 0.3)));
 }
 
 TEST_P(TraceOnEachExecutor, OceansMayBeDestroyedInFlight) {
     for (int i = 0; i < 10; ++i) {
-        Ocean ocean(small_sea, {.executor = executor(), .trace = sink_});
-        ocean.schedule_sea(small_sea);
+        Ocean ocean(traced_sea, {.executor = executor(), .trace = sink_});
+        ocean.schedule_sea(traced_sea);
         ocean.schedule(1);
     }
     EXPECT_EQ(sink_->of_runs("frame", true).size(), 10u);
@@ -218,10 +218,10 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
     const auto trace = std::make_shared<ChromeTrace>();
     std::size_t jobs_of_a_frame = 0;
     {
-        Ocean first(small_sea, {.executor = executor(), .trace = trace});
-        Ocean second(small_sea, {.executor = executor(), .trace = trace});
+        Ocean first(traced_sea, {.executor = executor(), .trace = trace});
+        Ocean second(traced_sea, {.executor = executor(), .trace = trace});
         for (const Stage& stage : first.graph().stages()) jobs_of_a_frame += block_count(stage);
-        for (int frame = 0; frame < frames; ++frame) {
+        for (int frame = 0; frame < traced_frames; ++frame) {
             first.schedule(frame);
             second.schedule(frame);
             first.complete();
@@ -232,8 +232,8 @@ TEST_P(TraceOnEachExecutor, OceansInFlightTogetherMayShareAChromeTrace) {
     std::ostringstream json;
     trace->write(json);
     EXPECT_EQ(times_in(json.str(), "\"cat\":\"job\",\"pid\":1"), times_in(json.str(), "\"ph\":\"X\""));
-    EXPECT_EQ(times_in(json.str(), "\"args\":{\"frame\":"), 2 * frames * jobs_of_a_frame + 4 * frames);
-    EXPECT_EQ(times_in(json.str(), "\"ph\":\"b\",\"name\":\"frame\""), 2u * frames);
+    EXPECT_EQ(times_in(json.str(), "\"args\":{\"frame\":"), 2 * traced_frames * jobs_of_a_frame + 4 * traced_frames);
+    EXPECT_EQ(times_in(json.str(), "\"ph\":\"b\",\"name\":\"frame\""), 2u * traced_frames);
     EXPECT_EQ(trace->omitted(), 0u);
 }
 

@@ -21,8 +21,6 @@
 namespace pelagic {
 namespace {
 
-using namespace std::chrono_literals;
-
 /// Returns the output of a command; its status is asserted.
 std::string shell(const std::string& command) {
     std::string text;
@@ -36,7 +34,7 @@ std::string shell(const std::string& command) {
 bool wait_until(const std::function<bool()>& condition) {
     for (int i = 0; i < 1200; ++i) {  // two minutes: a software driver under a sanitizer is slow
         if (condition()) return true;
-        std::this_thread::sleep_for(100ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     return false;
 }

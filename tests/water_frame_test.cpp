@@ -9,7 +9,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/shores.hpp"
 
 namespace pelagic {
@@ -27,7 +27,7 @@ namespace {
 
 const WaterFrame drifting{.current_x_mps = 1.37, .current_z_mps = -0.83};
 
-SeaState sea_of(int cascades) { return {.cascades = cascades, .resolution = 32, .wind_speed_mps = 11}; }
+SeaState windy_sea(int cascades) { return {.cascades = cascades, .resolution = 32, .wind_speed_mps = 11}; }
 
 OceanOptions with_all(Isa isa = choose_isa()) {
     return {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true, .foam = true};
@@ -70,15 +70,6 @@ std::vector<double> random_places(std::size_t count, unsigned seed) {
     return places;
 }
 
-std::string message_of(auto call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
-
 // After a day the water has drifted by 130 km. The queries of an ocean without a current, at
 // x - U t in double, have the same bits, and the velocity of the water is larger by U.
 TEST(WaterFrame, QueryWithACurrentIsTheQueryUpstream) {
@@ -93,7 +84,7 @@ TEST(WaterFrame, QueryWithACurrentIsTheQueryUpstream) {
                     upstream_x.push_back(x[i] - drifting.current_x_mps * time_s);
                     upstream_z.push_back(z[i] - drifting.current_z_mps * time_s);
                 }
-                Ocean with(sea_of(cascades), with_all(isa)), without(sea_of(cascades), with_all(isa));
+                Ocean with(windy_sea(cascades), with_all(isa)), without(windy_sea(cascades), with_all(isa));
                 with.set_water_frame(drifting);
                 for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
                     const Samples moved = samples_of(with.frame_at(time_s), x, z, interpolation);
@@ -118,7 +109,7 @@ TEST(WaterFrame, QueryWithACurrentIsTheQueryUpstream) {
 }
 
 TEST(WaterFrame, SeaLevelLiftsHeightsAndNothingElse) {
-    Ocean with(sea_of(3), with_all()), without(sea_of(3), with_all());
+    Ocean with(windy_sea(3), with_all()), without(windy_sea(3), with_all());
     with.set_water_frame({.sea_level_m = 3});
     const std::vector<double> x = random_places(300, 3), z = random_places(300, 4);
     const Samples lifted = samples_of(with.frame_at(5), x, z), still = samples_of(without.frame_at(5), x, z);
@@ -131,7 +122,7 @@ TEST(WaterFrame, SeaLevelLiftsHeightsAndNothingElse) {
 }
 
 TEST(WaterFrame, LeavesFramesUnchanged) {
-    Ocean with(sea_of(3), with_all()), without(sea_of(3), with_all());
+    Ocean with(windy_sea(3), with_all()), without(windy_sea(3), with_all());
     with.set_water_frame({2, 1.5, -0.5});
     for (const double time_s : {0.0, 3.0, 20.0}) {
         const Frame &there = with.frame_at(time_s), &here = without.frame_at(time_s);
@@ -145,7 +136,7 @@ TEST(WaterFrame, LeavesFramesUnchanged) {
 
 // A tide changes between frames, and a frame keeps the value of its schedule().
 TEST(WaterFrame, IsThatOfTheSchedule) {
-    Ocean ocean(sea_of(2), with_all());
+    Ocean ocean(windy_sea(2), with_all());
     ocean.set_water_frame({.sea_level_m = 1});
     ocean.schedule(0);
     ocean.set_water_frame({.sea_level_m = 2});
@@ -155,7 +146,7 @@ TEST(WaterFrame, IsThatOfTheSchedule) {
 }
 
 TEST(WaterFrame, RayMeetsTheLiftedWater) {
-    Ocean ocean(sea_of(3), with_all());
+    Ocean ocean(windy_sea(3), with_all());
     ocean.set_water_frame({.sea_level_m = 40, .current_x_mps = 2});
     const SurfaceQuery query(ocean.frame_at(100));
     EXPECT_NEAR(static_cast<double>(query.bounds().height_max_m - query.frame().bounds.height_max_m), 40, 1e-5);
@@ -317,7 +308,7 @@ TEST(WaterFrame, SelectionFollowsTheSeaLevel) {
 }
 
 TEST(WaterFrame, InvalidValuesAreNamedAndChangeNothing) {
-    Ocean ocean(sea_of(2), with_all());
+    Ocean ocean(windy_sea(2), with_all());
     ocean.set_water_frame({1, 2, 3});
     const auto message = [&](const WaterFrame& water) { return message_of([&] { ocean.set_water_frame(water); }); };
     EXPECT_EQ(message({.sea_level_m = 2000}), "sea_level_m 2000 is out of range [-1000, 1000]");

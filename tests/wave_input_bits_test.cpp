@@ -16,6 +16,7 @@
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -93,7 +94,7 @@ TEST(WaveInputBits, AreIdenticalOnEveryInstructionSetAndExecutor) {
 // tests/golden/wave_inputs.txt holds hashes that every compiler, processor and version must
 // reproduce.
 TEST(WaveInputBits, MatchTheGoldenHashes) {
-    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/wave_inputs.txt");
+    std::ifstream golden(in_sources("tests/golden/wave_inputs.txt"));
     for (const auto& [name, sea] : seas()) {
         std::string line;
         std::getline(golden, line);

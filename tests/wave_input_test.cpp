@@ -17,14 +17,15 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
-#include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
 namespace {
@@ -35,7 +36,7 @@ const SeaState stack{
     .cascades = 4, .resolution = 64, .wind_speed_mps = 7.5, .fetch_m = 93e3, .loop_period_s = loop_s};
 const SeaState one_cascade{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
 /// Almost no wind.
-const SeaState still{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};
+const SeaState still_sea{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};
 
 OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choose_isa(),
                   std::shared_ptr<Executor> executor = make_serial_executor()) {
@@ -432,7 +433,7 @@ std::pair<int, double> steepest(const Cascade& cascade) {
 TEST(WaveInput, SteepWavesExtendTheSlopeRange) {
     // 8 texels a wave
     const AnalyticSea steep{.waves = {{.amplitude_m = 0.6, .wavelength_m = 10}}, .choppiness = 0};
-    Ocean pure(still, with({})), ocean(still, with({gerstner(steep)}));
+    Ocean pure(still_sea, with({})), ocean(still_sea, with({gerstner(steep)}));
     const Cascade& sea = pure.frame_at(0).cascades[0];
     EXPECT_LT(sea.slope_ranges.slope, 0.15f);
     const Cascade& cascade = ocean.frame_at(0).cascades[0];
@@ -455,7 +456,7 @@ TEST(WaveInput, SteepWavesExtendTheSlopeRange) {
             },
             told);
     };
-    Ocean honest(still, with({bumps(0.5)})), wrong(still, with({bumps(0.001)}));
+    Ocean honest(still_sea, with({bumps(0.5)})), wrong(still_sea, with({bumps(0.001)}));
     EXPECT_LT(steepest(honest.frame_at(0).cascades[0]).first, 127);
     EXPECT_GE(steepest(wrong.frame_at(0).cascades[0]).first, 127);
 }
@@ -619,16 +620,6 @@ TEST(WaveInput, ReceivesTheTimeOfFramesAndTicks) {
     }
 }
 
-template <class Body>
-std::string invalid_value_of(Body body) {
-    try {
-        body();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing was refused";
-}
-
 TEST(WaveInput, InvalidValuesAreRejectedAndTheNextFrameIsCorrect) {
     const std::uint64_t expected = [] {
         Ocean pure(stack, with({}));
@@ -645,13 +636,13 @@ TEST(WaveInput, InvalidValuesAreRejectedAndTheNextFrameIsCorrect) {
         Ocean ocean(stack, with({std::make_shared<GerstnerInput>(), bad}, choose_isa(), kind.make(kind.threads)));
         const auto complete = [&] { ocean.frame_at(1); };
         value = std::numeric_limits<float>::quiet_NaN();
-        EXPECT_EQ(invalid_value_of(complete),
+        EXPECT_EQ(message_of(complete),
                   "inputs[1]'s dx nan is out of range [-1000, 1000], metres or metres a second");
         value = -1001, field = 1;
-        EXPECT_EQ(invalid_value_of(complete),
+        EXPECT_EQ(message_of(complete),
                   "inputs[1]'s height -1001 is out of range [-1000, 1000], metres or metres a second");
         value = std::numeric_limits<float>::infinity(), field = 5;
-        EXPECT_EQ(invalid_value_of(complete),
+        EXPECT_EQ(message_of(complete),
                   "inputs[1]'s velocity_z inf is out of range [-1000, 1000], metres or metres a second");
         value = 0, field = 0;
         EXPECT_EQ(hash_of(ocean.frame_at(2)), [&] {
@@ -687,30 +678,29 @@ TEST(WaveInput, AnExceptionAffectsOnlyItsFrame) {
 }
 
 TEST(WaveInput, InvalidInputsAreRejectedWithOneLine) {
-    EXPECT_EQ(invalid_value_of([] {
+    EXPECT_EQ(message_of([] {
                   Ocean ocean(stack, with({gerstner(), nullptr}));
               }),
               "inputs[1] is null, expected an input");
     for (const auto& [slope, text] : {std::pair{-1.0, "-1"}, {std::nan(""), "nan"}, {1e9, "1000000000"}}) {
         const auto steep = callback([](const InputRows&) {}, slope);
         Ocean ocean(stack, with({steep}));
-        EXPECT_EQ(invalid_value_of([&] { ocean.frame_at(0); }),
+        EXPECT_EQ(message_of([&] { ocean.frame_at(0); }),
                   "inputs[0]'s largest_slope " + std::string(text) + " is out of range [0, 100]");
     }
     const auto waves = gerstner();
     AnalyticSea bad = some_waves();
     bad.waves[1].wavelength_m = std::nan("");
-    EXPECT_EQ(invalid_value_of([&] { waves->set(bad); }), "waves[1].wavelength_m nan is out of range [0.01, 1000]");
+    EXPECT_EQ(message_of([&] { waves->set(bad); }), "waves[1].wavelength_m nan is out of range [0.01, 1000]");
     bad = some_waves();
     bad.waves[0].amplitude_m = 50;
-    EXPECT_NE(invalid_value_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
+    EXPECT_NE(message_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
     const auto rings = ripple({.wavelength_m = 3, .amplitude_m = 0.4});
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m nan is out of range [-1e8, 1e8]");
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 0}); }),
-              "wavelength_m 0 is out of range [0.01, 1000]");
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
+    EXPECT_EQ(message_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m nan is out of range [-1e8, 1e8]");
+    EXPECT_EQ(message_of([&] { rings->set({.wavelength_m = 0}); }), "wavelength_m 0 is out of range [0.01, 1000]");
+    EXPECT_EQ(message_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
               "amplitude_m is 0.2, expected at most wavelength_m / (2 pi), 0.1592");
-    EXPECT_EQ(invalid_value_of([&] { rings->set({.reach_m = -1}); }), "reach_m -1 is out of range [0, 1e5]");
+    EXPECT_EQ(message_of([&] { rings->set({.reach_m = -1}); }), "reach_m -1 is out of range [0, 1e5]");
     // The inputs keep their previous values.
     Ocean ocean(stack, with({waves, rings})),
         same(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));

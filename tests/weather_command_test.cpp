@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
@@ -17,13 +16,10 @@ const std::string calm_to_storm =
 
 class WeatherCommand : public testing::Test {
    protected:
-    nlohmann::json exported(const std::string& weather, const std::string& name, std::vector<std::string> more = {}) {
-        std::vector<std::string> arguments = {"export",    "--out",  (folder_ / name).string(),
-                                              "--frames",  "3",      "--fps",
-                                              "0.5",       "--maps", "displacement",
-                                              "--weather", weather};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = run_pelagic(arguments);
+    nlohmann::json exported(const std::string& weather, const std::string& name, const Arguments& more = {}) {
+        const Outcome outcome = run_pelagic(joined({"export", "--out", (folder_ / name).string(), "--frames", "3",
+                                                    "--fps", "0.5", "--maps", "displacement", "--weather", weather},
+                                                   more));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return nlohmann::json::parse(read_file(folder_ / name / "sea.json"));
     }
@@ -31,10 +27,8 @@ class WeatherCommand : public testing::Test {
         write_file(folder_ / "weather.toml", text);
         return (folder_ / "weather.toml").string();
     }
-    std::string invalid_value_of(const std::string& text, std::vector<std::string> more = {}) {
-        std::vector<std::string> arguments = {"info", "--weather", file(text)};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = run_pelagic(arguments);
+    std::string invalid_value_of(const std::string& text, const Arguments& more = {}) {
+        const Outcome outcome = run_pelagic(joined({"info", "--weather", file(text)}, more));
         EXPECT_NE(outcome.exit_code, 0);
         return outcome.err;
     }

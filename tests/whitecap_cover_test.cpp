@@ -41,7 +41,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
 }
 
 /// Returns a sea with one cascade of a fixed side if `cascades` is 0.
-SeaState sea_of(int cascades, double wind_speed_mps) {
+SeaState windy_sea(int cascades, double wind_speed_mps) {
     return {.cascades = cascades, .patch_size_m = cascades == 0 ? 250.0 : 0.0, .wind_speed_mps = wind_speed_mps};
 }
 
@@ -53,7 +53,7 @@ double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
 // 20 %, are less than the scatter of the measurements at sea.
 TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
     if (is_sanitized) {
-        EXPECT_NEAR(cover_over_measured_at_sea(sea_of(4, 25), 2, 10), 1, 0.2);
+        EXPECT_NEAR(cover_over_measured_at_sea(windy_sea(4, 25), 2, 10), 1, 0.2);
         return;
     }
     const int more = of_sweep(1, 4);
@@ -62,7 +62,7 @@ TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
         for (const int cascades : of_sweep(std::vector<int>{4}, {0, 1, 2, 3, 4})) {
             // Breaking crests are rarer in light winds.
             const int seeds = wind_speed_mps < 8 ? 12 : 4;
-            const double part = cover_over_measured_at_sea(sea_of(cascades, wind_speed_mps), more * seeds, 40);
+            const double part = cover_over_measured_at_sea(windy_sea(cascades, wind_speed_mps), more * seeds, 40);
             std::printf(" %.2f", part);
             // One cascade uses its skewed Jacobian, which the threshold matches by four cumulants.
             EXPECT_NEAR(part, 1, cascades > 1 ? 0.1 : 0.2) << wind_speed_mps << " m/s, cascades " << cascades;
@@ -74,7 +74,7 @@ TEST(WhitecapCover, IsWithin20PercentOfMeasurementsAtSea) {
 TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnTheWindDirection) {
     if (is_sanitized) return;
     for (const double choppiness : {0.3, 1.0}) {
-        SeaState sea = sea_of(1, 15);
+        SeaState sea = windy_sea(1, 15);
         sea.choppiness = choppiness;
         sea.wind_direction_rad = 0.7;
         EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2) << choppiness;
@@ -85,7 +85,7 @@ TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnTheWindDirection) {
 // 0.98 to 1.02.
 TEST(WhitecapCover, HoldsInShallowWater) {
     if (is_sanitized) return;
-    SeaState sea = sea_of(1, 12);
+    SeaState sea = windy_sea(1, 12);
     sea.depth_m = 8;
     sea.swell_height_m = 2.5;
     EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2);

@@ -14,7 +14,7 @@
 namespace pelagic {
 namespace {
 
-nlohmann::json sea_of(std::vector<std::string> arguments, const std::string& config = {}) {
+nlohmann::json sea_of_options(std::vector<std::string> arguments, const std::string& config = {}) {
     const TemporaryFolder folder;
     arguments.insert(arguments.begin(), {"info", "--json", "--resolution", "16"});
     if (!config.empty()) {
@@ -72,34 +72,34 @@ TEST(WindDirection, OfACompassPointIsItsBearing) {
 }
 
 TEST(Wind, IsTakenFromFlagsAndFiles) {
-    const nlohmann::json typed = sea_of({"--wind-speed", "20kn", "--wind-direction", "from-NW"});
+    const nlohmann::json typed = sea_of_options({"--wind-speed", "20kn", "--wind-direction", "from-NW"});
     EXPECT_NEAR(typed.at("wind_speed_mps").get<double>(), 10.288888889, 1e-8);
     EXPECT_EQ(typed.at("wind_direction_deg"), 45);
-    EXPECT_EQ(sea_of({}, "wind_speed = \"20kn\"\nwind_direction = \"to-SE\"\n"), typed);
-    EXPECT_NEAR(sea_of({}, "wind_speed = \"bft6\"\n").at("wind_speed_mps").get<double>(), 12.29, 0.005);
+    EXPECT_EQ(sea_of_options({}, "wind_speed = \"20kn\"\nwind_direction = \"to-SE\"\n"), typed);
+    EXPECT_NEAR(sea_of_options({}, "wind_speed = \"bft6\"\n").at("wind_speed_mps").get<double>(), 12.29, 0.005);
 }
 
 TEST(Roughness, IsANumberOrFollowsFromTheWind) {
-    EXPECT_EQ(sea_of({}).at("roughness"), -1);
-    EXPECT_EQ(sea_of({"--roughness", "0.3"}).at("roughness"), 0.3);
-    EXPECT_EQ(sea_of({"--roughness", "wind"}, "roughness = 0.3\n").at("roughness"), -1);
-    EXPECT_EQ(sea_of({}, "roughness = \"wind\"\n").at("roughness"), -1);
+    EXPECT_EQ(sea_of_options({}).at("roughness"), -1);
+    EXPECT_EQ(sea_of_options({"--roughness", "0.3"}).at("roughness"), 0.3);
+    EXPECT_EQ(sea_of_options({"--roughness", "wind"}, "roughness = 0.3\n").at("roughness"), -1);
+    EXPECT_EQ(sea_of_options({}, "roughness = \"wind\"\n").at("roughness"), -1);
 }
 
 TEST(Swell, IsTakenFromFlagsAndFiles) {
-    const nlohmann::json typed = sea_of({"--swell-height", "2.5", "--swell-period", "14", "--swell-direction",
-                                         "from-W", "--swell-spread", "20", "--spreading", "donelan-banner"});
+    const nlohmann::json typed = sea_of_options({"--swell-height", "2.5", "--swell-period", "14", "--swell-direction",
+                                                 "from-W", "--swell-spread", "20", "--spreading", "donelan-banner"});
     EXPECT_EQ(typed.at("swell_height_m"), 2.5);
     EXPECT_EQ(typed.at("swell_period_s"), 14);
     EXPECT_EQ(typed.at("swell_direction_deg"), 0);
     EXPECT_EQ(typed.at("swell_spread_deg"), 20);
     EXPECT_EQ(typed.at("spreading"), "donelan-banner");
-    EXPECT_EQ(sea_of({},
-                     "swell_height = 2.5\nswell_period = 14\nswell_direction = \"to-E\"\nswell_spread = 20\n"
-                     "spreading = \"donelan-banner\"\n"),
+    EXPECT_EQ(sea_of_options({},
+                             "swell_height = 2.5\nswell_period = 14\nswell_direction = \"to-E\"\nswell_spread = 20\n"
+                             "spreading = \"donelan-banner\"\n"),
               typed);
-    EXPECT_EQ(sea_of({}).at("swell_spread_deg"), 15);
-    EXPECT_EQ(sea_of({"--preset", "storm"}).at("swell_spread_deg"), 15);
+    EXPECT_EQ(sea_of_options({}).at("swell_spread_deg"), 15);
+    EXPECT_EQ(sea_of_options({"--preset", "storm"}).at("swell_spread_deg"), 15);
 }
 
 TEST(Wind, IncompleteValuesAreRejected) {

@@ -2,7 +2,8 @@
 and CMake.
 
 CMAKE_ARGS has additional options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in
-build/python, for the next one.
+build/python, for the next one. PELAGIC_PYTHON_PACKAGE names the package folder of a build that
+exists, which is packed instead.
 """
 
 import base64
@@ -72,17 +73,23 @@ def run(*command):
 
 
 def built_files():
-    """Returns the files of the package, by name. The folder is the preset's, which may have modules
-    for other Pythons too."""
-    build = SOURCE / "build" / "python"
-    # Not that of a virtual environment, which may no longer exist at the next build.
-    run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}",
-        *shlex.split(os.environ.get("CMAKE_ARGS", "")))
-    run("cmake", "--build", build, "--target", "pelagic_python",
-        "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
+    """Returns the files of the package, by name. The folder may have modules for other Pythons too.
+    """
+    folder = os.environ.get("PELAGIC_PYTHON_PACKAGE")
+    if not folder:
+        build = SOURCE / "build" / "python"
+        # Not that of a virtual environment, which may no longer exist at the next build.
+        run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}",
+            *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+        run("cmake", "--build", build, "--target", "pelagic_python",
+            "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
+        folder = build / "python" / "pelagic"
     module = "_pelagic" + sysconfig.get_config_var("EXT_SUFFIX")
-    return {file.name: file.read_bytes() for file in sorted((build / "python" / "pelagic").iterdir())
-            if file.name == module or file.suffix in (".py", ".pyi", ".typed")}
+    files = {file.name: file.read_bytes() for file in sorted(Path(folder).iterdir())
+             if file.name == module or file.suffix in (".py", ".pyi", ".typed")}
+    if module not in files:
+        raise SystemExit(f"{folder} has no {module}, the module for this Python")
+    return files
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

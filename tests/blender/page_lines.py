@@ -1,7 +1,7 @@
 """Runs the code of docs/integrations/blender.md: shell lines in the clone, Python in one Blender,
-whose output must have the page's lines.
+whose output must have the page's lines. With ZIP, this add-on is installed instead of a built one.
 
-usage: page_lines.py SOURCE_FOLDER"""
+usage: page_lines.py SOURCE_FOLDER [ZIP]"""
 import os
 import re
 import shutil
@@ -17,9 +17,6 @@ home = tempfile.TemporaryDirectory()
 environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "BLENDER_USER_RESOURCES": home.name}
 (source / "out").mkdir(exist_ok=True)
 shutil.rmtree(source / "out/pelagic_bake", ignore_errors=True)
-for old in (source / "build/python").glob("pelagic_blender-*.zip"):
-    old.unlink()
-
 
 def run(*command):
     done = subprocess.run(command, cwd=source, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -32,8 +29,13 @@ shell = [text for kind, text in blocks if kind == "bash"]
 python = "\n".join(text for kind, text in blocks if kind == "python")
 expected = [line for kind, text in blocks if kind == "text" for line in text.splitlines()]
 
-run("bash", "-e", "-c", shell[0])
-(zip,) = (source / "build/python").glob("pelagic_blender-*.zip")
+if len(sys.argv) > 2:
+    *_, install = shell[0].splitlines()
+    run("bash", "-e", "-c", re.sub(r"\S*pelagic_blender-\*\.zip$", sys.argv[2], install))
+else:
+    for old in (source / "build/python").glob("pelagic_blender-*.zip"):
+        old.unlink()
+    run("bash", "-e", "-c", shell[0])
 printed = run("blender", "-b", "--python-exit-code", "1", "--python-expr", python)
 for line in expected:
     assert line in printed.splitlines(), f"the page has the line {line}, Blender printed {printed}"

@@ -8,7 +8,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 pelagic=$(realpath "$1")
 for program in blender npm node; do
-  command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh night installs it on Debian"; exit 77; }
+  command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh all installs it on Debian"; exit 77; }
 done
 mkdir -p "$2"
 cd "$2"

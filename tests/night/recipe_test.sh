@@ -14,7 +14,7 @@ cd "$3"
 needs() {
   local program
   for program; do
-    command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh night installs it on Debian"; exit 77; }
+    command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh all installs it on Debian"; exit 77; }
   done
 }
 waves=$(mktemp -d)

@@ -6,5 +6,5 @@
 set -euo pipefail
 reference=$(cd "$(dirname "$0")/../../docs/images/reference" && pwd)
 pelagic=$(realpath "$1")
-command -v blender >/dev/null || { echo "SKIPPED: there is no blender; ./test.sh night installs it on Debian"; exit 77; }
+command -v blender >/dev/null || { echo "SKIPPED: there is no blender; ./test.sh all installs it on Debian"; exit 77; }
 blender -b --python-exit-code 1 -P "$reference/texture.py" -- "$pelagic" "$2"

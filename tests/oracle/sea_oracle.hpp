@@ -2,6 +2,8 @@
 // Only the Gaussian random numbers come from the library; wave_noise_test.cpp tests those.
 #pragma once
 
+#include <cmath>
+
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tests/oracle/dft.hpp"
 
@@ -11,6 +13,16 @@ inline constexpr double gravity = 9.80665;
 
 /// Returns omega in rad/s: omega^2 = g k tanh(k d).
 double frequency_of(const SeaState& sea, double k);
+
+/// Returns k of omega^2 = g k tanh(k d), by bisection.
+inline double wave_number_at(double omega, double depth_m) {
+    double low = 0, high = 1e3;
+    for (int i = 0; i < 200; ++i) {
+        const double k = 0.5 * (low + high);
+        (gravity * k * std::tanh(k * depth_m) < omega * omega ? low : high) = k;
+    }
+    return low;
+}
 
 /// Energy density by frequency in deep water, in m^2 s, of pierson-moskowitz and jonswap.
 double frequency_density(const SeaState& sea, double omega);

@@ -7,7 +7,7 @@ namespace pelagic::oracle {
 namespace {
 
 // In units of the finest texel: below this size, squares are searched with Newton's method.
-constexpr double finest = 1.0 / 16;
+constexpr double smallest_square_texels = 1.0 / 16;
 
 // Above this number of cells along an axis, the range of the whole plane is used.
 constexpr double max_cells = 6;
@@ -189,7 +189,8 @@ void Stack::search(double point_x, double point_z, double x, double z, double ha
     }
     const auto is_off = [](double p, Range range) { return p < range.min - 1e-9 || p > range.max + 1e-9; };
     if (is_off(point_x, drawn_x) || is_off(point_z, drawn_z)) return;
-    if (half <= layers_.back().texel_m * finest) return refine(point_x, point_z, x, z, half, intersections);
+    if (half <= layers_.back().texel_m * smallest_square_texels)
+        return refine(point_x, point_z, x, z, half, intersections);
     const double quarter = half / 2;
     for (const double to_x : {-quarter, quarter})
         for (const double to_z : {-quarter, quarter})

@@ -7,7 +7,7 @@ namespace pelagic::oracle {
 namespace {
 
 // In units of a cell: smaller squares are searched with Newton's method.
-constexpr double finest = 1.0 / 16;
+constexpr double smallest_square_cells = 1.0 / 16;
 
 }  // namespace
 
@@ -109,7 +109,7 @@ void Surface::search(const Candidate& cell, Corner point, double u, double v, do
         return p < std::min(values) - 1e-9 || p > std::max(values) + 1e-9;
     };
     if (apart(point.x, {a.x, b.x, c.x, d.x}) || apart(point.z, {a.z, b.z, c.z, d.z})) return;
-    if (size <= finest) return refine(cell, point, u + size / 2, v + size / 2, intersections);
+    if (size <= smallest_square_cells) return refine(cell, point, u + size / 2, v + size / 2, intersections);
     for (int quarter = 0; quarter < 4; ++quarter)
         search(cell, point, u + quarter % 2 * size / 2, v + quarter / 2 * size / 2, size / 2, intersections);
 }

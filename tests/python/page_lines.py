@@ -1,7 +1,7 @@
-"""Runs every line of docs/integrations/python.md: its shell lines build the package, and its Python
-blocks print the documented output.
+"""Runs every line of docs/integrations/python.md: its shell lines build the package, or pack the one
+in PACKAGE_FOLDER, and its Python blocks print the documented output.
 
-usage: page_lines.py SOURCE_FOLDER
+usage: page_lines.py SOURCE_FOLDER [PACKAGE_FOLDER]
 """
 
 import os
@@ -13,7 +13,8 @@ from pathlib import Path
 
 source = Path(sys.argv[1])
 # Debian's python3, which Debian's packages are for, before any other.
-environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "PIP_NO_INDEX": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "PIP_NO_INDEX": "1", "PYTHONDONTWRITEBYTECODE": "1",
+               **{"PELAGIC_PYTHON_PACKAGE": folder for folder in sys.argv[2:]}}
 blocks = re.findall(r"^```(\w+)\n(.*?)^```$", (source / "docs/integrations/python.md").read_text(), re.MULTILINE | re.DOTALL)
 assert {"bash": 2, "python": 3, "text": 3} == {kind: sum(language == kind for language, _ in blocks) for kind in ("bash", "python", "text")}
 

@@ -39,9 +39,9 @@ struct Along {
     float x, z;
 };
 
-class Cascade {
+class SlopeGrid {
    public:
-    Cascade(const CascadePlanes& planes, const SlopeRanges& ranges)
+    SlopeGrid(const CascadePlanes& planes, const SlopeRanges& ranges)
         : planes_(planes),
           n_(static_cast<std::size_t>(planes.resolution)),
           factor_(static_cast<float>(SlopesJob::near_weight /
@@ -88,7 +88,7 @@ CascadeSlopes slopes_of(const CascadePlanes& planes, const SlopeRanges& ranges) 
     const auto n = static_cast<std::size_t>(planes.resolution);
     const float step = ranges.slope / 127.f;
     const float variance_factor = step * step / ranges.variance;
-    const Cascade cascade(planes, ranges);
+    const SlopeGrid cascade(planes, ranges);
     CascadeSlopes out;
     std::vector<Slopes> level(n * n);
     for (std::size_t i = 0; i < level.size(); ++i) {

@@ -5,9 +5,9 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do
-  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh hosts installs it on Debian"; exit 1; }
+  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh installs it on Debian"; exit 1; }
 done
-[ -f "$1/main.js" ] || { echo "there is no $1/main.js; ./test.sh web builds it"; exit 1; }
+[ -f "$1/main.js" ] || { echo "there is no $1/main.js; ./test.sh wasm builds it"; exit 1; }
 page=$(realpath "$1") pelagic=$(realpath "$2")
 mkdir -p "$3"
 cd "$3"

@@ -32,9 +32,9 @@ void draw(const nlohmann::json& scene, const char* image) {
     std::printf("%016" PRIx64 "\n", hash_of(frame));
     for (const nlohmann::json& point : scene["points"]) {
         const double x = point[0], z = point[1];
-        float height = 0;
-        SurfaceQuery(frame).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
-        std::printf("%.9g\n", static_cast<double>(height));
+        float height_m = 0;
+        SurfaceQuery(frame).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
+        std::printf("%.9g\n", static_cast<double>(height_m));
     }
 
     const gl::HeadlessContext context;

@@ -5,9 +5,9 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do
-  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh hosts installs it on Debian"; exit 1; }
+  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh installs it on Debian"; exit 1; }
 done
-[ -f "$1/pelagic_view.wasm" ] || { echo "there is no $1/pelagic_view.wasm; ./test.sh web builds it"; exit 1; }
+[ -f "$1/pelagic_view.wasm" ] || { echo "there is no $1/pelagic_view.wasm; ./test.sh wasm builds it"; exit 1; }
 mkdir -p "$3/page"
 cd "$3"
 cp "$1"/pelagic_view.* "$here"/../../web/page/*.js page/
