@@ -7,7 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
 
-# Runs a function and prints its output only if it fails; on a terminal, the percentage of its build.
+# Runs a function and prints its output only if it fails; on a terminal, the percentage of its
+# build.
 quietly() {
   local log
   log=$(mktemp)
@@ -53,7 +54,7 @@ fi
 [ $# -eq 0 ] || { echo "demo.sh: what is $1? Nothing, or web, is accepted" && exit 2; }
 pelagic_install_dependencies
 
-echo "Building (about two minutes the first time) ..."
+echo "Building (two or three minutes the first time) ..."
 build() {
   cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_EXAMPLES=OFF &&
     cmake --build --preset release -j "$(nproc)"  # libraries, too, so that cmake --install works

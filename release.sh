@@ -61,7 +61,8 @@ build_clone "$clone" dist
 "$clone/packaging/test.sh" "$clone" dist "${parts[@]}"
 if [ -n "$twice" ]; then
   echo "Building again ..."
-  build_clone "$PWD/build/second-release-clone" build/second-dist
+  # Without ccache, which would return the first build's objects.
+  CCACHE_DISABLE=1 build_clone "$PWD/build/second-release-clone" build/second-dist
   diff -r dist build/second-dist
   echo "Both builds have the same bytes."
 fi

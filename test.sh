@@ -14,8 +14,8 @@ set -uo pipefail
 cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh
 
-# "PART TIER" or "PART platform PLATFORM" of each workflow, in order. Without cmake, which may not be
-# installed yet.
+# "PART TIER" or "PART platform PLATFORM" of each workflow, in order. Without cmake, which may not
+# be installed yet.
 listed=$(sed -nE 's/^ *\{"name": "([^"]+)", "displayName": "([a-z]+)( [^:]*)?: .*/\1 \2\3/p' CMakePresets.json)
 # release is the same there, except for libc++
 [ "$(uname -m)" != aarch64 ] || listed=$(grep -v ^arm64 <<<"$listed")
@@ -23,6 +23,11 @@ parts_of() { awk -v tier="$1" '$2 == tier { print $1 }' <<<"$listed"; }
 parts_named() { awk -v name="$1" '$1 == name || $3 == name { print $1 }' <<<"$listed"; }
 mapfile -t platforms < <(awk '$2 == "platform" && !seen[$3]++ { print $3 }' <<<"$listed")
 
+if [ $# -gt 1 ]; then
+  for name in "$@"; do
+    case $name in quick | all | soak) echo "test.sh: $name takes no other part, given $*" >&2 && exit 2 ;; esac
+  done
+fi
 rotated=()
 case "${1:-}" in
   '')
@@ -44,7 +49,6 @@ case "${1:-}" in
     done
     ;;
 esac
-[ $# -le 1 ] || case "$1" in quick | all | soak) echo "test.sh: $1 takes no other part, given $2" >&2 && exit 2 ;; esac
 mapfile -t parts < <(awk 'NF && !seen[$0]++' <<<"$wanted")
 packages=("${pelagic_test_packages[@]}")
 [ "${parts[*]}" = quick ] || packages+=("${pelagic_gate_packages[@]}" "${pelagic_platform_packages[@]}")

@@ -51,8 +51,8 @@ command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium)
 command -v npm >/dev/null || pelagic_platform_packages+=(npm)
 
-# Packages for nightly tests: schedulers of docs/render-farm.md, and readers of textures and films of
-# docs/integrations/unity.md.
+# Packages for nightly tests: schedulers of docs/render-farm.md, and readers of textures and films
+# of docs/integrations/unity.md.
 pelagic_night_packages=(slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages

@@ -1,5 +1,5 @@
-# PELAGIC_FAST_BUILD: a compiler cache and a quick linker, for builds that are repeated. ccache takes
-# paths relative to the sources, so that clones in other folders share its entries.
+# PELAGIC_FAST_BUILD: a compiler cache and a quick linker, for builds that are repeated. ccache
+# takes paths relative to the sources, so that clones in other folders share its entries.
 if(NOT PELAGIC_FAST_BUILD)
   return()
 endif()

@@ -17,14 +17,14 @@ else()
   message(FATAL_ERROR "Pelagic has kernels for x86-64, 64-bit Arm and WebAssembly, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
 set(PELAGIC_ISAS "${all_isas}" CACHE STRING "Instruction sets that kernels are compiled for, weakest first")
+list(JOIN all_isas ", " accepted_isas)
 foreach(isa IN LISTS PELAGIC_ISAS)
   if(NOT isa IN_LIST all_isas)
-    list(JOIN all_isas ", " accepted)
-    message(FATAL_ERROR "PELAGIC_ISAS has ${isa}, accepted here: ${accepted}")
+    message(FATAL_ERROR "PELAGIC_ISAS has ${isa}, accepted here: ${accepted_isas}")
   endif()
 endforeach()
 if(NOT PELAGIC_ISAS)
-  message(FATAL_ERROR "PELAGIC_ISAS is empty, expected one or more of ${all_isas}")
+  message(FATAL_ERROR "PELAGIC_ISAS is empty, accepted here: ${accepted_isas}")
 endif()
 # For C++: PELAGIC_COMPILED_ISA(sse4_2) and so on, a line each.
 list(TRANSFORM PELAGIC_ISAS REPLACE "(.+)" "PELAGIC_COMPILED_ISA(\\1)\n" OUTPUT_VARIABLE compiled_isas)
@@ -74,8 +74,8 @@ function(pelagic_kernel_objects target isa source)
   target_compile_options(${target} PRIVATE ${PELAGIC_KERNEL_OPTIMISATION} -fno-exceptions -Wno-conversion
                                            ${PELAGIC_ISA_FLAGS_${isa}})
   target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_XSIMD_INCLUDE_DIR})
-  # In kernels these checks of pointers take a third of the compile time; AddressSanitizer reports
-  # what they would.
+  # In kernels these checks of pointers take a third of the compile time. AddressSanitizer reports
+  # such a pointer where it is used.
   if(PELAGIC_SANITIZE MATCHES "address.*undefined")
     target_compile_options(${target} PRIVATE -fno-sanitize=null,pointer-overflow)
   endif()

@@ -2,7 +2,7 @@
 # the presets select tests.
 #
 #   a GoogleTest program of the sources NAME_test.cpp; each of its suites is a test:
-#       pelagic_test_program(pelagic_query_tests TESTS cubic_query surface_query LIBRARIES pelagic::sim)
+#       pelagic_test_program(pelagic_query_tests TESTS cubic_query LIBRARIES pelagic::sim)
 #   any other program:
 #       pelagic_add_test(CInterfaceSoak LABELS slow COMMAND pelagic_soak 20000)
 #
@@ -10,9 +10,9 @@
 # SOURCES      other sources, and objects
 # LIBRARIES    besides GoogleTest
 # RUNS         a program that the tests run, as pelagic::tested_binary (test_paths.hpp)
-# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, numbers
-#              and drawing (not under a sanitizer), fuzz, slow (not in `quick`), hosts (inside other
-#              programs, not in `quick`), web, night, soak
+# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface,
+#              numbers (not in asan), drawing (in asan at night), fuzz, fuzz-soak, slow (not in
+#              `quick`), hosts (inside other programs, not in `quick`), web, night, soak
 # SLOW         suites that `quick` omits (label slow)
 # SWEEPS       suites that test a sample by default (label slow) and the full range as Soak.SUITE
 # SERIAL       suites during which no other test runs

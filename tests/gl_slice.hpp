@@ -13,6 +13,16 @@ namespace pelagic {
 constexpr int slice_pixels = 160;    // per side; the scene's target has this size
 constexpr double slice_half_m = 20;  // half the side of the visible square
 
+/// The scene of slices, of the finest mesh, for frames of 128 x 128 texels a cascade.
+inline GlScene::Options slice_scene() {
+    return {.quality = "ultra",
+            .resolution = 128,
+            .width = slice_pixels,
+            .height = slice_pixels,
+            .samples = 1,
+            .size_m = 512};
+}
+
 /// View from above, x to the right and z down; points higher than `top_m` are before the near
 /// plane.
 inline glm::dmat4 slice(glm::dvec2 middle, double top_m) {

@@ -17,12 +17,7 @@ SeaState sea_without_choppiness() {
 }
 
 TEST(GlSurface, HasThePositionsOfTheCascadesSum) {
-    GlScene scene({.quality = "ultra",
-                   .resolution = 128,
-                   .width = slice_pixels,
-                   .height = slice_pixels,
-                   .samples = 1,
-                   .size_m = 512});
+    GlScene scene(slice_scene());
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
     expect_slice_in_place(scene, frame, slice_middle, displacement_of(frame, slice_middle.x, slice_middle.y).height,
@@ -32,12 +27,7 @@ TEST(GlSurface, HasThePositionsOfTheCascadesSum) {
 // Small waves hardly change the sum, so each cascade is also drawn alone, with texels of a metre:
 // its layer, position and rotation.
 TEST(GlSurface, HasEachCascadeAtItsPositionAndRotation) {
-    GlScene scene({.quality = "ultra",
-                   .resolution = 128,
-                   .width = slice_pixels,
-                   .height = slice_pixels,
-                   .samples = 1,
-                   .size_m = 512});
+    GlScene scene(slice_scene());
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& all =
         // at 3 s the middle of cascade 0 is a trough, and the slice clips almost everything

@@ -13,12 +13,7 @@ namespace pelagic {
 namespace {
 
 TEST(GlWaterFrame, SeaIsDrawnAtItsHeightAndPlace) {
-    GlScene scene({.quality = "ultra",
-                   .resolution = 128,
-                   .width = slice_pixels,
-                   .height = slice_pixels,
-                   .samples = 1,
-                   .size_m = 512});
+    GlScene scene(slice_scene());
     SeaState sea = sea_named("moderate", 128);
     sea.choppiness = 0;
     Ocean ocean(sea, {.executor = make_serial_executor()});

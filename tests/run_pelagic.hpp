@@ -39,9 +39,9 @@ Arguments joined(Arguments first, const Arguments& more);
 /// more time.
 inline const std::string two_exr_maps = "displacement,compression", maps_with_png = "displacement,gradient";
 
-/// Returns the arguments of an export of one small cascade. Without --maps among `more` it writes EXR
-/// files of displacements only: for PNG and TIFF the command loads the image library, which takes
-/// much more time than such an export.
+/// Returns the arguments of an export of one small cascade. Without --maps among `more` it writes
+/// EXR files of displacements only: for PNG and TIFF the command loads the image library, which
+/// takes much more time than such an export.
 Arguments small_export(const std::filesystem::path& folder, const Arguments& more = {});
 
 /// For `in_child`: permanently drops root's capabilities to bypass file permissions. The process

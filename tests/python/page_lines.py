@@ -1,5 +1,5 @@
-"""Runs every line of docs/integrations/python.md: its shell lines build the package, or pack the one
-in PACKAGE_FOLDER, and its Python blocks print the documented output.
+"""Runs every line of docs/integrations/python.md: its shell lines build the package, or pack the
+one in PACKAGE_FOLDER, and its Python blocks print the documented output.
 
 usage: page_lines.py SOURCE_FOLDER [PACKAGE_FOLDER]
 """
