@@ -11,6 +11,8 @@ if(PELAGIC_CCACHE)
         ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${PELAGIC_CCACHE})
     endif()
   endforeach()
+  # __FILE__, which each check of a test contains, too
+  add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 endif()
 # mingw-w64, emscripten and macOS have linkers of their own, and g++ for another processor looks for
 # lld by another name.
