@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pelagic/simd/float_environment.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -46,6 +48,7 @@ bool is_singular(glm::dmat4 m) {
 }  // namespace
 
 Frustum::Frustum(const glm::dmat4& clip_from_world, ClipDepth depth) {
+    const DefaultFloatEnvironment environment;
     if (!is_finite(clip_from_world)) throw std::invalid_argument("clip_from_world holds NaN or infinity");
     if (is_singular(clip_from_world))
         throw std::invalid_argument("clip_from_world is singular; expected an invertible matrix");

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "pelagic/simd/float_environment.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -26,6 +28,7 @@ LevelMap::LevelMap(const QuadtreeOptions& options)
       lod_scale_(options.lod_scale),
       deepest_(pelagic::deepest_level(options.size_m, options.finest_patch_m)),
       windows_(static_cast<std::size_t>(deepest_)) {
+    const DefaultFloatEnvironment environment;
     // Allocates the largest window of each level: its own disc and the parents that the finer level
     // demands.
     std::int32_t side = 0;

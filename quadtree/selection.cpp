@@ -9,6 +9,7 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/quadtree/stitching.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -53,6 +54,7 @@ Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)
 }
 
 const DrawList& Selection::select(const SelectionInput& input) {
+    const DefaultFloatEnvironment environment;
     check_position("viewer_m", &input.viewer_m.x, 3);
     const glm::dvec2 centre = input.centre_m.value_or(glm::dvec2(input.viewer_m.x, input.viewer_m.z));
     check_position("centre_m", &centre.x, 2);

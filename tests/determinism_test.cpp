@@ -12,7 +12,10 @@
 #include <thread>
 #include <vector>
 
+#include "pelagic/sim/foam_report.hpp"
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/application_jobs.hpp"
@@ -385,6 +388,36 @@ TEST(Determinism, FramesDoNotDependOnTheCallersFloatingPointEnvironment) {
         std::fesetround(FE_TONEAREST);
         EXPECT_EQ(hash, expected);
         EXPECT_EQ(sampled, expected_samples);
+    }
+#endif
+#if !defined(__wasm__)
+    // What else computes: plans, statistics and samples. The arguments are exact in every mode.
+    const auto answers = [] {
+        const SeaState storm{.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19};
+        std::vector<double> values;
+        for (const CascadePlan& plan : plan_cascades(SeaState{.cascades = 3, .wind_speed_mps = 13.7}))
+            values.insert(values.end(), {double{plan.grid.side_m}, plan.min_k, plan.foam_weight()});
+        values.push_back(sea_between({.wind_speed_mps = 7}, {.wind_speed_mps = 17}, 1 / 3.0).wind_speed_mps);
+        values.push_back(measured_slopes(11.3).upwind);
+        Ocean ocean(storm, {.executor = make_serial_executor(),
+                            .queries = true,
+                            .foam = true,
+                            .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 64, .border_m = 8}});
+        ocean.dynamic_waves().add_impulse({.x_m = 1.3, .z_m = 0.7, .radius_m = 2, .height_m = 0.3});
+        const Frame* frame = nullptr;
+        for (int i = 0; i < 4; ++i) frame = &ocean.frame_at(i * 0.125);
+        values.push_back(report_on_foam(*frame).whitecap_cover);
+        for (int i = 0; i < 20; ++i)
+            values.push_back(sample(frame->dynamic_waves, 0.125 * i, 0.3125 * i).height_m);
+        return values;
+    };
+    const std::vector<double> expected_answers = answers();
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const std::vector<double> found = answers();
+        std::fesetround(FE_TONEAREST);
+        ASSERT_EQ(found.size(), expected_answers.size());
+        for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], expected_answers[i]) << mode << " " << i;
     }
 #endif
 #if defined(__x86_64__)

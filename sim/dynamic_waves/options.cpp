@@ -8,6 +8,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/dynamic_waves/grid.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -81,6 +82,7 @@ std::string check(const DynamicWavesOptions& options) {
 }
 
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
     if (!view) return {};
     const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
     const double v = z_m / view.texel_m - static_cast<double>(view.first_z);

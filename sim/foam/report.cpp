@@ -5,6 +5,7 @@
 #include "pelagic/sim/foam/drift.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -14,6 +15,7 @@ double length(double x, double z) { return std::sqrt(x * x + z * z); }
 }  // namespace
 
 FoamReport report_on_foam(const Frame& frame) {
+    const DefaultFloatEnvironment environment;
     const TickClock clock(frame.sea.loop_period_s);
     const SeaStatistics& statistics = frame.statistics;
     FoamReport report{.tick_s = clock.tick_s(),

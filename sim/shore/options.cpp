@@ -14,6 +14,7 @@
 #include "pelagic/sim/shore/shore_waves.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -81,6 +82,7 @@ std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
 }
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
     if (!shore) return {};
     const ShoreAt at(shore, x_m, z_m);
     if (!at.is_place()) return {};

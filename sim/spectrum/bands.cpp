@@ -8,6 +8,7 @@
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -119,6 +120,7 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
 }  // namespace
 
 WaveReach WaveReach::of(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
     if (!is_stack(sea)) return {};
     if (sea.waves == WaveModel::analytic) return {longest_wave_of(sea), end_of_waves(sea)};
     const WaveSpectrum spectrum = spectrum_of_stack(sea);
@@ -132,6 +134,7 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
 }
 
 double CascadePlan::foam_weight() const {
+    const DefaultFloatEnvironment environment;
     constexpr double full_weight_m = 5.7;
     if (min_k >= two_pi || number > 2) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
@@ -144,6 +147,7 @@ std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& rea
 }
 
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach, const WaveReach& own) {
+    const DefaultFloatEnvironment environment;
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
     const double chosen_m = sea.waves == WaveModel::pond ? pond_side_m(sea) : papers_side_m;

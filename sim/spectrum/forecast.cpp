@@ -9,6 +9,7 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -88,6 +89,7 @@ double SeaChange::end_s() const {
 }
 
 ForecastMoment Forecast::at(double time_s) const {
+    const DefaultFloatEnvironment environment;
     const auto next = std::upper_bound(changes.begin(), changes.end(), time_s,
                                        [](double time, const SeaChange& change) { return time < change.from_s; });
     const auto number = static_cast<std::size_t>(next - changes.begin());
@@ -169,6 +171,7 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast) {
 }
 
 SeaState sea_between(const SeaState& before, const SeaState& after, double weight) {
+    const DefaultFloatEnvironment environment;
     if (weight == 0) return before;
     if (weight == 1) return after;
     SeaState sea = weight < 0.5 ? before : after;

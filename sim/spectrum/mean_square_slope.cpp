@@ -6,11 +6,13 @@
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {}
 
 SlopeVariance measured_slopes(double wind_speed_mps) {
+    const DefaultFloatEnvironment environment;
     return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};
 }
 
