@@ -101,12 +101,13 @@ pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s) {
     });
 }
 
-pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s) {
+pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s, int32_t* is_all) {
     return guarded([&] {
         FloatingBodies& ours = needed_bodies(bodies);
         const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
         const QueryFrames::Reader reader(ocean->query_frames);
-        ours.step(needed_query(*ocean, reader), step_s);
+        const bool are_all = ours.step(needed_query(*ocean, reader), step_s);
+        if (is_all) *is_all = are_all;
     });
 }
 

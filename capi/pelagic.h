@@ -1477,8 +1477,8 @@ typedef struct pelagic_hull_loads {
  * velocities and applies the total.
  *
  * state: successive calls are step_s apart.
- * step_s: (0, 0.1]; drag is that of an implicit step of this length, so that an explicit integrator
- *   remains stable.
+ * step_s: at least 0; drag is that of an implicit step of this length, so that an explicit
+ *   integrator remains stable.
  * inputs: only the wind is used; NULL: no wind.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for an ocean without queries or
@@ -1511,7 +1511,7 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, 
  *   pelagic_ocean_complete(ocean, &frame);
  *   pelagic_bodies_press(bodies, tick_s);
  *   pelagic_ocean_schedule(ocean, next_s);
- *   pelagic_bodies_step(bodies, tick_s);  // during the computation of the next frame
+ *   pelagic_bodies_step(bodies, tick_s, NULL);  // during the computation of the next frame
  *
  * With wakes, functions that enqueue commands (add, remove, press, destroy) are called by the
  * thread that calls the ocean's. After the ocean is destroyed, functions of its bodies return
@@ -1587,7 +1587,7 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodie
 /* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it once a frame,
  * between pelagic_ocean_complete() and pelagic_ocean_schedule().
  *
- * tick_s: time since the last call, (0, 0.1]. Frames may be any time apart.
+ * tick_s: time since the last call; 0 changes nothing. Frames may be any time apart.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; PELAGIC_WRONG_ORDER before the first
  *   frame and if a frame is in flight.
@@ -1598,14 +1598,17 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_press(pelagic_bodies* bodies,
  * threads. Results do not depend on the number of threads. Allocates nothing once the set has
  * stepped with as many vertices.
  *
- * step_s: (0, 0.1].
+ * step_s: at least 0. More than 0.1, after a hitch of the application, is divided into equal steps,
+ *   and more than 1 counts as 1.
+ * is_all: receives 1 if the bodies have advanced by all of step_s, else 0; may be NULL.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and a body that has moved out of range,
  *   whose number the message has; PELAGIC_WRONG_ORDER before the first frame;
  *   PELAGIC_APPLICATION_ERROR if a callback of the executor fails, after which the bodies have
  *   advanced.
  * Threads: one thread per object; also while another thread calls functions of the ocean. */
-PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s);
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s,
+                                                        int32_t* is_all);
 
 /* Saves all that later steps depend on, inputs and wakes included. Call it when
  * pelagic_dynamic_waves_save_state() is called, before the first command after a frame.

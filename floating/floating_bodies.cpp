@@ -195,19 +195,18 @@ void FloatingBodies::set_inputs(std::uint32_t number, const HullInputs& inputs) 
 }
 
 void FloatingBodies::press(const Frame& frame, double tick_s) {
-    if (!(tick_s > 0 && tick_s <= 0.1))
-        throw std::invalid_argument(invalid_value_message("tick_s", tick_s, "(0, 0.1] s"));
+    HullWake::check_step(tick_s);
     if (!waves_) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         bodies_[i].wake->press(frame, hulls_[i].state, hulls_[i].loads, tick_s);
 }
 
-void FloatingBodies::step(const SurfaceQuery& water, double step_s) {
+bool FloatingBodies::step(const SurfaceQuery& water, double step_s) {
     Hull::check_step(water, step_s);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (const std::string reason = Hull::check(hulls_[i].state); !reason.empty())
             throw std::invalid_argument("body " + std::to_string(bodies_[i].number) + ": " + reason);
-    jobs_.step(water, hulls_, step_s);
+    return jobs_.step(water, hulls_, step_s);
 }
 
 std::vector<std::uint8_t> FloatingBodies::save_state() const {

@@ -67,12 +67,12 @@ class FloatingBodies {
     /// Moves the pressures of wakes to the bodies, as HullWake::press(). Does nothing without
     /// waves.
     /// \param tick_s  time since the last call
-    /// \throws std::invalid_argument  if tick_s is not in (0, 0.1]
+    /// \throws std::invalid_argument  what HullWake::press() throws
     void press(const Frame& frame, double tick_s);
     /// Advances all bodies by a step, as FloatingHulls::step().
     /// \throws std::invalid_argument  what FloatingHulls::step() throws, with the number of the
     ///                                body: "body 3: "; nothing is changed then
-    void step(const SurfaceQuery& water, double step_s);
+    bool step(const SurfaceQuery& water, double step_s);
 
     /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, and 16 a
     /// cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first

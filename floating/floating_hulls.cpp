@@ -4,6 +4,8 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+
+#include "pelagic/simd/float_environment.hpp"
 namespace pelagic {
 namespace {
 
@@ -14,6 +16,7 @@ constexpr std::size_t jobs = 64;
 struct FloatingHulls::State {
     /// Steps a job's hulls: one query for all of them.
     void run(std::size_t job) {
+    const DefaultFloatEnvironment environment;
         const std::size_t begin = job * hulls_a_job;
         if (begin >= hulls.size()) return;
         const std::span<FloatingHull> ours = hulls.subspan(begin, std::min(hulls_a_job, hulls.size() - begin));
@@ -55,16 +58,18 @@ FloatingHulls::FloatingHulls(std::shared_ptr<Executor> executor) : state_(new St
 
 FloatingHulls::~FloatingHulls() = default;
 
-void FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
+bool FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
     Hull::check_step(water, step_s);
     for (std::size_t i = 0; i < hulls.size(); ++i)
         for (const std::string& reason : {Hull::check(hulls[i].state), Hull::check(hulls[i].inputs)})
             if (!reason.empty()) throw std::invalid_argument("hull " + std::to_string(i) + ": " + reason);
     state_->water = &water;
     state_->hulls = hulls;
-    state_->step_s = step_s;
+    const Hull::Steps steps(step_s);
+    state_->step_s = steps.each_s;
     state_->hulls_a_job = std::max<std::size_t>(1, (hulls.size() + jobs - 1) / jobs);
-    state_->graph_run->run();
+    for (int i = 0; i < steps.count; ++i) state_->graph_run->run();
+    return steps.are_all;
 }
 
 }  // namespace pelagic

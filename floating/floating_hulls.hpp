@@ -28,11 +28,12 @@ class FloatingHulls {
     FloatingHulls(const FloatingHulls&) = delete;  // the stage points into it
     FloatingHulls& operator=(const FloatingHulls&) = delete;
 
-    /// Advances the hulls by a step and returns when all are done. The calling thread takes part.
+    /// Advances the hulls as Hull::step() does, and returns its result when all are done. The calling
+    /// thread takes part.
     /// Allocates nothing in Pelagic's code once each job has had as many vertices.
     /// \throws std::invalid_argument  what Hull::step() throws, after the number of the hull, such
     ///                                as "hull 3: "; no hull is changed then
-    void step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s);
+    bool step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s);
 
    private:
     struct State;

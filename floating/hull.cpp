@@ -14,6 +14,7 @@
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -119,12 +120,13 @@ std::string Hull::check(const HullInputs& inputs) {
 void Hull::check_step(const SurfaceQuery& water, double step_s) {
     if (!water.has_velocities())
         throw std::invalid_argument("hulls need OceanOptions::velocities, which the frame was made without");
-    if (!(step_s > 0 && step_s <= 0.1))
-        throw std::invalid_argument(invalid_value_message("step_s", step_s, "(0, 0.1] s"));
+    if (!(step_s >= 0 && std::isfinite(step_s)))
+        throw std::invalid_argument(invalid_value_message("step_s", step_s, "[0, inf) s"));
 }
 
 Hull::Hull(HullMesh mesh, const HullOptions& options)
     : mesh_(std::move(mesh)), options_(options), mass_kg_(options.mass_kg) {
+    const DefaultFloatEnvironment environment;
     require(check(mesh_, options));
     centre_of_mass_m_ = options.centre_of_mass_m.value_or(mesh_.centre_m());
     if (options.inertia_kgm2) {
@@ -227,10 +229,12 @@ std::uint64_t Hull::digest() const {
 }
 
 glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {
+    const DefaultFloatEnvironment environment;
     return state.position_m - glm::mat3_cast(state.orientation) * centre_of_mass_m_;
 }
 
 HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
+    const DefaultFloatEnvironment environment;
     HullState state;
     state.position_m = {x_m, afloat_.height_m, z_m};
     // from +x towards +z is a negative rotation about y
@@ -241,6 +245,7 @@ HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
 }
 
 HullState Hull::at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad) const {
+    const DefaultFloatEnvironment environment;
     HullState state = at_rest(x_m, z_m, heading_rad);
     float height = 0, vx = 0, vy = 0, vz = 0;
     water.sample({{&x_m, 1}, {&z_m, 1}}, {.height_m = {&height, 1},

@@ -150,10 +150,12 @@ struct HullAfloat {
 struct HullWorkspace {
     std::vector<double> x, z;
     std::vector<float> height_m, velocity_x_mps, velocity_y_mps, velocity_z_mps;
+    std::vector<double> wake_m;
     struct Vertex {
         glm::dvec3 arm_m;         ///< from the centre of mass, world axes
         glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water
         double depth_m;           ///< below the surface, negative above it
+        double wake_m = 0;        ///< of it, that of waves that HullWake acts on
     };
     std::vector<Vertex> vertices;
 
@@ -176,7 +178,8 @@ class Hull {
     /// Returns an empty string for usable inputs, else what is wrong: forces and torques in
     /// [-1e15, 1e15], wind in [-1e3, 1e3] m/s.
     static std::string check(const HullInputs& inputs);
-    /// \throws std::invalid_argument  if the frame has no velocities, or step_s is out of range
+    /// \throws std::invalid_argument  if the frame has no velocities, or step_s is negative or not
+    ///                                finite
     static void check_step(const SurfaceQuery& water, double step_s);
 
     /// Returns the mesh of construction.
@@ -203,8 +206,8 @@ class Hull {
     /// Returns the loads of a state, and stores in it what the next call needs.
     /// \param water   of a frame with velocities
     /// \param state   successive calls are step_s apart
-    /// \param step_s  (0, 0.1]: drag is that of an implicit step of this length, so that an
-    ///                explicit integrator remains stable
+    /// \param step_s  at least 0: drag is that of an implicit step of this length, so that an
+    ///                explicit integrator remains stable; 0: no time has passed
     /// \throws std::invalid_argument  check(state) or check(inputs) if it is not empty, or what
     ///                                check_step() throws; the state is unchanged then
     HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
@@ -216,8 +219,11 @@ class Hull {
     void accelerate(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs = {}) const;
 
     /// Advances a state by a step: half of the motion, forces, the other half (Verlet). Without
-    /// waves, wind and inputs each step reduces the mechanical energy. Throws what loads() throws.
-    void step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+    /// waves, wind and inputs each step reduces the mechanical energy. More than 0.1 s, after a
+    /// hitch of the application, is divided into equal steps, and more than 1 s counts as 1 s.
+    /// Throws what loads() throws.
+    /// \returns whether the state has advanced by all of step_s
+    bool step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
               HullWorkspace& workspace) const;
 
    private:
@@ -231,7 +237,15 @@ class Hull {
                         const HullWake* wake, HullWorkspace& workspace) const;
     HullLoads loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
                        const HullInputs& inputs, HullWorkspace& workspace) const;
+    /// What step() divides a time into.
+    struct Steps {
+        explicit Steps(double step_s);
+        int count;
+        double each_s;
+        bool are_all;
+    };
     struct Speeds;
+    HullMatrix turning_by(const glm::dvec3& spin, double submersion) const;
     static void drift(HullState& state, double seconds);
     Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,
                         const HullInputs& inputs) const;

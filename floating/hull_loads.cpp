@@ -10,6 +10,7 @@
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -32,6 +33,7 @@ struct MeanWater {
     double height_m = 0;
     glm::dvec3 velocity_mps{};
     double slope_x = 0, slope_z = 0;        // of the height
+    double wake_slope_x = 0, wake_slope_z = 0;  // of it, that of HullWake
     double gradient_x = 0, gradient_z = 0;  // of the vertical velocity, 1/s
 };
 
@@ -41,18 +43,19 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
     const auto water_velocity = [&](const HullVertex& vertex) {
         return velocity_mps + glm::cross(angular_velocity_radps, vertex.arm_m) - vertex.relative_mps;
     };
-    double x = 0, z = 0, height = 0;
+    double x = 0, z = 0, height = 0, wake = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
         x += weights[i] * vertex.arm_m.x;
         z += weights[i] * vertex.arm_m.z;
         height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
+        wake += weights[i] * vertex.wake_m;
         mean.velocity_mps += weights[i] * water_velocity(vertex);
     }
     mean.x_m = x;
     mean.z_m = z;
     mean.height_m = height_m + height;
-    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0;
+    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0, xw = 0, zw = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
         const double dx = vertex.arm_m.x - x, dz = vertex.arm_m.z - z;
@@ -62,11 +65,15 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         xz += weights[i] * dx * dz;
         zz += weights[i] * dz * dz;
         xh += dx * dh, zh += dz * dh, xv += dx * dv, zv += dz * dv;
+        const double dw = weights[i] * (vertex.wake_m - wake);
+        xw += dx * dw, zw += dz * dw;
     }
     const double determinant = xx * zz - xz * xz;
     if (determinant > 1e-9 * xx * zz) {
         mean.slope_x = (zz * xh - xz * zh) / determinant;
         mean.slope_z = (xx * zh - xz * xh) / determinant;
+        mean.wake_slope_x = (zz * xw - xz * zw) / determinant;
+        mean.wake_slope_z = (xx * zw - xz * xw) / determinant;
         mean.gradient_x = (zz * xv - xz * zv) / determinant;
         mean.gradient_z = (xx * zv - xz * xv) / determinant;
     }
@@ -76,7 +83,7 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
 /// Returns the rate of change of the vertical velocity of the water under the hull, minus
 /// `along_mps2`.
 double vertical_change(const MeanWater& mean, const HullState& state, double step_s, double along_mps2 = 0) {
-    if (!state.has_previous_step) return 0;
+    if (!state.has_previous_step || step_s == 0) return 0;
     const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along_mps2;
     // Waves break before the surface falls freely.
     return std::clamp(change, -gravity_mps2, gravity_mps2);
@@ -134,10 +141,11 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
 
 void Hull::place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
                           const HullWake* wake, HullWorkspace& workspace) const {
+    workspace.wake_m.assign(arms_m_.size(), 0);
     if (wake) {
         const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
         wake->leave_out(water.frame(), ours(workspace.x), ours(workspace.z), ours(workspace.height_m),
-                        ours(workspace.velocity_y_mps));
+                        ours(workspace.velocity_y_mps), workspace.wake_m);
     }
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     workspace.vertices.resize(arms_m_.size());
@@ -149,6 +157,7 @@ void Hull::place_vertices(const SurfaceQuery& water, std::size_t first_point, co
         vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
+        vertex.wake_m = workspace.wake_m[i];
     }
 }
 
@@ -212,6 +221,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
 
     const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + loads.water_acceleration_mps2.y);
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
+    if (inputs.wake) loads.pressure += inputs.wake->push(water.frame(), state);
     const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
 
@@ -224,7 +234,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) loads.mass[i][j] += loads.submersion * added_mass_[i][j];
     glm::dvec3 water_spin_change{};
-    if (state.has_previous_step)
+    if (state.has_previous_step && step_s > 0)
         water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
     // The added mass moves with the hull, so its momentum changes with the velocity of the water at
     // the hull. A steady wave that moves with the hull causes no change (Newman, chapter 7).
@@ -234,13 +244,23 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);
+    if (inputs.wake) {  // which knows the force of its waves along the surface
+        const double fall_mps2 = -(gravity_mps2 + loads.water_acceleration_mps2.y);
+        Vector6 of_wake = product(
+            added_mass_,
+            joined(to_hull * (fall_mps2 * glm::dvec3(mean.wake_slope_x, 0, mean.wake_slope_z)), glm::dvec3(0)));
+        for (double& value : of_wake) value *= loads.submersion;
+        const HullForce known = to_world(of_wake);
+        loads.added_mass.force_n -= glm::dvec3(known.force_n.x, 0, known.force_n.z);
+        loads.added_mass.torque_nm.y -= known.torque_nm.y;
+    }
     const auto in_axes = [&](const HullForce& force) {
         return joined(to_hull * force.force_n, to_hull * force.torque_nm);
     };
     const Vector6 relative = joined(to_hull * (state.velocity_mps - loads.water_velocity_mps),
                                     to_hull * (state.angular_velocity_radps - loads.water_rotation_radps));
     Vector6 slamming{}, slammed{};
-    if (state.has_previous_step && loads.submersion > state.submersion) {
+    if (state.has_previous_step && step_s > 0 && loads.submersion > state.submersion) {
         slamming = product(added_mass_, relative);
         for (double& value : slamming) value *= (state.submersion - loads.submersion) / step_s;
         loads.slamming = to_world(slamming);
@@ -269,6 +289,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
 
 HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                       HullWorkspace& workspace) const {
+    const DefaultFloatEnvironment environment;
     check_step(water, step_s);
     require(check(state));
     require(check(inputs));

@@ -10,6 +10,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -124,6 +125,7 @@ std::string HullMesh::check(std::span<const glm::dvec3> vertices, std::span<cons
 }
 
 HullMesh::HullMesh(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles) {
+    const DefaultFloatEnvironment environment;
     require(check(vertices, triangles));
     Merged mesh = merged(vertices, triangles);
     const Volume volume(mesh);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "pelagic/simd/float_environment.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -57,6 +59,7 @@ struct Verticals {
 }  // namespace
 
 HullPlan plan_of(const HullMesh& mesh, int columns, int rows) {
+    const DefaultFloatEnvironment environment;
     const Verticals lines(mesh, columns, rows);
     const glm::dvec3 size = mesh.upper_m() - mesh.lower_m(), middle = 0.5 * (mesh.upper_m() + mesh.lower_m());
     HullPlan plan;

@@ -12,6 +12,7 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -56,6 +57,7 @@ HullSpray::HullSpray(const Hull& hull, const HullSprayOptions& options) : hull_(
 
 void HullSpray::update(const SurfaceQuery& water, const HullState& state, const HullLoads& loads, double step_s,
                        HullWorkspace& workspace, const HullWake* wake) {
+    const DefaultFloatEnvironment environment;
     Hull::check_step(water, step_s);
     require(Hull::check(state));
     jets_.clear();

@@ -1,10 +1,12 @@
 // A step of a hull.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/floating/matrix6.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -28,15 +30,30 @@ void Hull::drift(HullState& state, double seconds) {
 // A step first reduces the velocities u by drag and slamming, to u1, and then applies forces with a
 // potential from u1 to u2 = u1 + du, (dv, dw) in the hull's axes:
 //
-//   m dv + A11 (dv - t w x v_m) + A12 dw               + t^2/4 (K du)_v = t F
-//   I dw - t (I w) x w_m + A22 dw + A21 (dv - t w x v_m) + t^2/4 (K du)_w = t T
+//   m dv + A11 (dv - t w_m x v_m) + A12 dw                   + t^2/4 (K du)_v = t F
+//   I dw - t (I w_m) x w_m + A22 dw + A21 (dv - t w_m x v_m) + t^2/4 (K du)_w = t T
 //
-// with v_m = v1 + dv/2: rotation of the axes does no work. The stiffness K carries the pressure
-// from the pose where it was computed, half a step of u away from the beginning, to the middle of
-// the motion, (u1 + u2) t/4 away, where a linear force conserves energy exactly.
+// with v_m = v1 + dv/2 and w_m = w1 + dw/2: rotation of the axes does no work. The stiffness K
+// carries the pressure from the pose where it was computed, half a step of u away from the
+// beginning, to the middle of the motion, (u1 + u2) t/4 away, where a linear force conserves energy
+// exactly.
 struct Hull::Speeds {
     Vector6 damped, after;
 };
+
+/// Returns the matrix whose product with the velocities is minus the forces of the axes' rotation.
+HullMatrix Hull::turning_by(const glm::dvec3& spin, double submersion) const {
+    HullMatrix turning{};
+    for (std::size_t row = 0; row < 6; ++row) {
+        const glm::dvec3 added(added_mass_[row][0], added_mass_[row][1], added_mass_[row][2]);
+        // added . (w x v) = (added x w) . v
+        const glm::dvec3 by_velocity = -submersion * glm::cross(added, spin);
+        for (std::size_t column = 0; column < 3; ++column)
+            turning[row][column] = by_velocity[static_cast<int>(column)];
+    }
+    add_block(turning, 3, 3, -1, cross_matrix(inertia_kgm2_ * spin));
+    return turning;
+}
 
 Hull::Speeds Hull::speeds_after(const HullState& state, const HullLoads& loads, double step_s,
                                 const HullInputs& inputs) const {
@@ -50,50 +67,61 @@ Hull::Speeds Hull::speeds_after(const HullState& state, const HullLoads& loads, 
     const Vector6 lost = solve(loads.mass, in_hull(losses));
     Vector6 damped = before;
     for (std::size_t i = 0; i < 6; ++i) damped[i] += step_s * lost[i];
-    const glm::dvec3 spin = second_half(damped);
-
-    HullMatrix turning{};  // times u: minus the forces of the axes' rotation
-    for (std::size_t row = 0; row < 6; ++row) {
-        const glm::dvec3 added(added_mass_[row][0], added_mass_[row][1], added_mass_[row][2]);
-        // added . (w x v) = (added x w) . v
-        const glm::dvec3 by_velocity = -loads.submersion * glm::cross(added, spin);
-        for (std::size_t column = 0; column < 3; ++column)
-            turning[row][column] = by_velocity[static_cast<int>(column)];
-    }
-    add_block(turning, 3, 3, -1, cross_matrix(inertia_kgm2_ * spin));
 
     HullForce sum = loads.pressure;
     sum += loads.added_mass;
     sum += inputs.force;
     sum.force_n.y -= mass_kg_ * gravity_mps2;
-    const Vector6 turned = product(turning, damped), moved = product(loads.stiffness, lost);
-    Vector6 right = in_hull(sum);
-    HullMatrix matrix = loads.mass;
-    for (std::size_t i = 0; i < 6; ++i) {
-        right[i] = step_s * (right[i] - turned[i] - 0.5 * step_s * step_s * moved[i]);
-        for (std::size_t j = 0; j < 6; ++j)
-            matrix[i][j] += 0.5 * step_s * turning[i][j] + 0.25 * step_s * step_s * loads.stiffness[i][j];
+    const Vector6 forces = in_hull(sum), moved = product(loads.stiffness, lost);
+    Vector6 change{};
+    // Passes approach the spin at the middle of the step.
+    for (int pass = 0; pass < 3; ++pass) {
+        const glm::dvec3 spin = second_half(damped) + 0.5 * second_half(change);
+        const HullMatrix turning = turning_by(spin, loads.submersion);
+        const Vector6 turned = product(turning, damped);
+        Vector6 right;
+        HullMatrix matrix = loads.mass;
+        for (std::size_t i = 0; i < 6; ++i) {
+            right[i] = step_s * (forces[i] - turned[i] - 0.5 * step_s * step_s * moved[i]);
+            for (std::size_t j = 0; j < 6; ++j)
+                matrix[i][j] += 0.5 * step_s * turning[i][j] + 0.25 * step_s * step_s * loads.stiffness[i][j];
+        }
+        change = solve(matrix, right);
     }
-    const Vector6 change = solve(matrix, right);
     Speeds speeds{damped, damped};
     for (std::size_t i = 0; i < 6; ++i) speeds.after[i] += change[i];
     return speeds;
 }
 
 void Hull::accelerate(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs) const {
+    const DefaultFloatEnvironment environment;
     const Vector6 after = speeds_after(state, loads, step_s, inputs).after;
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     state.velocity_mps = axes * first_half(after);
     state.angular_velocity_radps = axes * second_half(after);
 }
 
-void Hull::step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+Hull::Steps::Steps(double step_s) {
+    constexpr double longest_s = 0.1, longest_sum_s = 1;
+    const double sum_s = std::min(step_s, longest_sum_s);
+    count = static_cast<int>(std::ceil(sum_s / longest_s));
+    each_s = sum_s / count;
+    are_all = sum_s == step_s;
+}
+
+bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                 HullWorkspace& workspace) const {
-    HullState middle = state;
-    drift(middle, 0.5 * step_s);
-    const HullLoads forces = loads(water, middle, step_s, inputs, workspace);
-    complete_step(middle, forces, step_s, inputs);
-    state = middle;
+    const DefaultFloatEnvironment environment;
+    check_step(water, step_s);
+    const Steps steps(step_s);
+    HullState end = state;
+    for (int i = 0; i < steps.count; ++i) {
+        drift(end, 0.5 * steps.each_s);
+        const HullLoads forces = loads(water, end, steps.each_s, inputs, workspace);
+        complete_step(end, forces, steps.each_s, inputs);
+    }
+    state = end;
+    return steps.are_all;
 }
 
 void Hull::complete_step(HullState& middle, const HullLoads& forces, double step_s, const HullInputs& inputs) const {

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <stdexcept>
 #include <utility>
 
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
 
-/// Returns the number of cells for a size: at least a texel each, so that a pressure that moves
-/// over the texels keeps its volume.
+/// Returns the number of cells for a size: at least two texels each, so that a pressure that moves
+/// over the texels keeps its volume and makes no waves that the grid cannot carry.
 int cells(double size_m, double texel_m) {
-    return static_cast<int>(std::clamp(std::floor(size_m / texel_m), 1.0, 64.0));
+    return static_cast<int>(std::clamp(std::floor(size_m / (2 * texel_m)), 1.0, 64.0));
 }
 
 /// Fraction of a tick by which a frame may miss it, as for DynamicWaves.
@@ -23,6 +26,7 @@ constexpr double fastest_mps = 1000;  // of footprints
 }  // namespace
 
 HullWake::HullWake(DynamicWaves& waves, const Hull& hull) : waves_(&waves), hull_(&hull) {
+    const DefaultFloatEnvironment environment;
     const double texel_m = waves.options().side_m / waves.options().resolution;
     const glm::dvec3 size = hull.mesh().upper_m() - hull.mesh().lower_m();
     plan_ = plan_of(hull.mesh(), cells(size.x, texel_m), cells(size.z, texel_m));
@@ -40,6 +44,7 @@ HullWake::HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state
 }
 
 void HullWake::launch(const HullState& state) {
+    const DefaultFloatEnvironment environment;
     hull_m_ = pressure_m_ = state.position_m;
     next_.x_m = state.position_m.x;
     next_.z_m = state.position_m.z;
@@ -99,21 +104,25 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     const double cell_m2 = plan_.length_m * plan_.beam_m / (plan_.columns * plan_.rows);
     // At most the weight, because a hull that its own wave lowers would make a still larger wave.
     const double scale =
-        volume > 0 ? launched * std::min(loads.displaced_m3, hull_->floating_m3()) / (volume * cell_m2) : 0;
+        volume > 0 ? launched * std::clamp(loads.displaced_m3, 0.0, hull_->floating_m3()) / (volume * cell_m2) : 0;
     // The first step of the hull comes after its first pressure, which is 0 then.
     const bool presses = launched_before > 0 && std::any_of(depth_before_m_.begin(), depth_before_m_.end(),
                                                             [](float depth) { return depth > 0; });
     const double growth = presses ? launched / launched_before : 0;
     const double part = presses ? step_s / (step_s + shape_s()) : 1;
+    // Waves do not feel what lies deeper than half of their length, and the shortest that a hull
+    // makes are as long as it is wide.
+    const double deepest_m = std::min({plan_.length_m / 2, plan_.beam_m / 2, 100.0});
     double pressed = 0;
     for (std::size_t i = 0; i < footprint.depth_m.size(); ++i) {
         const double before = growth * depth_before_m_[i], now = scale * footprint.depth_m[i];
-        footprint.depth_m[i] = static_cast<float>(std::clamp(before + part * (now - before), 0.0, 100.0));
+        footprint.depth_m[i] = static_cast<float>(std::clamp(before + part * (now - before), 0.0, deepest_m));
         pressed += footprint.depth_m[i] * cell_m2;
     }
-    // A hull in the air presses on nothing.
-    if (pressed > loads.displaced_m3)
-        for (float& depth : footprint.depth_m) depth = static_cast<float>(depth * (loads.displaced_m3 / pressed));
+    // A hull in the air presses on nothing. Steep water around it can push it down.
+    const double displaced = std::max(loads.displaced_m3, 0.0);
+    if (pressed > displaced)
+        for (float& depth : footprint.depth_m) depth = static_cast<float>(depth * (displaced / pressed));
 }
 
 HullWake::FrameTick HullWake::tick_of(double time_s) const {
@@ -143,7 +152,19 @@ void HullWake::ActingFootprint::copy_to(PressureFootprint& moved) const {
     moved.z_m += moved_s * moved.velocity_z_mps;
 }
 
+glm::dvec3 HullWake::middle_of_plan_m(const HullState& state) const {
+    return glm::mat3_cast(state.orientation) * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
+}
+
+void HullWake::check_step(double step_s) {
+    if (!(step_s >= 0 && std::isfinite(step_s)))
+        throw std::invalid_argument(invalid_value_message("tick_s", step_s, "[0, inf) s"));
+}
+
 void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s) {
+    const DefaultFloatEnvironment environment;
+    check_step(step_s);
+    if (step_s == 0) return;
     const FrameTick now = tick_of(frame.time_s);
     if (afloat_s_ > 0) keep_acted(now.tick);
     tick_ = now.tick;
@@ -155,60 +176,134 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     pressure_m_ += std::min(step_s / return_s, 1.0) * (state.position_m - pressure_m_);
     hull_m_ = state.position_m;
     const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / step_s;
-    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
-    const glm::dvec3 middle = axes * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
-    // The next tick shows the hull as it was at the last one.
-    const double since_tick_s = now.fraction / waves_->options().ticks_per_s;
-    next_.x_m = pressure_m_.x + middle.x - since_tick_s * velocity_mps.x;
-    next_.z_m = pressure_m_.z + middle.z - since_tick_s * velocity_mps.z;
+    const glm::dvec3 middle = middle_of_plan_m(state);
+    // The frame after the next tick shows that tick's water, whose hollow lies half a tick ahead of
+    // the pressure.
+    const double ahead_s = (1.5 - now.fraction) / waves_->options().ticks_per_s;
+    next_.x_m = pressure_m_.x + middle.x + ahead_s * velocity_mps.x;
+    next_.z_m = pressure_m_.z + middle.z + ahead_s * velocity_mps.z;
     next_.velocity_x_mps = std::clamp(velocity_mps.x, -fastest_mps, fastest_mps);
     next_.velocity_z_mps = std::clamp(velocity_mps.z, -fastest_mps, fastest_mps);
     shape(next_, state, loads, step_s);
     waves_->set_footprint(source_, next_);
 }
 
-/// Returns the depth that the grid shows: bilinear between its texels.
-/// \param place_s  time of the footprint's tick
-/// \param x_m, z_m  in the water's frame
-double HullWake::hollow_m(const ActingFootprint& of, const WaterFrame& water, double place_s, double x_m,
-                          double z_m) const {
-    const double texel = waves_->options().side_m / waves_->options().resolution;
-    WaterFrame::Origin origin = water.origin_at(place_s);
-    origin.x_m -= of.moved_s * of.footprint->velocity_x_mps;
-    origin.z_m -= of.moved_s * of.footprint->velocity_z_mps;
-    const double i = std::floor(x_m / texel), j = std::floor(z_m / texel);
-    const double right = x_m / texel - i, bottom = z_m / texel - j;
-    const auto at = [&](double column, double row) {
-        return depth_at(*of.footprint, column * texel + origin.x_m, row * texel + origin.z_m);
+/// The hull's own hollow in the dynamic waves of a frame. Positions are in the water's frame.
+struct HullWake::Hollow {
+    const WaterFrame& water;
+    double texel_m, tick_s, now_s, fraction;
+    std::array<ActingFootprint, 4> last;  ///< of the next tick, of the last one, and before it
+
+    Hollow(const HullWake& wake, const Frame& frame)
+        : water(frame.water_frame),
+          texel_m(wake.waves_->options().side_m / wake.waves_->options().resolution),
+          tick_s(1.0 / wake.waves_->options().ticks_per_s) {
+        const FrameTick now = wake.tick_of(frame.time_s);
+        fraction = now.fraction;
+        now_s = frame.time_s - now.fraction * tick_s;
+        for (std::size_t i = 0; i < last.size(); ++i)
+            last[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i));
+    }
+
+    /// Returns where the footprint's own position is that of a water's origin.
+    WaterFrame::Origin origin_of(std::size_t which) const {
+        WaterFrame::Origin origin = water.origin_at(now_s + (1 - static_cast<double>(which)) * tick_s);
+        origin.x_m -= last[which].moved_s * last[which].footprint->velocity_x_mps;
+        origin.z_m -= last[which].moved_s * last[which].footprint->velocity_z_mps;
+        return origin;
+    }
+
+    struct Depth {
+        double depth_m, sinking_mps;
     };
-    return (1 - bottom) * ((1 - right) * at(i, j) + right * at(i + 1, j)) +
-           bottom * ((1 - right) * at(i, j + 1) + right * at(i + 1, j + 1));
-}
+    /// As DynamicWavesView interpolates ticks. A pressure that moves once a tick is that of an even
+    /// motion at the middle of the tick, so the hollow at its end is the mean of this tick's and the
+    /// next one's.
+    template <class DepthOf>
+    Depth between_ticks(DepthOf&& depth_of) const {
+        const double depth[] = {depth_of(0), depth_of(1), depth_of(2), depth_of(3)};
+        const double hollow[] = {(depth[0] + depth[1]) / 2, (depth[1] + depth[2]) / 2, (depth[2] + depth[3]) / 2};
+        const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
+        return {hollow[1] + fraction * change, (change + (fraction - 0.5) * (change - change_before)) / tick_s};
+    }
+
+    /// Bilinear between texels, as the grid.
+    Depth at(double x_m, double z_m) const {
+        const double i = std::floor(x_m / texel_m), j = std::floor(z_m / texel_m);
+        const double right = x_m / texel_m - i, bottom = z_m / texel_m - j;
+        return between_ticks([&](std::size_t which) {
+            const WaterFrame::Origin origin = origin_of(which);
+            const auto texel = [&](double column, double row) {
+                return depth_at(*last[which].footprint, column * texel_m + origin.x_m, row * texel_m + origin.z_m);
+            };
+            return (1 - bottom) * ((1 - right) * texel(i, j) + right * texel(i + 1, j)) +
+                   bottom * ((1 - right) * texel(i, j + 1) + right * texel(i + 1, j + 1));
+        });
+    }
+};
 
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
-                         std::span<float> height_m, std::span<float> velocity_y_mps) const {
-    const WaterFrame& water = frame.water_frame;
-    const WaterFrame::Origin origin = water.origin_at(frame.time_s);
-    const FrameTick now = tick_of(frame.time_s);
-    const ActingFootprint last[] = {acting_at(now.tick), acting_at(now.tick - 1), acting_at(now.tick - 2)};
-    const double tick_s = 1.0 / waves_->options().ticks_per_s, now_s = frame.time_s - now.fraction * tick_s;
+                         std::span<float> height_m, std::span<float> velocity_y_mps,
+                         std::span<double> wake_m) const {
+    const DefaultFloatEnvironment environment;
+    const Hollow hollow(*this, frame);
+    const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);
     const glm::dvec3 moved = pressure_m_ - hull_m_;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double at_x = x[i] - origin.x_m, at_z = z[i] - origin.z_m;
         const double in_x = at_x + moved.x, in_z = at_z + moved.z;
         const DynamicWavesSample here = sample(frame.dynamic_waves, at_x, at_z),
                                  there = sample(frame.dynamic_waves, in_x, in_z);
-        double hollow[3];
-        for (std::size_t tick = 0; tick < 3; ++tick)
-            hollow[tick] = hollow_m(last[tick], water, now_s - static_cast<double>(tick) * tick_s, in_x, in_z);
-        // as DynamicWavesView interpolates ticks
-        const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
-        const double depth_m = hollow[1] + now.fraction * change;
-        const double sinking_mps = (change + (now.fraction - 0.5) * (change - change_before)) / tick_s;
-        height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + depth_m);
+        const Hollow::Depth own = hollow.at(in_x, in_z);
+        if (!wake_m.empty()) wake_m[i] = there.height_m + own.depth_m;
+        height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + own.depth_m);
         velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + there.vertical_velocity_mps -
-                                               here.vertical_velocity_mps + sinking_mps);
+                                               here.vertical_velocity_mps + own.sinking_mps);
     }
+}
+
+HullForce HullWake::push(const Frame& frame, const HullState& state) const {
+    const DefaultFloatEnvironment environment;
+    const Hollow hollow(*this, frame);
+    const double texel_m = hollow.texel_m;
+    std::array<WaterFrame::Origin, 4> origins;
+    for (std::size_t which = 0; which < origins.size(); ++which) origins[which] = hollow.origin_of(which);
+    const PressureFootprint& pressed = *hollow.last[1].footprint;
+    // the rectangle, half a cell around it, and the motion of the ticks
+    const double ahead = (pressed.length_m + pressed.length_m / pressed.columns) / 2,
+                 abeam = (pressed.beam_m + pressed.beam_m / pressed.rows) / 2;
+    const double reach_x = std::fabs(pressed.forward_x) * ahead + std::fabs(pressed.forward_z) * abeam;
+    const double reach_z = std::fabs(pressed.forward_z) * ahead + std::fabs(pressed.forward_x) * abeam;
+    const double at_x = pressed.x_m - origins[1].x_m, at_z = pressed.z_m - origins[1].z_m;
+    // the centre of mass at the pressure
+    const glm::dvec3 middle = middle_of_plan_m(state);
+    const double mass_x = at_x - middle.x, mass_z = at_z - middle.z;
+    const double step_m = texel_m / 1024;
+    HullForce sum;
+    for (double row = std::ceil((at_z - reach_z) / texel_m); row * texel_m <= at_z + reach_z; ++row)
+        for (double column = std::ceil((at_x - reach_x) / texel_m); column * texel_m <= at_x + reach_x; ++column) {
+            const double x = column * texel_m, z = row * texel_m;
+            const double press_x = x + origins[1].x_m, press_z = z + origins[1].z_m;
+            const double slope_x = (depth_at(pressed, press_x + step_m, press_z) -
+                                    depth_at(pressed, press_x - step_m, press_z)) / (2 * step_m);
+            const double slope_z = (depth_at(pressed, press_x, press_z + step_m) -
+                                    depth_at(pressed, press_x, press_z - step_m)) / (2 * step_m);
+            if (slope_x == 0 && slope_z == 0) continue;
+            const double height_m =
+                sample(frame.dynamic_waves, x, z).height_m +
+                hollow
+                    .between_ticks([&](std::size_t which) {
+                        return depth_at(*hollow.last[which].footprint, x + origins[which].x_m, z + origins[which].z_m);
+                    })
+                    .depth_m;
+            const glm::dvec3 force(height_m * slope_x, 0, height_m * slope_z);
+            sum.force_n += force;
+            sum.torque_nm += glm::cross(glm::dvec3(x - mass_x, 0, z - mass_z), force);
+        }
+    // The launch makes waves that no hull would, and they would set it in motion.
+    const double launched = launched_at(afloat_s_ - launch_s());
+    const double weight = launched * hull_->options_.water_density_kgpm3 * gravity_mps2 * texel_m * texel_m;
+    return {weight * sum.force_n, weight * sum.torque_nm};
 }
 
 }  // namespace pelagic

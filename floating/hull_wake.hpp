@@ -44,8 +44,12 @@ class HullWake {
     /// \param frame   the frame completed last; frames may be any time apart
     /// \param state   of the hull at the frame's time
     /// \param loads   of the hull's last step
-    /// \param step_s  time since the last call, above 0
+    /// \param step_s  time since the last call; 0 changes nothing
+    /// \throws std::invalid_argument  if step_s is negative or not finite
     void press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s);
+
+    /// Throws what press() throws.
+    static void check_step(double step_s);
 
     /// Returns four periods of waves with the hull's length. A change of this duration makes hardly
     /// any waves.
@@ -54,8 +58,17 @@ class HullWake {
     /// Removes the hull's own hollow from samples of the last completed frame, and replaces the
     /// dynamic waves at the hull by those at its pressure. Where the two are apart, the hull would
     /// otherwise slide down the wave that its moving pressure pushes ahead, and push it on.
+    /// \param wake_m  if not empty, receives the height of dynamic waves in the results
     void leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
-                   std::span<float> height_m, std::span<float> velocity_y_mps) const;
+                   std::span<float> height_m, std::span<float> velocity_y_mps,
+                   std::span<double> wake_m = {}) const;
+
+    /// Returns the horizontal force of the last completed frame's dynamic waves on the pressure, and
+    /// its torque about the vertical through the hull's centre of mass: rho g times the integral of h grad d, over the
+    /// texels on which the depth d acts. It is the adjoint of how a moving pressure makes waves, so
+    /// that a hull cannot gain the energy of its own wake. Heights at the vertices of a mesh, whose
+    /// edges are longer than short waves, could drive it.
+    HullForce push(const Frame& frame, const HullState& state) const;
 
     /// Returns the pressure of the next tick.
     const PressureFootprint& footprint() const { return next_; }
@@ -69,6 +82,8 @@ class HullWake {
     double shape_s() const;
     double launched_at(double afloat_s) const;
 
+    /// From the centre of mass to the middle of the plan, in world axes.
+    glm::dvec3 middle_of_plan_m(const HullState& state) const;
     struct FrameTick {
         std::int64_t tick;  ///< the last one at a frame's time
         double fraction;    ///< of a tick, since then
@@ -83,7 +98,7 @@ class HullWake {
     ActingFootprint acting_at(std::int64_t tick) const;
     void keep_acted(std::int64_t tick);
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s);
-    double hollow_m(const ActingFootprint& of, const WaterFrame& water, double place_s, double x_m, double z_m) const;
+    struct Hollow;
 
     DynamicWaves* waves_;
     const Hull* hull_;

@@ -24,7 +24,8 @@ struct HullTriangle {
 inline HullVertex at_waterline(const HullVertex& below, const HullVertex& above) {
     const double along = below.depth_m / (below.depth_m - above.depth_m);
     return {below.arm_m + along * (above.arm_m - below.arm_m),
-            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0};
+            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0,
+            below.wake_m + along * (above.wake_m - below.wake_m)};
 }
 
 /// Calls wet(triangle) for the parts below the surface and dry(triangle) for those above it.
@@ -46,7 +47,8 @@ void cut_at_waterline(HullTriangle triangle, Wet&& wet, Dry&& dry) {
 }
 
 /// Integrals of a depth that is linear on each triangle; exact. The waterplane's follow from those
-/// over the wet surface, because a column from the bottom to the surface meets both.
+/// over the wet surface, because a column from the bottom to the surface meets both. HullWake
+/// computes the force of its waves along x and z, and their torque about y.
 struct Hydrostatics {
     glm::dvec3 force_m3{};   ///< -integral n d: the displaced volume, along y in still water
     glm::dvec3 torque_m4{};  ///< about the centre of mass
@@ -58,9 +60,11 @@ struct Hydrostatics {
         const glm::dvec3 area = triangle.area_m2();
         const double depths = a.depth_m + b.depth_m + c.depth_m;
         const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;
-        force_m3 -= depths / 3 * area;
+        const double wakes = a.wake_m + b.wake_m + c.wake_m;
         const glm::dvec3 moment = depths * arms + a.depth_m * a.arm_m + b.depth_m * b.arm_m + c.depth_m * c.arm_m;
-        torque_m4 += glm::cross(area, moment) / 12.0;
+        const glm::dvec3 of_wakes = wakes * arms + a.wake_m * a.arm_m + b.wake_m * b.arm_m + c.wake_m * c.arm_m;
+        force_m3 -= depths / 3 * area - wakes / 3 * glm::dvec3(area.x, 0, area.z);
+        torque_m4 += (glm::cross(area, moment) - glm::dvec3(0, glm::cross(area, of_wakes).y, 0)) / 12.0;
         waterplane_m2 -= area.y;
         x_m3 -= area.y / 3 * arms.x;
         z_m3 -= area.y / 3 * arms.z;

@@ -69,7 +69,7 @@ class CInterfaceBodies : public testing::Test {
     static void advance(const COcean& ocean, const CBodies& bodies, int tick) {
         complete(ocean, tick * tick_s);
         ASSERT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
-        ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_OK) << pelagic_last_error();
+        ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_OK) << pelagic_last_error();
     }
     static std::vector<std::uint8_t> saved(const CBodies& bodies) {
         std::size_t count = 0;
@@ -235,7 +235,7 @@ TEST_F(CInterfaceBodies, DamagedAndForeignStatesAreRejectedAndChangeNothing) {
 TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     const COcean ocean = water();
     const CBodies bodies = bodies_of(ocean);
-    EXPECT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_WRONG_ORDER);
     EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
     add(bodies, dinghy, at_rest(dinghy, 5, -2));
     const std::uint32_t removed = add(bodies, dinghy, at_rest(dinghy, -5, -2));
@@ -265,8 +265,11 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     const pelagic_hull_state rest = at_rest(raft, 0, 0);
     expect_rejected(pelagic_bodies_add(bodies.get(), raft.get(), &rest, &number),
                     "length_m 1500 is out of range [0.001, 1000]");
-    expect_rejected(pelagic_bodies_step(bodies.get(), 0), "step_s 0 is out of range (0, 0.1] s");
-    expect_rejected(pelagic_bodies_press(bodies.get(), 1), "tick_s 1 is out of range (0, 0.1] s");
+    expect_rejected(pelagic_bodies_step(bodies.get(), -1, nullptr), "step_s -1 is out of range [0, inf) s");
+    expect_rejected(pelagic_bodies_press(bodies.get(), -1), "tick_s -1 is out of range [0, inf) s");
+    // 0: no time has passed
+    EXPECT_EQ(pelagic_bodies_step(bodies.get(), 0, nullptr), PELAGIC_OK);
+    EXPECT_EQ(pelagic_bodies_press(bodies.get(), 0), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), tick_s), PELAGIC_OK);
     EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_WRONG_ORDER);
     EXPECT_TRUE(saved(bodies) == before) << "nothing is changed";
@@ -274,9 +277,9 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     state = state_of(bodies, last);
     state.position_m[0] = 99'999'999, state.position_m[1] = 5000, state.velocity_mps[0] = 9999;
     ASSERT_EQ(pelagic_bodies_set_state(bodies.get(), last, &state), PELAGIC_OK);
-    ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s), PELAGIC_OK);
+    ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_OK);
     const std::vector<std::uint8_t> beyond = saved(bodies);
-    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s),
+    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s, nullptr),
                     "body 3: the hull's position_m is out of range [-1e8, 1e8]");
     EXPECT_TRUE(saved(bodies) == beyond);
 
@@ -288,7 +291,7 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
                     "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
     EXPECT_EQ(none, nullptr);
     expect_rejected(pelagic_bodies_create(nullptr, nullptr, &none), "ocean is NULL, expected a pointer");
-    expect_rejected(pelagic_bodies_step(nullptr, tick_s), "bodies is NULL, expected a pointer");
+    expect_rejected(pelagic_bodies_step(nullptr, tick_s, nullptr), "bodies is NULL, expected a pointer");
 }
 
 TEST_F(CInterfaceBodies, OceanAndBodiesAreDestroyedInAnyOrder) {
@@ -299,7 +302,7 @@ TEST_F(CInterfaceBodies, OceanAndBodiesAreDestroyedInAnyOrder) {
     ocean.reset();
     auto state = sized<pelagic_hull_state>();
     constexpr const char* line = "the ocean of the bodies is destroyed, expected one that exists";
-    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s), line);
+    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s, nullptr), line);
     expect_rejected(pelagic_bodies_press(bodies.get(), tick_s), line);
     expect_rejected(pelagic_bodies_remove(bodies.get(), 1), line);
     expect_rejected(pelagic_bodies_get_state(bodies.get(), 1, &state), line);

@@ -145,8 +145,8 @@ TEST(CInterfaceHull, LoadsAndVelocitiesEqualThoseOfTheCppInterface) {
         ASSERT_EQ(loads.water_slope_z, expected.water_slope_z);
     }
     const pelagic_hull_state before = c_state;
-    expect_rejected(pelagic_hull_accelerate(c_hull.get(), c_ocean.get(), &c_state, 0.2, nullptr, nullptr),
-                    "step_s 0.2 is out of range (0, 0.1] s");
+    expect_rejected(pelagic_hull_accelerate(c_hull.get(), c_ocean.get(), &c_state, -0.1, nullptr, nullptr),
+                    "step_s -0.1 is out of range [0, inf) s");
     c_state.orientation[0] = 0.5;
     expect_rejected(pelagic_hull_accelerate(c_hull.get(), c_ocean.get(), &c_state, 0.01, nullptr, nullptr),
                     "the hull's orientation is not a unit quaternion");

@@ -22,7 +22,7 @@ TEST(CInterfaceHullUnavailable, EachFunctionReportsIt) {
           pelagic_bodies_add(nullptr, nullptr, nullptr, nullptr), pelagic_bodies_remove(nullptr, 0),
           pelagic_bodies_set_inputs(nullptr, 0, nullptr), pelagic_bodies_set_state(nullptr, 0, nullptr),
           pelagic_bodies_get_state(nullptr, 0, nullptr), pelagic_bodies_get_loads(nullptr, 0, nullptr),
-          pelagic_bodies_press(nullptr, 0), pelagic_bodies_step(nullptr, 0),
+          pelagic_bodies_press(nullptr, 0), pelagic_bodies_step(nullptr, 0, nullptr),
           pelagic_bodies_save_state(nullptr, nullptr, 0, nullptr),
           pelagic_bodies_restore_state(nullptr, nullptr, 0)}) {
         EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT);

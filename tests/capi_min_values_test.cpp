@@ -560,7 +560,7 @@ std::string first_non_finite(const pelagic_hull* hull, const pelagic_hull_state&
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), tick / 60.0), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         EXPECT_EQ(pelagic_bodies_press(bodies, 1 / 60.0), PELAGIC_OK) << pelagic_last_error();
-        EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0, nullptr), PELAGIC_OK) << pelagic_last_error();
     }
     Findings found;
     auto state = sized<pelagic_hull_state>();

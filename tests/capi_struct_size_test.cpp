@@ -274,7 +274,7 @@ TEST_F(StructSizes, StructsOfHullsMayBeOlderOrNewer) {
     ASSERT_EQ(pelagic_hull_at_rest(hull, 0, 0, 0, &state), PELAGIC_OK);
     ASSERT_EQ(pelagic_bodies_add(bodies, hull, &state, &number), PELAGIC_OK);
     complete_one();
-    ASSERT_EQ(pelagic_bodies_step(bodies, 0.01), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(pelagic_bodies_step(bodies, 0.01, nullptr), PELAGIC_OK) << pelagic_last_error();
     expect_read_in_every_size(
         state, [&](pelagic_hull_state* wanted) { return pelagic_bodies_set_state(bodies, number, wanted); });
     expect_read_in_every_size(sized<pelagic_hull_inputs>(), [&](pelagic_hull_inputs* inputs) {

@@ -1,7 +1,10 @@
 // Meshes of hulls for tests.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <vector>
 
 #include "pelagic/examples/boat/boat_mesh.hpp"
@@ -45,6 +48,33 @@ inline HullSoup box_soup(const glm::dvec3& size_m, int cells = 1) {
 inline HullMesh box_mesh(const glm::dvec3& size_m, int cells = 1) {
     const HullSoup soup = box_soup(size_m, cells);
     return HullMesh(soup.vertices, soup.triangles);
+}
+
+/// A cylinder around the y axis and the origin.
+inline HullMesh cylinder_mesh(double radius_m, double height_m, std::uint32_t sides, std::uint32_t rings) {
+    std::vector<glm::dvec3> vertices;
+    std::vector<HullMesh::Triangle> triangles;
+    for (std::uint32_t ring = 0; ring <= rings; ++ring)
+        for (std::uint32_t side = 0; side < sides; ++side) {
+            const double angle = 2 * std::numbers::pi * side / sides;
+            vertices.emplace_back(radius_m * std::cos(angle), height_m * (static_cast<double>(ring) / rings - 0.5),
+                                  radius_m * std::sin(angle));
+        }
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        const std::uint32_t next = (side + 1) % sides;
+        for (std::uint32_t ring = 0; ring < rings; ++ring) {
+            const std::uint32_t a = ring * sides + side, b = ring * sides + next, c = a + sides, d = b + sides;
+            triangles.insert(triangles.end(), {{a, c, b}, {b, c, d}});
+        }
+    }
+    // fans around the middles of the ends: even weights
+    const std::uint32_t top = rings * sides, bottom_middle = top + sides, top_middle = bottom_middle + 1;
+    for (const double y : {-0.5, 0.5}) vertices.emplace_back(0, height_m * y, 0);
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        const std::uint32_t next = (side + 1) % sides;
+        triangles.insert(triangles.end(), {{bottom_middle, side, next}, {top_middle, top + next, top + side}});
+    }
+    return HullMesh(vertices, triangles);
 }
 
 /// A prism along x whose section is a triangle with its edge down: a keel at y = 0, a deck at

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -288,6 +289,197 @@ TEST(Hull, ResponseToLongWavesIsThatOfStripTheory) {
     }
 }
 
+/// A box in the air, where nothing acts on it but its weight, that turns about all of its axes.
+struct TumblingBox {
+    static constexpr double mass_kg = 1000;
+    glm::dvec3 size_m{4, 1, 2};
+    Hull hull{box_mesh(size_m), {.mass_kg = mass_kg, .air_density_kgpm3 = 0}};
+    HullState state = hull.at_rest(0, 0);
+    StillWater water;
+    HullWorkspace workspace;
+
+    explicit TumblingBox(const glm::dvec3& spin_radps) {
+        state.position_m.y = 5000;
+        state.angular_velocity_radps = spin_radps;
+    }
+    /// Of an even box (a^2 + b^2) / 12, in the axes of the world.
+    glm::dvec3 momentum() const {
+        const glm::dvec3 square = size_m * size_m;
+        const glm::dvec3 inertia =
+            mass_kg / 12 * glm::dvec3(square.y + square.z, square.x + square.z, square.x + square.y);
+        const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+        return axes * (inertia * (glm::transpose(axes) * state.angular_velocity_radps));
+    }
+    /// Returns the largest change of the angular momentum in ten seconds, over it.
+    double change(double steps_per_s) {
+        const glm::dvec3 first = momentum();
+        double largest = 0;
+        for (int i = 0; i < 10 * steps_per_s; ++i) {
+            hull.step(water.query(), state, 1 / steps_per_s, {}, workspace);
+            largest = std::max(largest, glm::length(momentum() - first) / glm::length(first));
+        }
+        return largest;
+    }
+};
+
+TEST(Hull, ATumblingHullKeepsItsAngularMomentum) {
+    // the last one flips over about its middle axis
+    for (const glm::dvec3& spin : {glm::dvec3(0.5, 1.2, 2), glm::dvec3(1.5, 3.6, 6), glm::dvec3(0.01, 0.01, 5)})
+        EXPECT_LT(TumblingBox(spin).change(60), 0.005);
+    const glm::dvec3 spin(1.5, 3.6, 6);
+    EXPECT_LT(TumblingBox(spin).change(120), TumblingBox(spin).change(60) / 3) << "of second order: 1/4";
+}
+
+// A symmetric top without torque: its axis turns about the angular momentum L at L / I, with the
+// moment of inertia I across the axis (L. Landau, E. Lifshitz, Mechanics, section 33).
+TEST(Hull, AFreeTopPrecesses) {
+    const Hull top(box_mesh({4, 1, 1}), {.mass_kg = 1000, .inertia_kgm2 = glm::dvec3(500, 1500, 1500), .air_density_kgpm3 = 0});
+    HullState state = top.at_rest(0, 0);
+    state.position_m.y = 5000;
+    state.angular_velocity_radps = {4, 1, 0};
+    const glm::dvec3 momentum(500 * 4.0, 1500 * 1.0, 0);
+    const StillWater water;
+    HullWorkspace workspace;
+    for (int i = 0; i < 600; ++i) top.step(water.query(), state, hull_step_s, {}, workspace);
+    const double angle = glm::length(momentum) / 1500 * 10;
+    const glm::dvec3 about = glm::normalize(momentum), start(1, 0, 0), along = glm::dot(start, about) * about;
+    const glm::dvec3 expected =
+        along + std::cos(angle) * (start - along) + std::sin(angle) * glm::cross(about, start - along);
+    // 0.01 rad of 16.7 rad
+    EXPECT_LT(glm::length(glm::mat3_cast(state.orientation)[0] - expected), 0.01);
+}
+
+/// A hull in still water without drag and damping, and with an added mass in surge alone.
+Hull frictionless(double surge_kg) {
+    HullMatrix added{};
+    added[0][0] = surge_kg;
+    return Hull(box_mesh({4, 1, 2}), {.mass_kg = 4000,
+                                     .inertia_kgm2 = glm::dvec3(1e9),
+                                     .added_mass = added,
+                                     .heave_damping = 0,
+                                     .roll_damping = 0,
+                                     .pressure_coefficient = 0,
+                                     .suction_coefficient = 0,
+                                     .friction_coefficient = 0,
+                                     .air_coefficient = 0});
+}
+
+TEST(Hull, AddedMassInSurgeSlowsDownAThrust) {
+    const Hull hull = frictionless(1500);
+    HullState state = hull.at_rest(0, 0);
+    const StillWater water;
+    HullWorkspace workspace;
+    for (int i = 0; i < 60; ++i)
+        hull.step(water.query(), state, hull_step_s, {.force = {.force_n = {1100, 0, 0}}}, workspace);
+    EXPECT_NEAR(state.velocity_mps.x, 1100 / 5500.0, 1e-6);
+}
+
+// In axes that turn at w about y, with speeds u ahead and s to starboard: m (u' + w s) + A u' = 0
+// and m (s' - w u) = 0. So u = u0 cos(q t) and s = u0 w/q sin(q t) with q = w sqrt(m / (m + A)).
+TEST(Hull, AddedMassTurnsWithTheHull) {
+    const Hull hull = frictionless(1500);
+    HullState state = hull.at_rest(0, 0);
+    const double w = 0.7, q = w * std::sqrt(4000 / 5500.0);
+    state.velocity_mps = {2, 0, 0};
+    state.angular_velocity_radps = {0, w, 0};
+    const StillWater water;
+    HullWorkspace workspace;
+    for (int i = 0; i < 300; ++i) hull.step(water.query(), state, hull_step_s, {}, workspace);
+    const glm::dvec3 in_hull = glm::transpose(glm::mat3_cast(state.orientation)) * state.velocity_mps;
+    EXPECT_NEAR(in_hull.x, 2 * std::cos(q * 5), 1e-3);
+    // a rotation from +z towards +x
+    EXPECT_NEAR(in_hull.z, 2 * w / q * std::sin(q * 5), 1e-3);
+}
+
+TEST(Hull, StiffnessIsTheDerivativeOfThePressure) {
+    // a hull without symmetry of bow and stern, at rest and lifted
+    const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
+    const StillWater water;
+    HullWorkspace workspace;
+    for (const double lift_m : {0.0, 0.1}) {
+        HullState at = hull.at_rest(0, 0);
+        at.position_m.y += lift_m;
+        // surge, heave, sway, roll, yaw, pitch
+        const auto pressure = [&](std::size_t axis, double by) {
+            HullState moved = at;
+            glm::dvec3 unit{};
+            unit[static_cast<int>(axis % 3)] = 1;
+            if (axis < 3)
+                moved.position_m += by * unit;
+            else
+                moved.orientation = turned(by, unit);
+            const HullForce force = hull.loads(water.query(), moved, hull_step_s, {}, workspace).pressure;
+            return std::array<double, 6>{force.force_n.x,   force.force_n.y,   force.force_n.z,
+                                         force.torque_nm.x, force.torque_nm.y, force.torque_nm.z};
+        };
+        HullState kept = at;
+        const HullLoads loads = hull.loads(water.query(), kept, hull_step_s, {}, workspace);
+        const double waterplane = loads.stiffness[1][1], level = waterplane * 3 * 3;
+        EXPECT_GT(waterplane, 1e4);
+        for (const std::size_t column : {1, 3, 5}) {
+            const double step = 1e-3;
+            const auto up = pressure(column, step), down = pressure(column, -step);
+            for (const std::size_t row : {1, 3, 5})
+                EXPECT_NEAR(loads.stiffness[row][column], -(up[row] - down[row]) / (2 * step), 1e-3 * level)
+                    << row << column;
+        }
+    }
+}
+
+// A wave abeam: the surface under the hull turns about x by minus the change of its slope along z.
+TEST(Hull, TheWaterTurnsWithTheSlopeOfABeamSea) {
+    RegularWave water(128, 64);
+    const double k = two_pi * 2 / 64, omega = std::sqrt(gravity_mps2 * k), amplitude = 0.2;
+    // The hull lies across the wave: its x axis points to +z, its z axis to -x.
+    const Hull hull(box_mesh({4, 1, 2}, 4), {.mass_kg = 4000});
+    HullWorkspace workspace;
+    for (const double time_s : {0.0, 0.4, 1.1}) {
+        water.set_wave(amplitude, 2, time_s);
+        HullState state = hull.at_rest(0, 0, std::numbers::pi / 2);
+        const HullLoads loads = hull.loads(water.query(), state, hull_step_s, {}, workspace);
+        // h = a cos(k x - omega t): dh/dx changes at d/dt (-a k sin(k x - omega t)) = a k omega cos(omega t) at 0
+        const double slope_change = amplitude * k * omega * std::cos(omega * time_s);
+        // a rotation about z lifts points at +x
+        EXPECT_NEAR(loads.water_rotation_radps.z, slope_change, 0.05 * amplitude * k * omega) << time_s;
+        EXPECT_NEAR(loads.water_rotation_radps.x, 0, 0.01 * amplitude * k * omega);
+        // about the hull's own length it is roll
+        const glm::dvec3 ahead = glm::mat3_cast(state.orientation)[0];
+        EXPECT_NEAR(glm::dot(loads.water_rotation_radps, ahead), slope_change, 0.05 * amplitude * k * omega);
+    }
+}
+
+TEST(Hull, AHitchIsDividedIntoSteps) {
+    const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
+    const StillWater water;
+    HullWorkspace workspace;
+    const auto thrown = [&] {
+        HullState state = hull.at_rest(0, 0);
+        state.position_m.y += 1;
+        state.velocity_mps = {3, 0, 0};
+        return state;
+    };
+    const auto after = [&](double step_s, int steps, bool expected) {
+        HullState state = thrown();
+        for (int i = 0; i < steps; ++i)
+            EXPECT_EQ(hull.step(water.query(), state, step_s, {}, workspace), expected) << step_s;
+        return state;
+    };
+    EXPECT_TRUE(equal(after(0.35, 1, true), after(0.35 / 4, 4, true)));
+    EXPECT_TRUE(equal(after(1, 1, true), after(0.1, 10, true)));
+    EXPECT_TRUE(equal(after(20, 1, false), after(1, 1, true))) << "a second at most";
+    EXPECT_TRUE(equal(after(0, 3, true), thrown()));
+    FloatingHulls jobs(make_serial_executor());
+    std::vector<FloatingHull> hulls(2, {.hull = &hull, .state = thrown()});
+    EXPECT_FALSE(jobs.step(water.query(), hulls, 20));
+    EXPECT_TRUE(equal(hulls[1].state, after(1, 1, true)));
+    // without time nothing changes, and nothing is divided by it
+    HullState state = thrown();
+    const HullLoads loads = hull.loads(water.query(), state, 0, {}, workspace);
+    EXPECT_EQ(glm::length(loads.slamming.force_n), 0);
+    hull.accelerate(state, loads, 0);
+    EXPECT_EQ(state.velocity_mps, thrown().velocity_mps);
+}
+
 TEST(Hull, InvalidInputIsRefusedInOneLineAndChangesNothing) {
     const HullMesh mesh = box_mesh({4, 1, 2});
     EXPECT_EQ(Hull::check(mesh, {.mass_kg = 1000}), "");
@@ -321,8 +513,8 @@ TEST(Hull, InvalidInputIsRefusedInOneLineAndChangesNothing) {
     EXPECT_THROW(jobs.step(water.query(), hulls, hull_step_s), std::invalid_argument);
     EXPECT_TRUE(equal(hulls[0].state, before));
     hulls[1].state.submersion = 1;
-    EXPECT_THROW(jobs.step(water.query(), hulls, 0), std::invalid_argument);
-    EXPECT_THROW(jobs.step(water.query(), hulls, 1), std::invalid_argument);
+    EXPECT_THROW(jobs.step(water.query(), hulls, -0.01), std::invalid_argument);
+    EXPECT_THROW(jobs.step(water.query(), hulls, NAN), std::invalid_argument);
     EXPECT_TRUE(equal(hulls[0].state, before));
     Ocean without_velocities(rough_sea, {.executor = make_serial_executor(), .queries = true});
     EXPECT_THROW(jobs.step(SurfaceQuery(without_velocities.frame_at(0)), hulls, hull_step_s), std::invalid_argument);

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "pelagic/floating/floating_hulls.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/hull_drift.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
 #include "pelagic/tests/kelvin_wake.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -164,10 +167,116 @@ TEST(HullWake, AHullAtRestKeepsItsDraught) {
         EXPECT_LT(largest, 0.005 * draught);
         RecordProperty("largest_m" + std::to_string(water.sea_level_m), std::to_string(largest));
         if (is_sanitized) return;
-        const glm::dvec3 at = boat.hulls[0].state.position_m;
-        EXPECT_GT(depth_at(boat.wake.footprint(), at.x, at.z), 0.5 * draught) << "its pressure acts";
+        const PressureFootprint& pressed = boat.wake.footprint();
+        const double cell_m2 = pressed.length_m * pressed.beam_m / static_cast<double>(pressed.depth_m.size());
+        const double volume_m3 = cell_m2 * std::accumulate(pressed.depth_m.begin(), pressed.depth_m.end(), 0.0);
+        EXPECT_NEAR(volume_m3 * 1025 / 6000, 1, 0.005) << "its pressure is its weight";
         EXPECT_LT(largest_volume, 0.005);
     }
+}
+
+// Without thrust, in flat water.
+TEST(HullWake, AHullAtRestStaysWhereItIs) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    struct Run {
+        DriftingHull kind;
+        int ticks_per_s;
+        double seconds;
+    };
+    for (const Run& run : {Run{DriftingHull::boat, 60, 120}, Run{DriftingHull::spar, 30, 60}}) {
+        FlatWater water(run.kind, run.ticks_per_s);
+        while (water.time_s() < run.seconds) water.advance();
+        // A hand moves a boat faster. Night.HullDrift tests more hulls, for ten minutes.
+        EXPECT_LT(water.speed_mps(), 0.002) << water.hull.mass_kg() << " kg";
+        EXPECT_LT(std::fabs(water.heading_degrees()), 1) << water.hull.mass_kg() << " kg";
+        EXPECT_LT(glm::length(water.floating.state.position_m - water.hull.at_rest(0, 0).position_m), 0.05);
+    }
+}
+
+TEST(HullWake, HoldsATowedHullBack) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    for (const double speed_mps : {0.1, 2.0}) EXPECT_LT(towed_force_n(DriftingHull::boat, speed_mps, 60), 0);
+}
+
+// A pressure that does not keep up would push the hull on.
+TEST(HullWake, SlowsDownAHullThatCoasts) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    FlatWater water(DriftingHull::boat, 60);
+    while (water.time_s() < 20) water.advance();
+    water.floating.state.velocity_mps.x = 0.1;
+    double before = 0.1;
+    for (double until_s = 30; until_s <= 60; until_s += 10) {
+        while (water.time_s() < until_s) water.advance();
+        EXPECT_LT(water.floating.state.velocity_mps.x, before);
+        before = water.floating.state.velocity_mps.x;
+    }
+}
+
+// The hollow of a hull that is held at a fraction of a texel, across the texels: without it the
+// water is flat, between the texels, too.
+TEST(HullWake, LeavesOutTheHollowBetweenTexels) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    FlatWater water(DriftingHull::boat, 60);
+    const double texel_m = 0.5;
+    HullState held = water.hull.at_rest(0.37 * texel_m, -0.21 * texel_m, 0.6);
+    while (water.time_s() < 60) {
+        water.floating.state = held;
+        water.advance();
+    }
+    const Frame& frame = water.ocean.complete();
+    std::vector<double> x, z;
+    for (int i = 0; i < 400; ++i) {
+        x.push_back(6 * std::fmod(i * 0.754877, 1.0) - 3);
+        z.push_back(6 * std::fmod(i * 0.569840, 1.0) - 3);
+    }
+    std::vector<float> height(x.size()), velocity(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) height[i] = static_cast<float>(sample(frame.dynamic_waves, x[i], z[i]).height_m);
+    const double deepest = -*std::min_element(height.begin(), height.end());
+    water.wake.leave_out(frame, x, z, height, velocity);
+    double largest = 0;
+    for (const float left : height) largest = std::max<double>(largest, std::fabs(left));
+    EXPECT_GT(deepest, 0.4 * water.hull.afloat().draught_m);
+    // waves of the launch; without interpolation it is a tenth of the draught
+    EXPECT_LT(largest, 0.005 * water.hull.afloat().draught_m);
+}
+
+// What drives the pressure off the hull, here a current that the grid does not have, ends; then the
+// pressure returns by 1 - 1/e in return_s.
+TEST(HullWake, ThePressureReturnsToTheHull) {
+    FlatWater water(DriftingHull::boat, 60);
+    HullState& state = water.floating.state;
+    const auto press = [&](double flow_mps) {
+        const Frame& frame = water.ocean.complete();
+        water.floating.loads.water_velocity_mps = {flow_mps, 0, 0};
+        water.wake.press(frame, state, water.floating.loads, water.tick_s);
+        water.ocean.schedule(++water.tick * water.tick_s);
+        return water.wake.footprint();
+    };
+    // Without a velocity the footprint lies at the pressure.
+    const auto away_m = [&](const PressureFootprint& of) { return of.x_m - 1.5 * water.tick_s * of.velocity_x_mps; };
+    const double middle_m = away_m(press(0));
+    double first = 0, last = 0;
+    for (int i = 0; i < 60; ++i) first = away_m(press(1)) - middle_m;
+    for (int i = 0; i < 60; ++i) last = away_m(press(0)) - middle_m;
+    EXPECT_LT(first, -0.5) << "a hull that stands in a flow: its pressure is carried along";
+    EXPECT_NEAR(last / first, std::exp(-1 / HullWake::return_s), 0.01);
+}
+
+TEST(HullWake, NoTimeChangesNothingAndATimeOutOfRangeIsRefused) {
+    FlatWater water(DriftingHull::boat, 60);
+    for (int i = 0; i < 10; ++i) water.advance();
+    const Frame& frame = water.ocean.complete();
+    const auto press = [&](double step_s) {
+        water.wake.press(frame, water.floating.state, water.floating.loads, step_s);
+    };
+    const PressureFootprint before = water.wake.footprint();
+    press(0);
+    EXPECT_EQ(water.wake.footprint().x_m, before.x_m);
+    EXPECT_EQ(water.wake.footprint().velocity_x_mps, before.velocity_x_mps);
+    EXPECT_EQ(water.wake.footprint().depth_m, before.depth_m);
+    for (const double step_s : {-0.1, std::nan("")}) EXPECT_THROW(press(step_s), std::invalid_argument);
+    press(3);  // a hitch
+    EXPECT_EQ(check(water.wake.footprint()), "");
 }
 
 // A launch passes at 4 m/s, 7 m from another launch, which heaves when the wake arrives.

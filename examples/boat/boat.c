@@ -108,7 +108,7 @@ static int sail(pelagic_ocean* ocean, pelagic_bodies* bodies, int ticks) {
         if (failed(pelagic_ocean_complete(ocean, &frame)) || failed(pelagic_bodies_press(bodies, tick_s)) ||
             failed(pelagic_bodies_get_state(bodies, boats[1].number, &yacht)) ||
             failed(pelagic_dynamic_waves_set_center(waves, yacht.position_m[0], yacht.position_m[2])) ||
-            failed(pelagic_ocean_schedule(ocean, tick * tick_s)) || failed(pelagic_bodies_step(bodies, tick_s)))
+            failed(pelagic_ocean_schedule(ocean, tick * tick_s)) || failed(pelagic_bodies_step(bodies, tick_s, NULL)))
             return 1;
         for (i = 0; i < 3; ++i)
             if (print(bodies, &boats[i], tick * tick_s)) return 1;

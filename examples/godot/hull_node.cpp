@@ -25,9 +25,6 @@ const Method is_inside_tree("Node", "is_inside_tree"), get_node("Node", "get_nod
 const Method get_global_transform("Spatial", "get_global_transform"),
     set_global_transform("Spatial", "set_global_transform");
 
-/// More seconds of steps in one frame count as this many for the wake.
-constexpr double longest_pressed_s = 10;
-
 Vector3 floats(const glm::dvec3& of) {
     return {static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
 }
@@ -125,30 +122,16 @@ void HullNode::report_once(const std::exception& error) {
 
 void HullNode::press(const Frame& frame) {
     if (!pressed_at_s_) pressed_at_s_ = frame.time_s;
-    if (unpressed_.seconds == 0) {
+    if (unpressed_s_ == 0) {
         // Else the pressure would move on without the hull.
         if (std::fabs(frame.time_s - *pressed_at_s_) > longest_pause_s) leave_waves();
         return;
     }
-    FloatingBodies& bodies = *afloat_->bodies;
-    const HullState state = bodies.state(number);
-    const double longest_s = 0.1;  // of FloatingBodies::press()
-    const auto parts = static_cast<int>(std::ceil(std::min(unpressed_.seconds, longest_pressed_s) / longest_s));
-    const double part_s = std::min(unpressed_.seconds, longest_pressed_s) / parts;
-    const glm::dvec3 last_m(unpressed_.last_m[0], unpressed_.last_m[1], unpressed_.last_m[2]);
     try {
-        for (int part = 1; part < parts; ++part) {
-            HullState between = state;
-            between.position_m = last_m + (state.position_m - last_m) * (static_cast<double>(part) / parts);
-            bodies.set_state(number, between);
-            bodies.press(frame, part_s);
-        }
-        if (parts > 1) bodies.set_state(number, state);
-        bodies.press(frame, part_s);
-        unpressed_ = {0, {state.position_m.x, state.position_m.y, state.position_m.z}};
+        afloat_->bodies->press(frame, unpressed_s_);
+        unpressed_s_ = 0;
         pressed_at_s_ = frame.time_s;
     } catch (const std::exception& error) {
-        if (Hull::check(state).empty()) bodies.set_state(number, state);
         report_once(error);
         leave_waves();
     }
@@ -178,8 +161,7 @@ void HullNode::use_waves_of(OceanNode* ocean, Afloat afloat) {
     afloat_ = std::move(afloat);
     ocean->add(*this);
     waves_of_ = ocean;
-    const glm::dvec3& position_m = afloat_->bodies->state(number).position_m;
-    unpressed_ = {0, {position_m.x, position_m.y, position_m.z}};
+    unpressed_s_ = 0;
     pressed_at_s_.reset();
 }
 
@@ -292,7 +274,7 @@ void HullNode::step(double seconds) {
             use_waves_of(makes_wake_in, afloat(now.hull, now.bodies->state(number), ocean.dynamic_waves_or_null()));
     }
     needed_afloat().bodies->step(water, seconds);
-    if (waves_of_) unpressed_.seconds += seconds;
+    if (waves_of_) unpressed_s_ += seconds;
     place();
 }
 
@@ -338,22 +320,20 @@ std::vector<std::uint8_t> HullNode::save_state() {
     std::vector<std::uint8_t> saved = needed_afloat().bodies->save_state();
     if (!waves_of_) return saved;
     const std::size_t size = saved.size();
-    saved.resize(size + sizeof unpressed_);
-    std::memcpy(saved.data() + size, &unpressed_, sizeof unpressed_);
+    saved.resize(size + sizeof unpressed_s_);
+    std::memcpy(saved.data() + size, &unpressed_s_, sizeof unpressed_s_);
     return saved;
 }
 
-HullNode::Unpressed HullNode::unpressed_in(std::span<const std::uint8_t>& saved) {
-    Unpressed unpressed;
-    const std::size_t size = saved.size() < sizeof unpressed ? 0 : saved.size() - sizeof unpressed;
-    if (size == 0) return unpressed;  // which FloatingBodies rejects
-    std::memcpy(&unpressed, saved.data() + size, sizeof unpressed);
+double HullNode::unpressed_in(std::span<const std::uint8_t>& saved) {
+    double unpressed_s = 0;
+    const std::size_t size = saved.size() < sizeof unpressed_s ? 0 : saved.size() - sizeof unpressed_s;
+    if (size == 0) return unpressed_s;  // which FloatingBodies rejects
+    std::memcpy(&unpressed_s, saved.data() + size, sizeof unpressed_s);
     saved = saved.first(size);
-    const auto is_position = [](double at) { return std::fabs(at) <= 1e8; };
-    if (!(unpressed.seconds >= 0 && unpressed.seconds <= 1e9) ||
-        !std::all_of(std::begin(unpressed.last_m), std::end(unpressed.last_m), is_position))
+    if (!(unpressed_s >= 0 && unpressed_s <= 1e9))
         throw std::invalid_argument("the saved hull is damaged, expected the bytes that save_state() returned");
-    return unpressed;
+    return unpressed_s;
 }
 
 void HullNode::read(FloatingBodies& bodies, std::span<const std::uint8_t> saved) {
@@ -370,7 +350,7 @@ void HullNode::read(FloatingBodies& bodies, std::span<const std::uint8_t> saved)
 void HullNode::restore_state(std::span<const std::uint8_t> saved) {
     needed_afloat();
     OceanNode* const ocean = ocean_of_wake(ocean_or_null());
-    const Unpressed unpressed = ocean ? unpressed_in(saved) : Unpressed();
+    const double unpressed_s = ocean ? unpressed_in(saved) : 0;
     if (ocean && ocean == waves_of_) {  // the restored waves have its pressure
         FloatingBodies& bodies = *afloat_->bodies;
         const std::vector<std::uint8_t> before = bodies.save_state();
@@ -392,7 +372,7 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
         else
             afloat_ = std::move(restored);
     }
-    unpressed_ = unpressed;
+    unpressed_s_ = unpressed_s;
     inputs_ = afloat_->bodies->inputs(number);
     inputs_.wake = nullptr;
     place();

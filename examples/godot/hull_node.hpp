@@ -70,14 +70,14 @@ class HullNode final : public WakeMaker {
 
     /// Puts the hull where the node is, upright and at rest in still water.
     void launch();
-    /// Advances the hull by (0, 0.1] s in the ocean's frame of time_s(), and moves the node.
+    /// Advances the hull, by at most 1 s, in the ocean's frame of time_s(), and moves the node.
     void step(double seconds);
     /// Returns mass, volume and draught, and whether the hull floats.
     std::unique_ptr<Table> info();
     /// Returns position and velocities of the centre of mass, and what the water did in the last
     /// step.
     std::unique_ptr<Table> state();
-    /// Returns the bytes of FloatingBodies::save_state(), and with a wake 32 more for press().
+    /// Returns the bytes of FloatingBodies::save_state(), and with a wake 8 more for press().
     std::vector<std::uint8_t> save_state();
     /// Restores the state of a hull with equal mesh and options, and moves the node. Restore the
     /// ocean's dynamic waves first.
@@ -90,11 +90,6 @@ class HullNode final : public WakeMaker {
         std::unique_ptr<FloatingBodies> bodies;
     };
     static constexpr std::uint32_t number = 1;  ///< of the body
-    /// What press() has yet to do.
-    struct Unpressed {
-        double seconds = 0;     ///< of steps since the last call
-        double last_m[3] = {};  ///< position at the last call
-    };
 
     OceanNode* ocean_or_null() const;
     OceanNode& needed_ocean() const;
@@ -108,7 +103,7 @@ class HullNode final : public WakeMaker {
     OceanNode* ocean_of_wake(OceanNode* ocean) const;
     void use_waves_of(OceanNode* ocean, Afloat afloat);
     /// Returns what save_state() appended, and removes it from the bytes.
-    static Unpressed unpressed_in(std::span<const std::uint8_t>& saved);
+    static double unpressed_in(std::span<const std::uint8_t>& saved);
     /// Restores the saved bodies. \throws std::invalid_argument  for bodies of another node
     static void read(FloatingBodies& bodies, std::span<const std::uint8_t> saved);
     void report_once(const std::exception& error);
@@ -125,7 +120,7 @@ class HullNode final : public WakeMaker {
     bool is_stale_ = false;  ///< afloat_ differs from the mesh and the options
     std::optional<Afloat> afloat_;
     OceanNode* waves_of_ = nullptr;  ///< the ocean that calls press()
-    Unpressed unpressed_;
+    double unpressed_s_ = 0;  ///< of steps since the last press()
     std::optional<double> pressed_at_s_;  ///< time of the frame of the last press()
     std::string reported_;                ///< by physics_process()
 };

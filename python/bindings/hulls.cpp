@@ -296,15 +296,17 @@ py::dict loads_of(const BodiesHandle& of, py::handle number) {
 void press(const BodiesHandle& of, py::handle frame, py::handle tick_s) {
     const auto with = needed<FrameHandle>(frame, "frame", "a pelagic.Frame");
     of.need_frame(*with);
-    of.press(*with, number_of(tick_s, "tick_s", false, "(0, 0.1] s"));
+    of.press(*with, number_of(tick_s, "tick_s", false, "[0, inf) s"));
 }
 
-void step(const BodiesHandle& of, py::handle frame, py::handle step_s) {
+bool step(const BodiesHandle& of, py::handle frame, py::handle step_s) {
     const auto in = needed<FrameHandle>(frame, "frame", "a pelagic.Frame");
     of.need_frame(*in);
-    const double seconds = number_of(step_s, "step_s", false, "(0, 0.1] s");
+    const double seconds = number_of(step_s, "step_s", false, "[0, inf) s");
     const auto reader = in->read();
-    of.use([&](FloatingBodies& bodies) { bodies.step(SurfaceQuery(in->frame), seconds); });
+    bool are_all = true;
+    of.use([&](FloatingBodies& bodies) { are_all = bodies.step(SurfaceQuery(in->frame), seconds); });
+    return are_all;
 }
 
 py::bytes save_bodies(const BodiesHandle& of) {

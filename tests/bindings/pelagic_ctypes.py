@@ -744,7 +744,7 @@ FUNCTIONS = {
     "pelagic_bodies_get_state": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_state)]),
     "pelagic_bodies_get_loads": (c_int32, [c_void_p, c_uint32, POINTER(pelagic_hull_loads)]),
     "pelagic_bodies_press": (c_int32, [c_void_p, c_double]),
-    "pelagic_bodies_step": (c_int32, [c_void_p, c_double]),
+    "pelagic_bodies_step": (c_int32, [c_void_p, c_double, POINTER(c_int32)]),
     "pelagic_bodies_save_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t, POINTER(c_size_t)]),
     "pelagic_bodies_restore_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t]),
 }

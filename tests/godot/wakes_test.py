@@ -81,7 +81,7 @@ class CInterface(CBodies):
             inputs.force.force_n[:] = [3000, 0, 500] if frame < frames // 2 else [0, 0, 0]
             self.call("bodies_set_inputs", bodies, 1, inputs)
             for _ in range(steps):
-                self.call("bodies_step", bodies, step_s)
+                self.call("bodies_step", bodies, step_s, None)
             hash_ = ctypes.c_uint64()
             self.call("dynamic_waves_hash", self.waves, hash_)
             yield self.saved(bodies), f"{hash_.value:016x}"

@@ -151,7 +151,7 @@ def test_invalid_arguments_raise_a_one_line_error():
                 (ValueError, "the ocean has no velocities: create it with velocities=True"): lambda: pelagic.Bodies(without_velocities),
                 (ValueError, "the ocean has no dynamic waves: create it with dynamic_waves="): lambda: pelagic.Bodies(ocean, wakes=True),
                 (ValueError, "the frame is one of another ocean"): lambda: bodies.step(other.frame_at(0), TICK_S),
-                (ValueError, "step_s 1 is out of range (0, 0.1] s"): lambda: bodies.step(frame, 1),
+                (ValueError, "step_s -1 is out of range [0, inf) s"): lambda: bodies.step(frame, -1),
                 (ValueError, "number is 9, expected that of a body"): lambda: bodies.state(9),
                 (ValueError, "number is -1, expected a number that add() returned"): lambda: bodies.loads(-1),
                 (ValueError, "force_n is (1, 2), expected x, y and z"): lambda: bodies.set_inputs(number, force_n=(1, 2)),

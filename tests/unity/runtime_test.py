@@ -130,7 +130,7 @@ class CInterface:
             self.call("pelagic_ocean_schedule", ocean, tick * (1 / 60))
             self.call("pelagic_ocean_complete", ocean, sized(pelagic.pelagic_frame))
             self.call("pelagic_bodies_press", bodies, 1 / 60)
-            self.call("pelagic_bodies_step", bodies, 1 / 60)
+            self.call("pelagic_bodies_step", bodies, 1 / 60, None)
         for number in (1, 2):
             self.call("pelagic_bodies_get_state", bodies, number, state)
             numbers = (*state.position_m, *state.orientation, *state.velocity_mps, *state.angular_velocity_radps)

@@ -95,7 +95,7 @@ namespace Pelagic
 
         /// <summary>
         /// Moves the pressures of wakes to the bodies, once a frame between Complete() and Schedule() of the ocean.
-        /// tickS: time since the last call, (0, 0.1]. Frames may be any time apart. Does nothing without wakes.
+        /// tickS: time since the last call. Frames may be any time apart. Does nothing without wakes.
         /// </summary>
         public void Press(double tickS)
         {
@@ -103,15 +103,20 @@ namespace Pelagic
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_bodies_press(use.Pointer, tickS));
         }
 
-        /// <summary>Advances all bodies by a step, (0, 0.1], in the water of the frame completed last.</summary>
-        public void Step(double stepS)
+        /// <summary>
+        /// Advances all bodies by a step in the water of the frame completed last. More than 0.1 s is divided into
+        /// equal steps. More than 1 s counts as 1 s, and the result is false then.
+        /// </summary>
+        public bool Step(double stepS)
         {
             Status status;
+            int isAll = 1;
             using (new Use(ocean.Handle))
-            using (var use = new Use(handle)) status = Native.pelagic_bodies_step(use.Pointer, stepS);
+            using (var use = new Use(handle)) status = Native.pelagic_bodies_step(use.Pointer, stepS, &isAll);
             if (root?.TakeFailure() is Exception failure)
                 throw new PelagicException(Status.ApplicationError, "A callback threw: " + failure.Message, failure);
             Errors.Check(status);
+            return isAll != 0;
         }
 
         /// <summary>

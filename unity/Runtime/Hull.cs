@@ -103,7 +103,7 @@ namespace Pelagic
         /// <summary>
         /// Computes the loads of a state in the water of the frame completed last. For a physics engine that
         /// integrates positions: it sets pose and velocities, and applies the total. Successive calls are stepS
-        /// apart, (0, 0.1]. Of the inputs only the wind is used.
+        /// apart. Of the inputs only the wind is used.
         /// </summary>
         public HullLoads ComputeLoads(Ocean ocean, ref HullState state, double stepS, HullInputs inputs = default)
         {

@@ -1348,7 +1348,7 @@ namespace Pelagic
         internal static extern Status pelagic_bodies_press(IntPtr bodies, double tick_s);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_bodies_step(IntPtr bodies, double step_s);
+        internal static extern Status pelagic_bodies_step(IntPtr bodies, double step_s, int* is_all);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_bodies_save_state(IntPtr bodies, byte* bytes, UIntPtr room, UIntPtr* count);
