@@ -62,13 +62,16 @@ class ApplicationLoop {
 
    private:
     void do_once(std::size_t block) noexcept {
-        if (block >= blocks() || taken_[block].exchange(true)) return;
+        const std::size_t count = blocks();
+        if (block >= count || taken_[block].exchange(true)) return;
         try {
             run_block(stage_, block);
         } catch (...) {
             failure_.keep_current();
         }
-        if (++done_ == blocks()) wake_all(done_);
+        // After the last block the run may be destroyed at any time: nothing is read, and wake_all()
+        // uses the address only.
+        if (++done_ == count) wake_all(done_);
     }
 
     const Stage& stage_;

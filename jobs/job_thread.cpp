@@ -69,19 +69,22 @@ void need_threads(int count, std::size_t stack_bytes) {
     std::atomic<std::uint32_t> is_released = 0;
     std::vector<JobThread> threads;
     threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
-    std::error_code failure;
+    const auto join = [&] {
+        is_released = 1;
+        wake_all(is_released);
+        for (JobThread& thread : threads) thread.join();
+    };
     try {
         for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(is_released, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
-        failure = error.code();
+        join();
+        throw std::system_error(error.code(), number_text(count) + " threads are wanted, and the system gives " +
+                                                  number_text(threads.size() + 1));
+    } catch (...) {  // no memory for a thread's data
+        join();
+        throw;
     }
-    const std::size_t given = threads.size() + 1;
-    is_released = 1;
-    wake_all(is_released);
-    for (JobThread& thread : threads) thread.join();
-    if (failure)
-        throw std::system_error(
-            failure, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
+    join();
 }
 
 }  // namespace pelagic

@@ -32,6 +32,9 @@ class Pool final : public WorkerGroup {
             throw std::system_error(
                 error.code(),
                 number_text(threads) + " threads are wanted, and the system gives " + number_text(given));
+        } catch (...) {  // no memory for a thread's data
+            stop();
+            throw;
         }
     }
     ~Pool() override { stop(); }

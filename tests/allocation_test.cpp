@@ -1,5 +1,5 @@
-// After its first frame, an ocean allocates no memory. A separate program, because it replaces
-// operator new.
+// After its first frame, an ocean allocates no memory; a pool that gets none ends its threads. A
+// separate program, because it replaces operator new.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,6 +10,7 @@
 
 #include "pelagic/analytic/analytic_surface.hpp"
 #include "pelagic/analytic/pond_waves.hpp"
+#include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -20,9 +21,10 @@
 
 namespace {
 std::atomic<long> allocations = 0;
+std::atomic<long> failing = -1;  // the allocation that fails
 
 void* counted(std::size_t size, std::size_t alignment) {
-    ++allocations;
+    if (allocations++ == failing) throw std::bad_alloc();
     void* memory = pelagic::allocate_aligned(size, alignment);
     if (!memory) throw std::bad_alloc();
     return memory;
@@ -40,6 +42,26 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { pel
 
 namespace pelagic {
 namespace {
+
+/// Calls `make` until it needs no further allocation. In call n, allocation n fails. Returns n.
+template <class Make>
+long failures_until_made(const Make& make) {
+    for (long failures = 0;; ++failures) {
+        failing = allocations + failures;
+        try {
+            make();
+            failing = -1;
+            return failures;
+        } catch (const std::bad_alloc&) {
+        }
+    }
+}
+
+TEST(Allocation, ThreadsEndWhenThereIsNoMemoryForTheNextOne) {
+    constexpr int threads = 4;
+    EXPECT_GT(failures_until_made([] { make_thread_executor(threads); }), threads);
+    EXPECT_GE(failures_until_made([] { need_threads(threads, std::size_t{1} << 20); }), threads);
+}
 
 // The default executor is left out: oneTBB allocates its tasks from its own pools.
 TEST(Allocation, FramesAfterTheFirstAllocateNothing) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <system_error>
+#include <exception>
 
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -34,8 +34,8 @@ FileCheck::FileCheck(const OutputFolder& folder, int threads,
         threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency());
     try {
         while (threads_.size() < count) threads_.emplace_back([this] { read_files(); });
-    } catch (const std::system_error&) {
-        // The system cannot start more threads. Without any, add() reads the files itself.
+    } catch (const std::exception&) {
+        // The system cannot start more threads, or there is no memory for them. Without any, add() reads the files itself.
     }
 }
 
