@@ -14,7 +14,8 @@ struct Stack {
     std::uintptr_t begin = 0, end = 0;
 };
 
-/// Returns the stack of the calling thread without its guard pages.
+/// Returns the stack of the calling thread without its guard pages; on Windows, of its current
+/// fiber. Other systems know no fibers. The first call of a thread queries the system.
 Stack stack_of_this_thread();
 
 /// Returns the minimum stack size of a thread.

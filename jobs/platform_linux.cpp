@@ -9,8 +9,9 @@
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {
+namespace {
 
-Stack stack_of_this_thread() {
+Stack query_stack() {
     pthread_attr_t attributes;
     if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
     void* begin = nullptr;
@@ -21,6 +22,13 @@ Stack stack_of_this_thread() {
     // Older C libraries include the guard page in the stack.
     const auto first = reinterpret_cast<std::uintptr_t>(begin);
     return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
+}
+
+}  // namespace
+
+Stack stack_of_this_thread() {
+    thread_local const Stack stack = query_stack();
+    return stack;
 }
 
 std::size_t min_stack_bytes() { return static_cast<std::size_t>(PTHREAD_STACK_MIN); }

@@ -7,8 +7,11 @@
 namespace pelagic {
 
 Stack stack_of_this_thread() {
-    const auto end = reinterpret_cast<std::uintptr_t>(pthread_get_stackaddr_np(pthread_self()));
-    return {end - pthread_get_stacksize_np(pthread_self()), end};
+    thread_local const Stack stack = [] {
+        const auto end = reinterpret_cast<std::uintptr_t>(pthread_get_stackaddr_np(pthread_self()));
+        return Stack{end - pthread_get_stacksize_np(pthread_self()), end};
+    }();
+    return stack;
 }
 
 std::size_t min_stack_bytes() { return PTHREAD_STACK_MIN; }

@@ -6,9 +6,9 @@
 
 namespace pelagic {
 
-/// Returns false if the calling thread's remaining stack is smaller than `bytes`. Returns true if
-/// the size is unknown: on a fiber's stack, or if the system does not provide it. The first call of
-/// a thread queries the system.
+/// Returns false if the remaining stack may be smaller than `bytes`: that of the calling thread is,
+/// or the caller is a fiber, whose stack only Windows measures. Returns true if the system provides
+/// no stack sizes.
 bool stack_holds(std::size_t bytes);
 
 /// Calls `work` on a temporary thread with a stack of at least `bytes` and waits for it.

@@ -9,8 +9,10 @@
 
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/frame_bits.hpp"
+#include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -119,6 +121,35 @@ TEST(FrameInFlight, RandomChangesEqualTheSerialOrder) {
             time_s = random() % 5 == 0 ? over_s + uniform(-1, 0.1) : time_s + uniform(0, 0.15);
         }
         expect_same_bits(forecast, steps);
+    }
+}
+
+// Engines call from fibers, with stacks of 64 KiB.
+TEST(FrameOnAFiber, FramesAndQueriesFitIntoASmallStack) {
+    if (is_sanitized) GTEST_SKIP() << "sanitizers do not know the fiber";
+    SeaState sea = windy(0), later = windy(3);
+    sea.resolution = later.resolution = 128;
+    const Forecast forecast{.first = sea, .largest_peak_m = largest_peak_m};
+    for (const auto& executor : {make_serial_executor(), make_default_executor(2)}) {
+        std::vector<FrameBits> bits;
+        std::vector<float> heights(2000), foam(2000);
+        const auto make_frames = [&] {
+            Ocean ocean(forecast,
+                        {.executor = executor, .queries = true, .velocities = true, .slopes = true, .foam = true});
+            ocean.schedule_sea({.sea = later, .from_s = 0.1, .over_s = 0.1});
+            for (const double time_s : {0., 0.15}) {
+                const Frame& frame = ocean.frame_at(time_s);
+                bits.push_back(bits_of(frame));
+                std::vector<double> x(heights.size()), z(heights.size());
+                for (std::size_t i = 0; i < x.size(); ++i) x[i] = 0.7 * static_cast<double>(i);
+                SurfaceQuery(frame, {.interpolation = Interpolation::cubic})
+                    .sample({x, z}, {.height_m = heights, .foam = foam});
+            }
+        };
+        make_frames();
+        if (!run_on_a_fiber(64 * 1024, make_frames)) GTEST_SKIP() << "no fibers on this system";
+        EXPECT_EQ(bits[0], bits[2]);
+        EXPECT_EQ(bits[1], bits[3]);
     }
 }
 

@@ -462,6 +462,22 @@ TEST_P(EachExecutor, JobsHaveTheRequestedStackSize) {
     EXPECT_EQ(done, 16);
 }
 
+// The stack of a fiber is no thread's, and its size is unknown.
+TEST_P(EachExecutor, JobsHaveTheRequestedStackSizeOnAFiber) {
+    if (is_sanitized) GTEST_SKIP() << "sanitizers do not know the fiber";
+    constexpr std::size_t needed = std::size_t{1} << 20;
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    graph.add({.name = "deep",
+               .count = 16,
+               .body = [&](std::size_t, std::size_t) { done += use_stack(needed - 64 * 1024); },
+               .stack_bytes = needed});
+    const auto run = executor_->prepare(graph);
+    run_once(*run);  // the thread's own stack has been measured
+    if (!run_on_a_fiber(64 * 1024, [&] { run_once(*run); })) GTEST_SKIP() << "no fibers on this system";
+    EXPECT_EQ(done, 2 * 16);
+}
+
 TEST_P(EachExecutor, CompleteThrowsABodysExceptionAfterAllBlocks) {
     std::atomic<int> done = 0;
     std::atomic<bool> throws = true;

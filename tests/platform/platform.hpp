@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 namespace pelagic {
 
@@ -19,6 +20,10 @@ std::size_t bytes_handed_out();
 bool threads_have_cpu_masks();
 /// Returns the CPU of the calling thread, among all CPUs. \pre threads_have_cpu_masks()
 int cpu_of_this_thread();
+
+/// Calls `work` on a fiber, whose stack is no thread's, with a guard page. Returns false, and does
+/// not call it, if the system has no fibers.
+bool run_on_a_fiber(std::size_t stack_bytes, const std::function<void()>& work);
 
 /// Returns true if the address space of a process can be limited.
 bool has_address_space_limits();

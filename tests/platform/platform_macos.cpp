@@ -18,6 +18,8 @@ std::size_t bytes_handed_out() { return mstats().bytes_used; }
 bool threads_have_cpu_masks() { return false; }
 int cpu_of_this_thread() { return -1; }
 
+bool run_on_a_fiber(std::size_t, const std::function<void()>&) { return false; }
+
 bool has_address_space_limits() { return false; }
 void limit_address_space(std::size_t) {}
 

@@ -23,6 +23,26 @@ std::size_t bytes_handed_out() {
 bool threads_have_cpu_masks() { return true; }
 int cpu_of_this_thread() { return static_cast<int>(GetCurrentProcessorNumber()); }
 
+namespace {
+struct Fiber {
+    const std::function<void()>* work;
+    void* caller;
+};
+void WINAPI enter_fiber(void* parameter) {
+    const auto* const fiber = static_cast<const Fiber*>(parameter);
+    (*fiber->work)();
+    SwitchToFiber(fiber->caller);
+}
+}  // namespace
+
+bool run_on_a_fiber(std::size_t stack_bytes, const std::function<void()>& work) {
+    Fiber fiber{&work, ConvertThreadToFiber(nullptr)};
+    void* const created = CreateFiberEx(0, stack_bytes, 0, &enter_fiber, &fiber);
+    if (created) SwitchToFiber(created), DeleteFiber(created);
+    ConvertFiberToThread();
+    return created != nullptr;
+}
+
 // A job object limits only committed memory, and wine's not even that.
 bool has_address_space_limits() { return false; }
 void limit_address_space(std::size_t) {}
