@@ -5,6 +5,7 @@ Destructors, copies and moves need none.
 usage: reference_test.py CMAKE BUILD_FOLDER
 """
 import pathlib
+import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -34,7 +35,17 @@ for file in folder.glob("*.xml"):
 for name in ("pelagic_ocean_create", "pelagic_ocean_query", "pelagic::Ocean::schedule", "pelagic::SurfaceQuery::sample"):
     assert name in documented, f"the reference lacks {name}"
 assert len(documented) > 300, f"the reference has {len(documented)} functions only"
-assert (folder.parent / "html/index.html").exists()
+
+# The pages have an index of functions, whose links lead to a page with that anchor.
+html = folder.parent / "html"
+assert (html / "index.html").exists()
+for index, name in (("globals_func.html", "pelagic_ocean_create"), ("globals_func.html", "pelagic_ocean_query"), ("namespacemembers_func.html", "hash_of"),
+                    ("namespacemembers_func.html", "make_default_executor"), ("functions_func_s.html", "schedule")):
+    text = (html / index).read_text() if (html / index).exists() else ""
+    text += "".join(file.read_text() for file in html.glob(index.replace(".html", "_?.html")))
+    found = re.search(rf'>{name}\(\)(?:&#160;:|:|</a>).*?href="([^"#]+)#(\w+)"', text)
+    assert found, f"{index} lacks {name}"
+    assert f'id="{found[2]}"' in (html / found[1]).read_text(), f"{found[1]} lacks {name}"
 print(f"{len(documented)} functions are documented")
 if missing:
     sys.exit("no comment:\n" + "\n".join(sorted(missing)))
