@@ -4,6 +4,8 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
+#include <chrono>
+#include <future>
 
 #include "pelagic/jobs/executor.hpp"
 
@@ -29,6 +31,32 @@ TEST(TbbExecutor, IsDestroyedInAFullArenaOfTheApplication) {
         }
     });
     EXPECT_EQ(done, 2 * rounds * blocks);
+}
+
+// The application keeps the only worker of oneTBB busy, so that no worker begins the run's tasks.
+TEST(TbbExecutor, IsDestroyedInAFullArenaWithoutAWorker) {
+    const tbb::global_control one_worker(tbb::global_control::max_allowed_parallelism, 2);
+    tbb::task_arena application(1), elsewhere(2);
+    std::promise<void> begun, destroyed, ended;
+    std::atomic<bool> waited_in_vain = false;
+    elsewhere.enqueue([&] {
+        begun.set_value();
+        waited_in_vain = destroyed.get_future().wait_for(std::chrono::seconds(20)) != std::future_status::ready;
+        ended.set_value();
+    });
+    begun.get_future().wait();
+    std::atomic<int> done = 0;
+    application.execute([&] {
+        JobGraph graph;
+        graph.add({.name = "blocks", .count = 9, .body = [&](std::size_t, std::size_t) { ++done; }});
+        const auto run = make_tbb_executor(2)->prepare(graph);
+        run->schedule();
+        run->complete();
+    });
+    destroyed.set_value();
+    ended.get_future().wait();
+    EXPECT_FALSE(waited_in_vain);
+    EXPECT_EQ(done, 9);
 }
 
 }  // namespace
