@@ -33,7 +33,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -349,7 +348,7 @@ void run(const Options& options) {
         if (!json_file) throw std::runtime_error("can't write " + part_file);
     }
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int cores = default_thread_count();
     std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", tools::cpu_name().c_str(),
                 tools::compiler_name().c_str());
     print_heading();

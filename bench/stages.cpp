@@ -12,7 +12,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "pelagic/bench/ceilings.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -93,7 +92,7 @@ void time_copy(benchmark::State& state, Isa isa, std::size_t bytes) {
 
 void register_all() {
     using benchmark::RegisterBenchmark;
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int cores = default_thread_count();
     for (const Isa isa : isas_here()) {
         const std::string name(name_of(isa));
         RegisterBenchmark(("ceiling/" + name + "/add_and_multiply").c_str(), time_arithmetic, isa);

@@ -303,8 +303,9 @@ typedef struct pelagic_executor_options {
     uint32_t struct_size;
     int32_t kind; /* PELAGIC_EXECUTOR_... */
     /* Maximum number of threads that work on a frame, the completing thread included; [0, 1024].
-     * With 1 complete() does all work. 0: one per core; of PELAGIC_EXECUTOR_THREADS with a mask,
-     * one per core of the mask; of PELAGIC_EXECUTOR_APPLICATION, 1. */
+     * With 1 complete() does all work. 0: one per CPU that the process may use by its affinity and
+     * its quota; of PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask; of
+     * PELAGIC_EXECUTOR_APPLICATION, 1. */
     int32_t threads;
     uint32_t reserved; /* 0 */
     /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows the pool's threads

@@ -68,7 +68,7 @@ class Executor {
 
     /// Sets how long threads look for work before they sleep. 0 saves battery; then frames with
     /// several stages take longer. Has no effect on executors without threads of their own, or with
-    /// more threads than cores. oneTBB's own threads look for work for a while longer.
+    /// more threads than CPUs. oneTBB's own threads look for work for a while longer.
     /// \param us  microseconds, 0 to 1000; default_spin_us at first
     /// \throws std::invalid_argument  if `us` is out of range
     virtual void set_spin_us(int us) { static_cast<void>(us); }
@@ -80,10 +80,15 @@ inline constexpr int default_spin_us = 20;
 /// Creates an executor without threads: complete() does all work on the calling thread, in order.
 std::shared_ptr<Executor> make_serial_executor();
 
+/// Returns the number of threads that the executors below start for 0: one per CPU that this process
+/// may use by its affinity and its quota of CPU time (Linux control groups), rounded up. More
+/// threads than that delay each other.
+int default_thread_count();
+
 /// Creates a thread pool, for builds without oneTBB and for ThreadSanitizer. Threads have stacks of
 /// 2 MiB, independent of the system's default.
-/// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0: one per
-///                 core; 1: starts no thread, and complete() does all work.
+/// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0:
+///                 default_thread_count(); 1: starts no thread, and complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
 /// \throws std::system_error      if the system does not create the threads: "8 threads are wanted,
 ///                                and the system gives 3: ..."
@@ -94,7 +99,7 @@ std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 /// reserve cores for the application. Linux, Android and Windows only.
 /// \param cpu_mask  bit i allows CPU i; 0 allows all. The thread that calls complete() belongs to
 ///                  the application and is not restricted.
-/// \param threads   as for make_thread_executor(), except that 0 means one per CPU in the mask
+/// \param threads   as for make_thread_executor(), except that 0 counts CPUs of the mask only
 /// \throws std::invalid_argument  if the system does not support masks, or the process may use no
 ///                                CPU of the mask
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
@@ -133,8 +138,7 @@ std::shared_ptr<Executor> make_callback_executor(const ApplicationJobs& jobs);
 #if defined(PELAGIC_HAS_TBB)
 /// Creates an executor whose threads are those of oneTBB, in one arena. The program's other arenas
 /// share them, so a graph may not start before its complete() while others use the threads.
-/// \param threads  0 to 1024. 0: oneTBB's default, one per core that the process may use; 1:
-///                 complete() does all work.
+/// \param threads  0 to 1024. 0: default_thread_count(); 1: complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
 /// \throws std::system_error      if the system does not create the threads
 std::shared_ptr<Executor> make_tbb_executor(int threads = 0);

@@ -21,6 +21,10 @@ Stack stack_of_this_thread();
 /// Returns the minimum stack size of a thread.
 std::size_t min_stack_bytes();
 
+/// Returns the number of CPUs that this process may use by its affinity and its quota of CPU time,
+/// rounded up; at least 1.
+int usable_cpus();
+
 /// Returns true if the system can restrict threads to CPUs.
 bool has_cpu_masks();
 

@@ -4,8 +4,11 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <thread>
 
+#include "pelagic/jobs/cpu_quota.hpp"
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {
@@ -32,6 +35,17 @@ Stack stack_of_this_thread() {
 }
 
 std::size_t min_stack_bytes() { return static_cast<std::size_t>(PTHREAD_STACK_MIN); }
+
+int usable_cpus() {
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    // Fails if the system has more CPUs than cpu_set_t.
+    const int affinity = sched_getaffinity(0, sizeof here, &here) == 0
+                             ? CPU_COUNT(&here)
+                             : static_cast<int>(std::thread::hardware_concurrency());
+    const int quota = cpus_of_quota("");
+    return std::max(1, quota == 0 ? affinity : std::min(affinity, quota));
+}
 
 bool has_cpu_masks() { return true; }
 

@@ -2,6 +2,9 @@
 #include <limits.h>
 #include <pthread.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {
@@ -15,6 +18,8 @@ Stack stack_of_this_thread() {
 }
 
 std::size_t min_stack_bytes() { return PTHREAD_STACK_MIN; }
+
+int usable_cpus() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 bool has_cpu_masks() { return false; }
 std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }

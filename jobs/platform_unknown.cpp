@@ -1,4 +1,7 @@
 // Fallback for WebAssembly and for systems without an implementation.
+#include <algorithm>
+#include <thread>
+
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {
@@ -6,6 +9,8 @@ namespace pelagic {
 Stack stack_of_this_thread() { return {}; }
 
 std::size_t min_stack_bytes() { return 16 << 10; }
+
+int usable_cpus() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 bool has_cpu_masks() { return false; }
 std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }

@@ -2,6 +2,10 @@
 // first group of 64 CPUs.
 #include <windows.h>
 
+#include <algorithm>
+#include <bit>
+#include <thread>
+
 #include "pelagic/jobs/platform.hpp"
 
 namespace pelagic {
@@ -31,6 +35,11 @@ Stack stack_of_this_thread() {
 }
 
 std::size_t min_stack_bytes() { return 64 << 10; }  // the granularity of addresses
+
+int usable_cpus() {
+    const int all = static_cast<int>(std::thread::hardware_concurrency());
+    return std::max(1, std::min(all, std::popcount(cpus_of_this_process())));
+}
 
 bool has_cpu_masks() { return true; }
 

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -98,7 +99,8 @@ class TbbExecutor final : public Executor {
 
 std::shared_ptr<Executor> make_tbb_executor(int threads) {
     const int wanted = checked_thread_count(threads);
-    return std::make_shared<TbbExecutor>(threads == 0 ? tbb::info::default_concurrency() : wanted);
+    // oneTBB counts the CPUs of the affinity only.
+    return std::make_shared<TbbExecutor>(threads == 0 ? std::min(wanted, tbb::info::default_concurrency()) : wanted);
 }
 
 }  // namespace pelagic

@@ -1,23 +1,20 @@
 // Validation of executors' options.
 #pragma once
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 
-inline int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
-/// Returns `threads`, or the number of cores if it is 0.
+/// Returns `threads`, or default_thread_count() if it is 0.
 /// \throws std::invalid_argument  if `threads` is outside [0, 1024]
 inline int checked_thread_count(int threads) {
     if (threads < 0 || threads > 1024)
         throw std::invalid_argument(invalid_value_message("threads", threads, "0 to 1024"));
-    return threads == 0 ? cores() : threads;
+    return threads == 0 ? default_thread_count() : threads;
 }
 
 /// Returns `us`. \throws std::invalid_argument  if `us` is outside [0, 1000]

@@ -1,4 +1,5 @@
 // A pool of threads that sleep until there is work.
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <system_error>
@@ -91,7 +92,7 @@ std::shared_ptr<Executor> make_thread_executor(int threads) { return make_thread
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads) {
     const int wanted = checked_thread_count(threads);
     const int cpus = checked_cpus(cpu_mask);
-    return std::make_shared<ThreadExecutor>(threads == 0 && cpu_mask != 0 ? cpus : wanted, cpu_mask);
+    return std::make_shared<ThreadExecutor>(threads == 0 && cpu_mask != 0 ? std::min(cpus, wanted) : wanted, cpu_mask);
 }
 
 }  // namespace pelagic

@@ -94,8 +94,8 @@ std::unique_ptr<GraphRun> WorkerGroup::prepare(const JobGraph& graph, std::share
     return std::make_unique<BoundRun>(graph, std::move(group));
 }
 
-// More threads than cores would delay each other.
-void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= cores() ? ticks_of_us(us) : 0; }
+// More threads than CPUs would delay each other.
+void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= default_thread_count() ? ticks_of_us(us) : 0; }
 
 /// \param blocks_of_this_thread  blocks that need no worker, because this thread runs them
 void WorkerGroup::start(Run& run, std::size_t blocks_of_this_thread) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/simd/isa.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/test_paths.hpp"
@@ -45,7 +46,7 @@ void expect_in_order(const json& quartiles, const json& median) {
 TEST(BenchCommand, TimesEachJobOfEachSizeOnEachInstructionSetAndNumberOfThreads) {
     const Outcome run = bench({"--sizes", "128,32", "--threads", "3", "--json", "-"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), default_thread_count() < 3) << run.err;
     const json all = json::parse(run.out);
     EXPECT_FALSE(all.at("cpu").get<std::string>().empty());
     std::vector<std::string> rows, wanted;

@@ -7,16 +7,20 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <latch>
 #include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "pelagic/jobs/cpu_quota.hpp"
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/platform.hpp"
@@ -313,6 +317,69 @@ TEST_P(ParallelExecutor, WorkRunsWithoutComplete) {
     EXPECT_EQ(done, 10);
 }
 
+// The next run is scheduled while the worker goes to sleep. Nobody completes it, so a wake-up that
+// is lost leaves it undone.
+TEST_P(ParallelExecutor, NoWakeUpIsLostBetweenRuns) {
+    const int rounds = is_sanitized ? 2000 : 30000;
+    for (const int spin_us : {0, default_spin_us}) {
+        executor_->set_spin_us(spin_us);
+        JobGraph graph;
+        graph.add({.name = "one", .count = 1, .body = [](std::size_t, std::size_t) {}});
+        const auto run = executor_->prepare(graph);
+        for (int round = 0; round < rounds; ++round) {
+            const auto deadline = std::chrono::steady_clock::now() + patience;
+            run->schedule();
+            while (!run->is_done()) {
+                ASSERT_LT(std::chrono::steady_clock::now(), deadline) << "round " << round;
+                std::this_thread::yield();
+            }
+            for (volatile int wait = round % 300; wait > 0;) wait = wait - 1;
+        }
+    }
+}
+
+TEST_P(ParallelExecutor, RunsChangeNoAffinityOfThreadsOfOthers) {
+    if (!has_cpu_masks()) GTEST_SKIP() << "no masks on this system";
+    const std::uint64_t usable = cpus_of_this_process();
+    const bool owns_workers = executor_->name() == "thread";
+    const std::thread::id completing = std::this_thread::get_id();
+    std::atomic<int> changed = 0;
+    JobGraph graph;
+    graph.add({.name = "look", .count = 4, .body = [&](std::size_t, std::size_t) {
+                   const std::uint64_t lost = usable & ~cpus_of_this_process();
+                   const int may_lose = owns_workers && std::this_thread::get_id() != completing ? 1 : 0;
+                   if (std::popcount(lost) > may_lose) ++changed;
+               }});
+    const auto run = executor_->prepare(graph);
+    for (int round = 0; round < 200; ++round) {
+        run->schedule();
+        if (round % 2 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+        run->complete();
+    }
+    EXPECT_EQ(changed, 0);
+    EXPECT_EQ(cpus_of_this_process(), usable);
+}
+
+// A worker of a pool stays away from one CPU at a time, a thread of others from none.
+TEST(Platform, LeavingACpuTakesOneCpuAtMost) {
+    if (!has_cpu_masks()) GTEST_SKIP() << "no masks on this system";
+    bool has_left = false;
+    std::thread([&] {
+        const std::uint64_t all = cpus_of_this_process(), rest = all & (all - 1);
+        if (rest == 0) return;
+        const int first = std::countr_zero(all), second = std::countr_zero(rest);
+        leave_cpu(first, false);
+        EXPECT_EQ(cpus_of_this_process(), all);
+        leave_cpu(first, true);
+        has_left = cpus_of_this_process() != all;
+        if (!has_left) return;
+        EXPECT_EQ(cpus_of_this_process(), rest);
+        leave_cpu(second, true);
+        EXPECT_EQ(cpus_of_this_process(), all & ~(std::uint64_t{1} << second));
+    }).join();
+    if (!has_left) GTEST_SKIP() << "no second CPU, or no such function on this system";
+}
+
 /// With one worker, beside the completing thread.
 class TwoThreadExecutor : public EachExecutor {};
 INSTANTIATE_TEST_SUITE_P(Kinds, TwoThreadExecutor, testing::ValuesIn([] {
@@ -328,7 +395,7 @@ TEST_P(TwoThreadExecutor, RunBoundFirstTakesPrecedence) {
     std::latch is_scheduled(1);
     std::atomic<bool> begun = false, first_ran = false;
     std::atomic<int> too_early = 0;
-    JobGraph frame, spectrum;
+    JobGraph frame, spectrum, other;
     frame.add({.name = "frame", .count = 1, .body = [&](std::size_t, std::size_t) { first_ran = true; }});
     spectrum.add({.name = "spectrum", .count = 100, .body = [&](std::size_t, std::size_t) {
                       if (begun.exchange(true)) {
@@ -337,15 +404,19 @@ TEST_P(TwoThreadExecutor, RunBoundFirstTakesPrecedence) {
                           wait_until([&] { return is_scheduled.try_wait(); });
                       }
                   }});
-    const auto frame_run = executor_->prepare(frame), spectrum_run = executor_->prepare(spectrum);
+    other.add({.name = "other", .count = 1, .body = [&](std::size_t, std::size_t) {
+                   if (!first_ran) ++too_early;
+               }});
+    const auto frame_run = executor_->prepare(frame), spectrum_run = executor_->prepare(spectrum),
+               other_run = executor_->prepare(other);
     spectrum_run->schedule();
     ASSERT_TRUE(wait_until([&] { return begun.load(); }));
+    other_run->schedule();
     frame_run->schedule();
     is_scheduled.count_down();
-    EXPECT_TRUE(wait_until([&] { return spectrum_run->is_done(); }));
+    EXPECT_TRUE(wait_until([&] { return spectrum_run->is_done() && other_run->is_done(); }));
     EXPECT_EQ(too_early, 0);
-    frame_run->complete();
-    spectrum_run->complete();
+    for (GraphRun* const run : {frame_run.get(), spectrum_run.get(), other_run.get()}) run->complete();
 }
 
 // The second stage of one chain runs while the first stage of another chain is running, as stages
@@ -554,12 +625,54 @@ TEST(ExecutorOptions, BadSpinTimesThrowTheRange) {
     }
 }
 
-TEST(ExecutorOptions, ZeroThreadsMeansOnePerCore) {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    EXPECT_EQ(make_thread_executor(0)->thread_limit(), cores);
-    // oneTBB does not count cores that the process may not use.
-    EXPECT_GE(make_default_executor(0)->thread_limit(), 1);
-    EXPECT_LE(make_default_executor(0)->thread_limit(), cores);
+TEST(ExecutorOptions, ZeroThreadsMeansOnePerUsableCpu) {
+    const int cpus = default_thread_count();
+    EXPECT_GE(cpus, 1);
+    EXPECT_LE(cpus, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    EXPECT_EQ(make_thread_executor(0)->thread_limit(), cpus);
+    EXPECT_EQ(make_default_executor(0)->thread_limit(), cpus);
+}
+
+TEST(ExecutorOptions, ZeroThreadsMeansOneOnOneCpu) {
+    if (!has_cpu_masks()) GTEST_SKIP() << "no masks on this system";
+    int pool = 0, fallback = 0;
+    bool is_restricted = false;
+    std::thread([&] {
+        const std::uint64_t usable = cpus_of_this_process(), last = std::bit_floor(usable);
+        keep_this_thread_on_cpus(last);
+        is_restricted = last != 0 && cpus_of_this_process() == last;  // Windows restricts processes
+        pool = make_thread_executor(0)->thread_limit();
+        fallback = make_default_executor(0)->thread_limit();
+    }).join();
+    if (!is_restricted) GTEST_SKIP() << "threads inherit no mask on this system";
+    EXPECT_EQ(pool, 1);
+    EXPECT_EQ(fallback, 1);
+}
+
+TEST(CpuQuota, SmallestLimitOfAllGroupsIsRoundedUp) {
+    const std::filesystem::path root = std::filesystem::path(testing::TempDir()) / "pelagic_cpu_quota";
+    const auto write = [&](const std::string& path, const std::string& text) {
+        const std::filesystem::path file = root / path;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << text;
+    };
+    std::filesystem::remove_all(root);
+    EXPECT_EQ(cpus_of_quota(root.string()), 0);
+    write("proc/self/cgroup", "0::/kube/pod/app\n");
+    write("sys/fs/cgroup/kube/pod/app/cpu.max", "max 100000\n");
+    EXPECT_EQ(cpus_of_quota(root.string()), 0);
+    write("sys/fs/cgroup/kube/cpu.max", "250000 100000\n");
+    EXPECT_EQ(cpus_of_quota(root.string()), 3);
+    write("sys/fs/cgroup/kube/pod/app/cpu.max", "25000 50000\n");
+    EXPECT_EQ(cpus_of_quota(root.string()), 1);
+    // version 1; the path is one of the host, and a container sees its own group at the top
+    write("proc/self/cgroup", "9:cpuset:/docker/1\n4:cpu,cpuacct:/docker/1\n0::/\n");
+    write("sys/fs/cgroup/cpu/cpu.cfs_quota_us", "-1\n");
+    write("sys/fs/cgroup/cpu/cpu.cfs_period_us", "100000\n");
+    EXPECT_EQ(cpus_of_quota(root.string()), 0);
+    write("sys/fs/cgroup/cpu/cpu.cfs_quota_us", "400000\n");
+    EXPECT_EQ(cpus_of_quota(root.string()), 4);
+    std::filesystem::remove_all(root);
 }
 
 TEST(ExecutorOptions, MaskOfCoresMustContainAnAvailableCore) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
@@ -281,6 +282,18 @@ TEST(QueryCommand, OutputDependsNeitherOnThreadsNorOnTheInstructionSet) {
     EXPECT_EQ(lines_of(expected).size(), 1u + static_cast<unsigned>(count));
     EXPECT_EQ(query(points, {"--threads", "3"}).out, expected);
     for (const Isa isa : isas_here()) EXPECT_EQ(query(points, {"--isa", std::string(name_of(isa))}).out, expected);
+}
+
+TEST(QueryCommand, MoreThreadsThanCpusAreNotedOnce) {
+    const int cpus = default_thread_count();
+    if (cpus == 1024) GTEST_SKIP() << "no larger count is accepted";
+    const Outcome as_many = query("1,2\n", {"--threads", std::to_string(cpus)});
+    const Outcome more = query("1,2\n", {"--threads", std::to_string(cpus + 1)});
+    EXPECT_EQ(as_many.err.find("--threads"), std::string::npos) << as_many.err;
+    EXPECT_EQ(more.err, "note: --threads " + std::to_string(cpus + 1) +
+                            " is more than the CPUs that this process may use, " + std::to_string(cpus) +
+                            ": frames take longer\n" + as_many.err);
+    EXPECT_EQ(more.out, as_many.out);
 }
 
 TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {

@@ -62,8 +62,8 @@ TEST_F(ScarceResources, TooLittleMemoryIsReportedInOneLine) {
     std::size_t refused = 0, worked = 0;
     const std::size_t step = of_sweep(192, 64) * mib;
     for (std::size_t room = 64 * mib; room <= 1024 * mib; room += step) {
-        const Outcome outcome = run_pelagic({"query", "--patch-size", "250", "--resolution", "1024", "--threads", "8",
-                                             "--points", folder / "points.csv"},
+        const Outcome outcome = run_pelagic({"query", "-q", "--patch-size", "250", "--resolution", "1024",
+                                             "--threads", "8", "--points", folder / "points.csv"},
                                             with_at_most(RLIMIT_AS, room));
         // 127: the loader could not map a library.
         ASSERT_TRUE(outcome.exit_code <= 2 || outcome.exit_code == 127)

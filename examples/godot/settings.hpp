@@ -17,7 +17,7 @@ struct OceanSettings {
     SeaState sea;  ///< all options but the directions
     double wind_direction_deg = 0;
     double swell_direction_deg = 0;
-    int threads = 0;  ///< number of threads including the engine's; 0: one per core
+    int threads = 0;  ///< number of threads including the engine's; 0: one per usable CPU
     bool foam = true;
     bool velocities = false;
     bool dynamic_waves = false;

@@ -4,8 +4,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
@@ -20,7 +23,7 @@ std::vector<std::string> names_of_isas_here() {
 }  // namespace
 
 void ComputeFlags::add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "number of threads; 0 to 1024, 0: one per core (default: 0)")
+    app.add_option("--threads", threads_, "number of threads; 0 to 1024, 0: one per usable CPU (default: 0)")
         ->type_name("NUMBER")
         ->group(help_group::performance);
     app.add_option("--isa", isa_, "instruction set, if this CPU has it (default: the strongest)")
@@ -31,6 +34,9 @@ void ComputeFlags::add_to(CLI::App& app) {
 ComputeOptions ComputeFlags::resolve() const {
     ComputeOptions options;
     if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
+    if (const int cpus = default_thread_count(); options.threads > cpus)
+        print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " + number_text(cpus) +
+                   ": frames take longer");
     if (isa_) {
         options.isa = isa_named(*isa_);
         const std::vector<std::string> here = names_of_isas_here();

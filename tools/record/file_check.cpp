@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
@@ -30,8 +31,7 @@ void Findings::print() const {
 FileCheck::FileCheck(const OutputFolder& folder, int threads,
                      std::function<void(std::size_t, const std::string&)> is_wrong)
     : folder_(folder), is_wrong_(std::move(is_wrong)) {
-    const unsigned count =
-        threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency());
+    const auto count = static_cast<std::size_t>(threads > 0 ? threads : default_thread_count());
     try {
         while (threads_.size() < count) threads_.emplace_back([this] { read_files(); });
     } catch (const std::exception&) {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <span>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -198,8 +197,8 @@ FrameRecord statistics_of(int number, const Frame& frame, bool has_foam) {
 }
 
 WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
-    const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
-                                                             : static_cast<std::size_t>(options.compute.threads);
+    const auto threads = static_cast<std::size_t>(options.compute.threads == 0 ? default_thread_count()
+                                                                               : options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
     const auto cascades = static_cast<std::size_t>(cascades_of(options.sea.sea));
     const std::size_t bytes_per_texel =

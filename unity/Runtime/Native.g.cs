@@ -528,8 +528,9 @@ namespace Pelagic
         public ExecutorKind Kind;
         /// <summary>
         /// Maximum number of threads that work on a frame, the completing thread included; [0, 1024].
-        /// With 1 complete() does all work. 0: one per core; of ExecutorKind.Threads with a mask,
-        /// one per core of the mask; of ExecutorKind.Application, 1.
+        /// With 1 complete() does all work. 0: one per CPU that the process may use by its affinity and
+        /// its quota; of ExecutorKind.Threads with a mask, of these the CPUs of the mask; of
+        /// ExecutorKind.Application, 1.
         /// </summary>
         public int Threads;
         /// <summary>
