@@ -3,8 +3,8 @@
 #
 #   blender -b --python-exit-code 1 -P blender.py -- FOLDER IMAGE.png
 #
-# FOLDER contains sea.json, displacement_*.exr and gradient_*.png. In the window: Scripting, open
-# this file, set the two names.
+# FOLDER is an export with --maps displacement,foam. In the window: Scripting, open this file, set
+# the two names.
 import json
 import math
 import sys
@@ -15,6 +15,9 @@ import bpy
 folder, image = sys.argv[sys.argv.index("--") + 1:][:2]
 folder = Path(folder).resolve()
 record = json.loads((folder / "sea.json").read_text())
+for name in ("displacement_0000.exr", "foam_0000.png"):
+    if not (folder / name).exists():
+        sys.exit(f"{folder} has no {name}; export with --maps displacement,foam")
 N = record["sea"]["resolution"]
 L = record["sea"]["patch_size_m"]
 frames = len(record["frames"])
@@ -74,27 +77,20 @@ for axis in (0, 2):
     cascades.constant_offset_displace = [L if axis == k else 0 for k in range(3)]
     cascades.use_merge_vertices, cascades.merge_threshold = True, 1e-3
 
-# Foam where the surface is contracted: J = 2 c - 1 of the third channel, foam = 1 - 2 J within [0,
-# 1].
+# The foam map is the fraction of the surface that foam covers.
 water = bpy.data.materials.new("water")
 water.use_nodes = True
 nodes, links = water.node_tree.nodes, water.node_tree.links
 surface = nodes["Principled BSDF"]
 surface.inputs["Roughness"].default_value = 0.08
 surface.inputs["IOR"].default_value = 1.333
-gradient = nodes.new("ShaderNodeTexImage")
-gradient.image = load("gradient_0000.png")
-play(gradient.image_user)
-channels = nodes.new("ShaderNodeSeparateColor")
-foam = nodes.new("ShaderNodeMath")
-foam.operation, foam.use_clamp = "MULTIPLY_ADD", True  # 1 - 2 (2 c - 1) = 3 - 4 c
-foam.inputs[1].default_value, foam.inputs[2].default_value = -4, 3
+foam = nodes.new("ShaderNodeTexImage")
+foam.image = load("foam_0000.png")
+play(foam.image_user)
 colour = nodes.new("ShaderNodeMixRGB")
 colour.inputs["Color1"].default_value = (0.004, 0.022, 0.035, 1)
 colour.inputs["Color2"].default_value = (0.8, 0.85, 0.88, 1)
-links.new(gradient.outputs["Color"], channels.inputs["Color"])
-links.new(channels.outputs["Blue"], foam.inputs[0])
-links.new(foam.outputs["Value"], colour.inputs["Fac"])
+links.new(foam.outputs["Color"], colour.inputs["Fac"])
 links.new(colour.outputs["Color"], surface.inputs["Base Color"])
 mesh.materials.append(water)
 

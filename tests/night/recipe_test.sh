@@ -20,7 +20,10 @@ needs() {
 waves=$(mktemp -d)
 trap 'rm -rf "$waves"' EXIT
 # Two frames, to detect a program that shows the wrong one.
-make_waves() { "$pelagic" export --out "$waves" --preset "$1" --patch-size 300 --resolution 128 --loop-period 90 --loop-frames 2; }
+make_waves() {
+  "$pelagic" export --out "$waves" --preset "$1" --patch-size 300 --resolution 128 --loop-period 90 --loop-frames 2 \
+    --maps displacement,gradient,foam
+}
 
 case $recipe in
   blender)

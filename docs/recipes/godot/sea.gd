@@ -50,6 +50,7 @@ func _ready():
 	material.shader = load("res://sea.shader")
 	material.set_shader_param("displacement", map("displacement_0000.exr", false))
 	material.set_shader_param("gradient", map("gradient_0000.png", true))
+	material.set_shader_param("foam", map("foam_0000.png", true))
 	var mesh = patch(N, L, Mesh.PRIMITIVE_TRIANGLES)
 	for k in range(PATCHES * PATCHES):
 		var cascade = MeshInstance.new()

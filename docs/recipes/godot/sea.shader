@@ -3,6 +3,7 @@ render_mode cull_disabled;
 
 uniform sampler2D displacement;
 uniform sampler2D gradient;
+uniform sampler2D foam;
 
 void vertex() {
 	VERTEX += textureLod(displacement, UV, 0.0).xyz;
@@ -14,7 +15,7 @@ void fragment() {
 	float y = sqrt(max(0.0, 1.0 - v.x * v.x - v.y * v.y));
 	vec3 normal = vec3(v.x, v.z < 0.0 ? -y : y, v.y);
 	NORMAL = normalize((INV_CAMERA_MATRIX * vec4(normal, 0.0)).xyz);
-	ALBEDO = mix(vec3(0.01, 0.045, 0.065), vec3(0.85), clamp(1.0 - 2.0 * v.z, 0.0, 1.0));
+	ALBEDO = mix(vec3(0.01, 0.045, 0.065), vec3(0.85), texture(foam, UV).r);
 	ROUGHNESS = 0.12;
 	SPECULAR = 0.5;
 }

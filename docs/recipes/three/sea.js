@@ -36,7 +36,7 @@ export async function displacementMap(url) {
 }
 
 // Unmodified bytes: the browser would multiply normals by the smoothness in the alpha channel.
-export async function gradientMap(url) {
+export async function byteMap(url) {
   const bytes = await new THREE.ImageBitmapLoader()
     .setOptions({ imageOrientation: "flipY", premultiplyAlpha: "none", colorSpaceConversion: "none" }).loadAsync(url);
   const map = new THREE.Texture(bytes);
@@ -62,19 +62,20 @@ vec4 decoded_gradient(vec2 texel) {
 }
 `;
 
-export function water(displacement, gradient) {
+export function water(displacement, gradient, foam) {
   const material = new THREE.MeshStandardMaterial({ color: 0x0b2b3a, roughness: 0.12, side: THREE.DoubleSide });
   material.defines = { USE_UV: "" };
   material.onBeforeCompile = (shader) => {
     shader.uniforms.displacement = { value: displacement };
     shader.uniforms.gradient = { value: gradient };
+    shader.uniforms.foam = { value: foam };
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>" + drawnPlace)
       .replace("#include <begin_vertex>", "vec3 transformed = drawn_place(position, uv);");
     shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", "#include <common>" + decodedGradient + "uniform mat3 normalMatrix;")
+      .replace("#include <common>", "#include <common>" + decodedGradient + "uniform mat3 normalMatrix; uniform sampler2D foam;")
       .replace("#include <color_fragment>", "vec4 slope = decoded_gradient(vUv);\n" +
-        "diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.85), clamp(1.0 - 2.0 * slope.w, 0.0, 1.0));")
+        "diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.85), texture2D(foam, vUv).r);")
       .replace("#include <normal_fragment_begin>", "vec3 normal = normalize(normalMatrix * slope.xyz);\n" +
         "vec3 nonPerturbedNormal = normal;");
   };
@@ -85,7 +86,8 @@ export async function show(canvas, folder) {
   const record = await (await fetch(folder + "/sea.json")).json();
   const N = record.sea.resolution, L = record.sea.patch_size_m, patches = 3;
   const urlOf = (map) => folder + "/" + record.frames[0].files.find((file) => file.name.startsWith(map)).name;
-  const material = water(await displacementMap(urlOf("displacement")), await gradientMap(urlOf("gradient")));
+  const material = water(await displacementMap(urlOf("displacement")), await byteMap(urlOf("gradient")),
+                         await byteMap(urlOf("foam")));
 
   const scene = new THREE.Scene();
   const sea = new THREE.InstancedMesh(patch(N, L), material, patches * patches);
