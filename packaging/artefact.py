@@ -6,8 +6,8 @@ usage: artefact.py check LIST VERSION SOVERSION FORBIDDEN ARTEFACT
        artefact.py zip OUT FOLDER NAME...
 
 check   compares the names of files with LIST: a pattern of fnmatch in each line, in which @VERSION@
-        and @SOVERSION@ are replaced. Each file matches a line, and each line a file. No file
-        contains FORBIDDEN, the path of the build. No path is absolute, and files of Debian's
+        and @SOVERSION@ are replaced. A line FOLDER/@OTHER.txt has the lines of that list below the
+        folder. Each file matches a line, and each line a file. No file contains FORBIDDEN, the path of the build. No path is absolute, and files of Debian's
         packages belong to root.
 glibc   prints the newest version of the C and C++ libraries that the programs and libraries of
         each artefact need. Fails if the C library's is newer than NEWEST.
@@ -47,9 +47,18 @@ def contents(artefact):
     return files
 
 
+def lines_of(listed):
+    """Lines of a list, and of the lists that it includes."""
+    for line in pathlib.Path(listed).read_text().split("\n"):
+        folder, includes, other = line.partition("/@")
+        if includes and other.endswith(".txt"):
+            yield from (f"{folder}/{name}" for name in lines_of(pathlib.Path(listed).with_name(other)))
+        elif line and not line.startswith("#"):
+            yield line
+
+
 def check(listed, version, soversion, forbidden, artefact):
-    lines = pathlib.Path(listed).read_text().replace("@VERSION@", version).replace("@SOVERSION@", soversion).split("\n")
-    lines = [line for line in lines if line and not line.startswith("#")]
+    lines = [line.replace("@VERSION@", version).replace("@SOVERSION@", soversion) for line in lines_of(listed)]
     files = contents(artefact)
     unlisted = [name for name in files if not any(fnmatch.fnmatchcase(name, line) for line in lines)]
     missing = [line for line in lines if not fnmatch.filter(files, line)]

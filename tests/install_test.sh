@@ -13,6 +13,11 @@ export DESTDIR=  # the caller's DESTDIR would move the prefix
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/prefix"  # package files must not contain their install path
 
+# The packages' lists name each header.
+lists=$examples/../packaging/files
+(cd "$work/prefix/include" && find . -type f | sed 's|^./||' | sort) |
+  diff <(sort "$lists/headers.txt" $([ ! -d "$work/prefix/include/pelagic/gl" ] || echo "$lists/headers_gl.txt")) -
+
 diff -r "$examples/../presets" "$work/prefix/share/pelagic/presets"
 cp -r "$examples" "$work/examples"
 for application in cpp_application c_application; do
