@@ -9,14 +9,9 @@ const maxThreads = 64;
 const defaultMaxThreads = 8;
 
 /** Imports what only node needs, from a file that browsers and bundlers do not load. */
-function nodePlatform() {
+export function nodePlatform() {
   const file = './node_platform.js';
   return import(/* webpackIgnore: true */ /* @vite-ignore */ file);
-}
-
-/** Returns the class Worker, or its substitute in node. */
-export async function workerClass() {
-  return isNode ? (await nodePlatform()).WebWorker : Worker;
 }
 
 export function assertOptions(options) {

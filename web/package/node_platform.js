@@ -35,6 +35,9 @@ export class WebWorker {
   }
 }
 
+/** Returns a worker for remote_ocean.js. */
+export const oceanWorker = () => new WebWorker(new URL('./worker_thread.js', import.meta.url));
+
 /** Calls `make` with WebWorker as the global Worker, which it needs only while it starts. */
 export function withWebWorkers(make) {
   const before = Object.getOwnPropertyDescriptor(globalThis, 'Worker');
