@@ -40,9 +40,11 @@ int usable_cpus() {
     cpu_set_t here;
     CPU_ZERO(&here);
     // Fails if the system has more CPUs than cpu_set_t.
-    const int affinity = sched_getaffinity(0, sizeof here, &here) == 0
-                             ? CPU_COUNT(&here)
-                             : static_cast<int>(std::thread::hardware_concurrency());
+    int affinity = static_cast<int>(std::thread::hardware_concurrency());
+    if (sched_getaffinity(0, sizeof here, &here) == 0) {
+        affinity = 0;
+        for (unsigned cpu = 0; cpu < CPU_SETSIZE; ++cpu) affinity += CPU_ISSET(cpu, &here) ? 1 : 0;
+    }
     const int quota = cpus_of_quota("");
     return std::max(1, quota == 0 ? affinity : std::min(affinity, quota));
 }

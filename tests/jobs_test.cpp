@@ -20,7 +20,6 @@
 #include <thread>
 #include <utility>
 
-#include "pelagic/jobs/cpu_quota.hpp"
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/platform.hpp"
@@ -29,6 +28,9 @@
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#if defined(__linux__)
+#include "pelagic/jobs/cpu_quota.hpp"
+#endif
 
 namespace pelagic {
 namespace {
@@ -649,6 +651,7 @@ TEST(ExecutorOptions, ZeroThreadsMeansOneOnOneCpu) {
     EXPECT_EQ(fallback, 1);
 }
 
+#if defined(__linux__)
 TEST(CpuQuota, SmallestLimitOfAllGroupsIsRoundedUp) {
     const std::filesystem::path root = std::filesystem::path(testing::TempDir()) / "pelagic_cpu_quota";
     const auto write = [&](const std::string& path, const std::string& text) {
@@ -674,6 +677,7 @@ TEST(CpuQuota, SmallestLimitOfAllGroupsIsRoundedUp) {
     EXPECT_EQ(cpus_of_quota(root.string()), 4);
     std::filesystem::remove_all(root);
 }
+#endif
 
 TEST(ExecutorOptions, MaskOfCoresMustContainAnAvailableCore) {
     if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/notes.hpp"
@@ -35,7 +34,7 @@ ComputeOptions ComputeFlags::resolve() const {
     ComputeOptions options;
     if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
     if (const int cpus = default_thread_count(); options.threads > cpus)
-        print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " + number_text(cpus) +
+        print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " + std::to_string(cpus) +
                    ": frames take longer");
     if (isa_) {
         options.isa = isa_named(*isa_);
