@@ -34,8 +34,8 @@ ComputeOptions ComputeFlags::resolve() const {
     ComputeOptions options;
     if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
     if (const int cpus = default_thread_count(); options.threads > cpus)
-        print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " + std::to_string(cpus) +
-                   ": frames take longer");
+        print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " +
+                   std::to_string(cpus) + ": frames take longer");
     if (isa_) {
         options.isa = isa_named(*isa_);
         const std::vector<std::string> here = names_of_isas_here();

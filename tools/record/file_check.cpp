@@ -35,7 +35,8 @@ FileCheck::FileCheck(const OutputFolder& folder, int threads,
     try {
         while (threads_.size() < count) threads_.emplace_back([this] { read_files(); });
     } catch (const std::exception&) {
-        // The system cannot start more threads, or there is no memory for them. Without any, add() reads the files itself.
+        // The system cannot start more threads, or there is no memory for them. Without any, add()
+        // reads the files itself.
     }
 }
 
