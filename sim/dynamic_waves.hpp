@@ -163,7 +163,7 @@ class DynamicWaves {
     std::vector<std::uint8_t> save_state() const;
     /// Restores a state saved with equal options, on any machine of equal byte order. Discards
     /// commands since the last advance. Throws std::invalid_argument and changes nothing if the
-    /// options differ or the bytes are damaged. \pre no frame of an ocean is in flight
+    /// options differ or the bytes are damaged, by a checksum. \pre no frame of an ocean is in flight
     void restore_state(std::span<const std::uint8_t> saved);
 
     /// Returns the options of construction.

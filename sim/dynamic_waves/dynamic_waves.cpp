@@ -31,7 +31,8 @@ constexpr double farthest_tick = 0x1p50;
 constexpr double fastest_mps = 1000;  // of Disturbance
 
 struct SavedClock {
-    std::uint64_t options;  ///< their digest_of()
+    std::uint64_t checksum;  ///< XXH3 of all that follows
+    std::uint64_t options;   ///< their digest_of()
     std::int64_t has_clock, last_tick;
     double last_time_s;
 };
@@ -49,6 +50,12 @@ std::uint64_t digest_of(const DynamicWavesOptions& options) {
                               options.decay_per_s,
                               options.foam_height_m};
     return XXH3_64bits(numbers, sizeof numbers);
+}
+
+/// Returns the XXH3 of a saved state behind its checksum.
+std::uint64_t checksum_of(std::span<const std::uint8_t> saved) {
+    const std::span<const std::uint8_t> checked = saved.subspan(sizeof(SavedClock::checksum));
+    return XXH3_64bits(checked.data(), checked.size());
 }
 
 }  // namespace
@@ -367,11 +374,13 @@ void DynamicWaves::drop_frame() {
 std::vector<std::uint8_t> DynamicWaves::save_state() const {
     const State& s = *state_;
     assert(!s.frame_in_flight);
-    const SavedClock clock = {digest_of(options()), s.has_clock, s.last_tick, s.last_time_s};
+    SavedClock clock = {0, digest_of(options()), s.has_clock, s.last_tick, s.last_time_s};
     std::vector<std::uint8_t> bytes(sizeof clock);
     std::memcpy(bytes.data(), &clock, sizeof clock);
     const std::vector<std::uint8_t> texels = s.grid.saved();
     bytes.insert(bytes.end(), texels.begin(), texels.end());
+    clock.checksum = checksum_of(bytes);
+    std::memcpy(bytes.data(), &clock.checksum, sizeof clock.checksum);
     return bytes;
 }
 
@@ -383,6 +392,8 @@ void DynamicWaves::restore_state(std::span<const std::uint8_t> saved) {
         throw std::invalid_argument(
             invalid_value_message("the saved state", number_text(saved.size()) + " bytes", "more"));
     std::memcpy(&clock, saved.data(), sizeof clock);
+    if (clock.checksum != checksum_of(saved))
+        throw std::invalid_argument("the saved state is damaged, expected the bytes that save_state() returned");
     if (clock.options != digest_of(options()))
         throw std::invalid_argument("the saved state has other options, expected those of these dynamic waves");
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
