@@ -143,6 +143,50 @@ TEST(HullSpray, HasLessEnergyAndMomentumThanTheHullLoses) {
     }
 }
 
+// Drops are slower than a hull that falls fast enough, so that they may not have half of its energy.
+TEST(HullSpray, HasTheMomentumOfTheImpactAtMost) {
+    Thrower box(Hull(box_mesh({4, 1, 2}, 2), {.mass_kg = 0.4 * water_kgpm3 * 8}), {.clump_kg = 1e-3});
+    box.state.position_m.y = 2;
+    box.state.velocity_mps = {0, -95, 0};
+    box.state.orientation = glm::dquat(std::cos(10 * degree_rad), std::sin(10 * degree_rad), 0, 0);
+    constexpr double step_s = 1.0 / 1200;
+    int reached = 0;
+    for (int i = 0; i < 60; ++i) {
+        const HullLoads loads = box.step(step_s);
+        if (box.thrown.emitters().empty()) continue;
+        const double limit = step_s * loads.impact_n;
+        ASSERT_LE(box.momentum_ns(), limit * (1 + 1e-12)) << i;
+        reached += box.momentum_ns() > limit * (1 - 1e-9);
+        ASSERT_LE(box.energy_j(), step_s * loads.impact_w / 2 * (1 + 1e-12)) << i;
+    }
+    EXPECT_GT(reached, 0);
+}
+
+// The thrust of a bore of the height h is rho g h^2 / 2 on a metre of the waterline, here both sides
+// of a wedge of 6 m. The part of the impact's force is that of its energy which is thrown.
+TEST(HullSpray, FoamIsAsHighAsABoreOfTheImpactsThrust) {
+    const double slope = std::tan(20 * degree_rad);
+    Thrower wedge(Hull(wedge_mesh(6, 4, 2 * slope), {.mass_kg = 0.3 * water_kgpm3 * 6 * 4 * slope}),
+                  {.clump_kg = 1e-3});
+    wedge.state.position_m.y = wedge.hull.afloat().draught_m + wedge.hull.afloat().height_m + 0.25;
+    constexpr double step_s = 1.0 / 1200;
+    int compared = 0;
+    for (int i = 0; i < 1000 && compared < 20; ++i) {
+        const HullLoads loads = wedge.step(step_s);
+        if (wedge.thrown.emitters().empty()) continue;
+        ASSERT_LT(wedge.momentum_ns(), 0.99 * step_s * loads.impact_n) << "the drops have all of the energy";
+        const double thrown = wedge.energy_j() / (step_s * loads.impact_w / 2);
+        const double bore_m = std::sqrt(2 * thrown * loads.impact_n / 12 / (water_kgpm3 * gravity_mps2));
+        ASSERT_EQ(wedge.thrown.foam().size(), 8u);
+        for (const Disturbance& foam : wedge.thrown.foam()) {
+            ASSERT_NEAR(foam.height_m / bore_m, 1, 1e-6) << i;
+            ASSERT_NEAR(foam.radius_m, 12.0 / 8, 1e-6);
+        }
+        ++compared;
+    }
+    EXPECT_EQ(compared, 20);
+}
+
 TEST(HullSpray, IsAbsentAtRestInStillWaterAndInSlowMotion) {
     Thrower boat(Hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500}));
     for (int i = 0; i < 120; ++i) {

@@ -478,6 +478,28 @@ TEST(Hull, AHitchIsDividedIntoSteps) {
     EXPECT_EQ(glm::length(loads.slamming.force_n), 0);
     hull.accelerate(state, loads, 0);
     EXPECT_EQ(state.velocity_mps, thrown().velocity_mps);
+
+/// Level water that rises everywhere at one velocity.
+struct RisingWater : StillWater {
+    void set_velocity(float up_mps) { std::fill(velocity_y_.begin(), velocity_y_.end(), up_mps); }
+};
+
+// Waves break before the surface falls freely, so the water's vertical acceleration is at most g.
+// It adds to gravity in the water's pressure.
+TEST(Hull, AccelerationOfTheWaterIsAtMostThatOfGravity) {
+    const Hull hull(box_mesh({4, 1, 2}, 2), {.mass_kg = 0.5 * water_kgpm3 * 8});
+    HullWorkspace workspace;
+    constexpr double step_s = 1.0 / 60, weight_n = 0.5 * water_kgpm3 * 8 * gravity_mps2;
+    for (const double wanted : {0.5, -0.5, 40.0, -40.0}) {
+        RisingWater water;
+        HullState state = hull.at_rest(0, 0);
+        hull.step(water.query(), state, step_s, {}, workspace);
+        water.set_velocity(static_cast<float>(wanted * gravity_mps2 * step_s));
+        const HullLoads loads = hull.loads(water.query(), state, step_s, {}, workspace);
+        const double expected = std::clamp(wanted, -1.0, 1.0);
+        EXPECT_NEAR(loads.water_acceleration_mps2.y, expected * gravity_mps2, 1e-5) << wanted;
+        EXPECT_NEAR(loads.pressure.force_n.y / weight_n, 1 + expected, 1e-4) << wanted;
+    }
 }
 
 TEST(Hull, InvalidInputIsRefusedInOneLineAndChangesNothing) {

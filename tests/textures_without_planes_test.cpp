@@ -143,7 +143,7 @@ TEST(TexturesWithoutPlanes, HaveTheGoldenHashes) {
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
     for (const int cascades : {1, 4})
-        for (const int n : {128, 256}) {
+        for (const int n : {128, 256, 512}) {
             Ocean ocean(textured_sea(cascades, n), {.executor = make_serial_executor(), .planes = false});
             std::ostringstream hash;
             hash << std::hex << hash_of(ocean.frame_at(12.34));
