@@ -15,6 +15,8 @@ namespace pelagic {
 namespace {
 
 constexpr double foam_tick_s = 0.19;
+/// Contraction of the water by one deviation of z, about that of the default sea.
+constexpr double contracts = 0.2;
 
 double fraction_above(double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }
 
@@ -34,6 +36,12 @@ class RandomWaves {
     }
 
     double rate_radps() const { return std::sqrt(rate_); }
+    /// Correlation of the sum with itself a number of ticks ago.
+    double correlation(double ticks) const {
+        double sum = 0;
+        for (const std::complex<double>& turn : turns_) sum += std::cos(ticks * std::arg(turn)) / 48;
+        return sum;
+    }
     double next() {
         double sum = 0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
@@ -54,22 +62,32 @@ TEST(FoamAccumulation, CoverMatchesTheFormula) {
     for (const double frequency_radps : {0.37, 1.05, 3.7}) {
         for (const double level : {1.5, 2.5}) {
             if (is_sanitized && (frequency_radps != 1.05 || level != 1.5)) continue;
-            double measured = 0, expected = 0;
+            double measured = 0, expected = 0, measured_area = 0, expected_area = 0;
             const int seas = 150, ticks = 2000;
             for (unsigned sea = 0; sea < seas; ++sea) {
                 RandomWaves waves(frequency_radps, sea);
-                double foam = 0, sum = 0;
+                FoamAccumulation::Contraction contraction;
+                for (std::size_t tick = 0; tick < contraction.size(); ++tick)
+                    contraction[tick] = contracts * waves.correlation(static_cast<double>(tick));
+                double foam = 0, sum = 0, sum_of_area = 0;
                 for (int tick = -30; tick < ticks; ++tick) {
-                    const double source = 0.5 + (waves.next() - level) / FoamAccumulation::ramp_deviations;
+                    const double z = waves.next(), source = 0.5 + (z - level) / FoamAccumulation::ramp_deviations;
                     foam = std::max(std::clamp(source, 0.0, 1.0), foam - 1 / FoamAccumulation::fading_ticks);
-                    if (tick >= 0) sum += foam;
+                    if (tick < 0) continue;
+                    sum += foam;
+                    sum_of_area += (1 - contracts * z) * foam;
                 }
+                const FoamAccumulation formula(waves.rate_radps(), foam_tick_s);
                 measured += sum / ticks / seas;
-                expected += FoamAccumulation(waves.rate_radps(), foam_tick_s).cover(level) / seas;
+                measured_area += sum_of_area / ticks / seas;
+                expected += formula.cover(level) / seas;
+                expected_area += formula.cover_of_area(level, contraction) / seas;
             }
             // Crossings come in groups, which the formula neglects: the ratio is 0.93 for rare
             // crossings of short waves, and 1.05 otherwise.
             EXPECT_NEAR(measured / expected, 1, 0.1) << frequency_radps << " rad/s, level " << level;
+            EXPECT_NEAR(measured_area / measured, expected_area / expected, 0.03)
+                << frequency_radps << " rad/s, level " << level;
         }
     }
 }
@@ -81,7 +99,10 @@ TEST(FoamAccumulation, CoverOfStaticWavesEqualsTheSource) {
             source += fraction_above(level + FoamAccumulation::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
         // The formula takes crossings as independent, so some coincide: half of a twentieth, which
         // is the ramp's share at level 1.
-        EXPECT_NEAR(FoamAccumulation(1e-6, foam_tick_s).cover(level) / source, 1, 0.025) << level;
+        const FoamAccumulation foam(1e-6, foam_tick_s);
+        EXPECT_NEAR(foam.cover(level) / source, 1, 0.025) << level;
+        // That of the area counts crossings from below only.
+        EXPECT_NEAR(foam.cover_of_area(level, {}) / source, 1, 0.005) << level;
     }
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "pelagic/sim/foam/accumulation.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
@@ -113,6 +112,7 @@ Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
     add(compression, other.compression);
     for (std::size_t width = 0; width < compression_of_width.size(); ++width)
         add(compression_of_width[width], other.compression_of_width[width]);
+    for (std::size_t tick = 0; tick < contraction.size(); ++tick) contraction[tick] += other.contraction[tick];
     return *this;
 }
 
@@ -125,7 +125,8 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
               .drift_x_mps = blend(&Sums::drift_x_mps),
               .drift_z_mps = blend(&Sums::drift_z_mps),
               .compression = {},
-              .compression_of_width = {}};
+              .compression_of_width = {},
+              .contraction = {}};
     const auto between_both = [&](const Compression& a, const Compression& b) {
         return Compression{(1 - weight) * a.square + weight * b.square,
                            (1 - weight) * a.rate_square + weight * b.rate_square};
@@ -134,6 +135,8 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
     for (std::size_t width = 0; width < FoamFilter::widths; ++width)
         sums.compression_of_width[width] =
             between_both(before.compression_of_width[width], after.compression_of_width[width]);
+    for (std::size_t tick = 0; tick < sums.contraction.size(); ++tick)
+        sums.contraction[tick] = (1 - weight) * before.contraction[tick] + weight * after.contraction[tick];
     sums.slopes += after.slopes * weight;
     return sums;
 }
@@ -145,19 +148,28 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
             .drift_x_mps = stokes.along,
             .drift_z_mps = stokes.across,
             .compression = {},
-            .compression_of_width = {}};
+            .compression_of_width = {},
+            .contraction = {}};
 }
 
 /// Adds the compression of a frequency band. The mean over a square of width w, interpolated
 /// between such squares, attenuates waves as a Gaussian does: their mean square by exp(-k^2 w^2 /
 /// 3) (measured; a box alone gives 1/12). The finest squares are the texels, whose filter the
 /// statistics include.
-void Weather::Sums::add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps) {
-    const double square = plan.foam_weight() * plan.foam_weight();
-    const Compression all{square * band.folding.trace_square, square * band.folding.trace_rate_square};
+void Weather::Sums::add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps,
+                                double drift_of_usual, double tick_s) {
+    if (!(plan.foam_weight() > 0 && band.folding.trace_square > 0)) return;
+    const double square = plan.foam_weight() * plan.foam_weight() * band.folding.trace_square;
+    // The moments hold the frequency that foam of the usual drift meets.
+    const double met_radps = std::sqrt(band.folding.trace_rate_square / band.folding.trace_square);
+    const double rate_radps = frequency_radps + drift_of_usual * (met_radps - frequency_radps);
+    const Compression all{square, square * rate_radps * rate_radps};
     const double k = frequency_radps * frequency_radps / gravity_mps2, texel_m = plan.grid.side_m / plan.resolution;
     compression.square += all.square;
     compression.rate_square += all.rate_square;
+    for (std::size_t tick = 0; tick < contraction.size(); ++tick)
+        contraction[tick] += plan.foam_weight() * band.folding.trace_square *
+                             det::sine_cosine_of_turns(static_cast<double>(tick) * tick_s * rate_radps / two_pi).cosine;
     for (std::size_t width = 0; width < FoamFilter::widths; ++width) {
         const double width_m = std::ldexp(FoamFilter::first_width_m, static_cast<int>(width));
         const double kept = det::exp(-k * k * std::max(width_m * width_m - texel_m * texel_m, 0.0) / 3);
@@ -182,7 +194,11 @@ void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStat
     const double cover = whitecap_cover(sea), tick_s = TickClock(sea.loop_period_s).tick_s();
     statistics.compression_deviation = sea.choppiness * std::sqrt(all);
     if (!(cover > 0 && statistics.compression_deviation >= min_compression_deviation)) return;
-    statistics.foam_level = FoamAccumulation(std::sqrt(all_rates / all), tick_s).level_of(cover);
+    const FoamAccumulation whole(std::sqrt(all_rates / all), tick_s);
+    FoamAccumulation::Contraction contraction = sums.contraction;
+    for (double& covariance : contraction) covariance *= sea.choppiness / std::sqrt(all);
+    statistics.foam_level = whole.level_of_area(cover, contraction);
+    const double log_area = det::log(cover / whole.cover(statistics.foam_level));
     // Narrow squares leave out little, and take the parabola of a wider one.
     for (std::size_t width = FoamFilter::widths; width-- > 0;) {
         const auto& [kept, kept_rates] = sums.compression_of_width[width];
@@ -196,7 +212,8 @@ void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStat
         const auto log_count = [&](double x) { return det::log(-det::log(1 - foam.cover(x))); };
         const double y_0 = log_count(0.5), y_1 = log_count(2), y_2 = log_count(3.5);
         const double slope = (y_2 - y_0) / 3, bend = (y_2 - 2 * y_1 + y_0) / 4.5;
-        filter.a = static_cast<float>(y_1 - 2 * slope + 4 * bend);
+        // What the mean leaves out has this share of the contraction, too.
+        filter.a = static_cast<float>(y_1 - 2 * slope + 4 * bend + rest / all * log_area);
         filter.b = static_cast<float>(slope - 4 * bend);
         filter.c = static_cast<float>(bend);
     }
@@ -242,26 +259,27 @@ void Weather::adopt(Sources sources) {
     const std::size_t place = cache_.put(baked_number_);
     Sums sums;
     std::vector<Sums> by_band;
+    for (std::size_t cascade = 0; cascade < sources.size(); ++cascade)
+        sums += Sums::of(sources[cascade]->adopt_spectrum(baked_number_, place), sources[cascade]->grid());
+    const WindDrift wind = wind_drift(baked), usual = usual_foam_drift(baked);
+    sums.drift_x_mps += wind.x_mps;
+    sums.drift_z_mps += wind.z_mps;
+    const double drift_of_usual = (sums.drift_x_mps * usual.x_mps + sums.drift_z_mps * usual.z_mps) /
+                                  (usual.x_mps * usual.x_mps + usual.z_mps * usual.z_mps);
+    const double tick_s = TickClock(baked.loop_period_s).tick_s();
     for (std::size_t cascade = 0; cascade < sources.size(); ++cascade) {
-        SeaSource& source = *sources[cascade];
-        const CascadePlan& plan = plans(baked_number_)[cascade];
-        const LineStatistics added = source.adopt_spectrum(baked_number_, place);
-        sums += Sums::of(added, source.grid());
-        const StatisticsByBand* const bands = source.statistics_by_band(place);
+        const StatisticsByBand* const bands = sources[cascade]->statistics_by_band(place);
         if (!bands) continue;
         by_band.resize(std::max(by_band.size(), bands->end()));
         for (std::size_t band = bands->first(); band < bands->end(); ++band) {
             const double frequency = two_pi / baked.loop_period_s * middle_harmonic(band);
             Sums foam;
-            foam.add_foam_of(bands->at(band), plan, frequency);
+            foam.add_foam_of(bands->at(band), plans(baked_number_)[cascade], frequency, drift_of_usual, tick_s);
             sums += foam;
-            by_band[band] += Sums::of(bands->at(band), source.grid());
+            by_band[band] += Sums::of(bands->at(band), sources[cascade]->grid());
             by_band[band] += foam;
         }
     }
-    const WindDrift wind = wind_drift(baked);
-    sums.drift_x_mps += wind.x_mps;
-    sums.drift_z_mps += wind.z_mps;
     Sums by_wind;
     by_wind.drift_x_mps = wind.x_mps;
     by_wind.drift_z_mps = wind.z_mps;

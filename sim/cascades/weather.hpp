@@ -14,6 +14,7 @@
 #include "pelagic/sim/cascades/arrival.hpp"
 #include "pelagic/sim/cascades/sea_source.hpp"
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
+#include "pelagic/sim/foam/accumulation.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
@@ -88,8 +89,12 @@ class Weather {
         } compression;
         /// Mean squares of their means over squares of FoamFilter's widths.
         std::array<Compression, FoamFilter::widths> compression_of_width;
+        /// Covariances of the contraction with the weighted compression, by its age in foam ticks.
+        FoamAccumulation::Contraction contraction{};
 
-        void add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps);
+        /// \param drift_of_usual  drift of the sea's foam along usual_foam_drift(), divided by it
+        void add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps,
+                         double drift_of_usual, double tick_s);
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double weight);
         /// Returns the sums of one cascade, with the Stokes drift as the drift.

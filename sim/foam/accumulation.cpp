@@ -33,29 +33,17 @@ constexpr Node nodes[] = {{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.8
 /// result is nearly linear in the level.
 double rarity(double cover) { return std::sqrt(-2 * det::log(cover)); }
 
-}  // namespace
-
-FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s, double ramp)
-    : ramp_(ramp), half_turn_of_tick_(frequency_radps * tick_s / 2) {
-    const double fall = ramp / (fading_ticks * tick_s * frequency_radps);
-    crossings_ = density(fall) / fall + (1 - tail_probability(fall));
+/// Returns k at an age of [0, 15] ticks.
+double at_age(const FoamAccumulation::Contraction& contraction, double ticks) {
+    const std::size_t before = std::min(static_cast<std::size_t>(ticks), contraction.size() - 2);
+    const double after = contraction[before + 1] - contraction[before];
+    return contraction[before] + (ticks - static_cast<double>(before)) * after;
 }
 
-double FoamAccumulation::cover(double level) const {
-    const double r = level * half_turn_of_tick_;
-    const double seen = r < 1e-3 ? 1 : 2.50662827463100050242 * (0.5 - tail_probability(r)) / r;
-    const double all_white = tail_probability(level + ramp_ / 2);
-    double cover = 0;
-    for (const Node& node : nodes) {
-        const double white = tail_probability(level + ramp_ * (node.foam - 0.5));
-        const double crossings = seen * crossings_ * (white - all_white);
-        cover += node.weight * (1 - (1 - all_white) * det::exp(-crossings / (1 - all_white)));
-    }
-    return cover;
-}
-
-// Secant method; rarity(cover(level)) is nearly linear.
-double FoamAccumulation::level_of(double target) const {
+/// Returns the level in [0, 9] of a cover. \param cover  a function of the level
+/// Secant method; rarity(cover(level)) is nearly linear.
+template <class Cover>
+double level_with(double target, const Cover& cover) {
     const double goal = rarity(target);
     double last = 1, level = 3;
     double last_rarity = rarity(cover(last));
@@ -68,6 +56,66 @@ double FoamAccumulation::level_of(double target) const {
         level = std::clamp(next, 0.0, 9.0);
     }
     return level;
+}
+
+}  // namespace
+
+FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s, double ramp)
+    : ramp_(ramp),
+      half_turn_of_tick_(frequency_radps * tick_s / 2),
+      fall_(ramp / (fading_ticks * tick_s * frequency_radps)),
+      crossings_(density(fall_) / fall_ + (1 - tail_probability(fall_))) {}
+
+double FoamAccumulation::sampled(double level) const {
+    const double r = level * half_turn_of_tick_;
+    return r < 1e-3 ? 1 : 2.50662827463100050242 * (0.5 - tail_probability(r)) / r;
+}
+
+double FoamAccumulation::cover(double level) const {
+    const double seen = sampled(level);
+    const double all_white = tail_probability(level + ramp_ / 2);
+    double cover = 0;
+    for (const Node& node : nodes) {
+        const double white = tail_probability(level + ramp_ * (node.foam - 0.5));
+        const double crossings = seen * crossings_ * (white - all_white);
+        cover += node.weight * (1 - (1 - all_white) * det::exp(-crossings / (1 - all_white)));
+    }
+    return cover;
+}
+
+double FoamAccumulation::level_of(double target) const {
+    return level_with(target, [&](double level) { return cover(level); });
+}
+
+double FoamAccumulation::cover_of_area(double level, const Contraction& contraction) const {
+    const auto hazard = [](double boundary) { return density(boundary) / (1 - tail_probability(boundary)); };
+    const double seen = sampled(level), white = level + ramp_ / 2;
+    const double below_white = 1 - tail_probability(white), hazard_white = hazard(white);
+    double cover = 0;
+    for (const Node& node : nodes) {
+        const double now = level + ramp_ * (node.foam - 0.5), oldest = (1 - node.foam) * fading_ticks;
+        const double below = 1 - tail_probability(now);
+        const double none = below_white * det::exp(seen * crossings_ * det::log(below / below_white));
+        // Simpson's rule over the boundary. The age is linear in it: w p(c) da = p(c) / c db.
+        constexpr int steps = 8;
+        double by_age = 0;
+        for (int step = 0; step <= steps; ++step) {
+            const double part = static_cast<double>(step) / steps, boundary = now + part * (white - now);
+            const double weight = step == 0 || step == steps ? 1 : step % 2 == 0 ? 2 : 4;
+            const double rate = hazard(boundary);
+            by_age += weight * (boundary + rate) * rate * at_age(contraction, part * oldest);
+        }
+        by_age *= density(fall_) / fall_ * (white - now) / (3 * steps);
+        const double old = hazard_white * at_age(contraction, oldest);
+        const double change =
+            old + seen * (by_age + (1 - tail_probability(fall_)) * (hazard(now) * contraction[0] - old));
+        cover += node.weight * (1 - none * (1 + change));
+    }
+    return cover;
+}
+
+double FoamAccumulation::level_of_area(double target, const Contraction& contraction) const {
+    return level_with(target, [&](double level) { return cover_of_area(level, contraction); });
 }
 
 }  // namespace pelagic

@@ -24,7 +24,21 @@
 // (parabolic approximation). So the fraction of crossings that a tick samples is
 //
 //   E min(1, 2 V / (z w d)) = sqrt(2 pi) (1/2 - P(r)) / r,   r = z w d / 2.
+//
+// All this is a fraction of undisplaced water. Crests contract the water, so foam covers less of
+// the sea's area: E[(1 + T) foam], where T is the divergence of the displacement now. With the
+// covariances E[T(t) z(t - a)] = -k(a) of Gaussians, E[T foam] is the derivative of the cover with
+// respect to e where b(a) + e k(a) is the boundary (Stein 1981). With Q = 1 - P and h = p / Q, water
+// that has less foam than y has had no crossing from below the boundary, in time A = (1 - y) F:
+//
+//   ln Q_y = ln Q(b_1) - f int_0^A p(b) E[(dz/dt + s/F)^+] / Q(b) da,   f: fraction that ticks sample
+//   d ln Q_y / de = h(b_1) k(A) + f (w p(c) int_0^A (b + h) h k da + Q(c) (h(b_y) k(0) - h(b_1) k(A)))
+//
+// where k' of the boundary's slope is integrated by parts. The cover of the area is the integral
+// over y of 1 - Q_y (1 + d ln Q_y / de).
 #pragma once
+
+#include <array>
 
 namespace pelagic {
 
@@ -48,9 +62,18 @@ class FoamAccumulation {
     /// Returns z_w, in [0, 9], for a cover in (0, 0.4]; error below 1e-4 if a solution exists.
     double level_of(double cover) const;
 
+    /// k(a) at ages of 0, 1, 2 to 15 ticks.
+    using Contraction = std::array<double, 16>;
+    /// As cover() and level_of(), of the sea's area.
+    double cover_of_area(double level, const Contraction& contraction) const;
+    double level_of_area(double cover, const Contraction& contraction) const;
+
    private:
+    double sampled(double level) const;  ///< f
+
     double ramp_;
     double half_turn_of_tick_;
+    double fall_;       ///< c
     double crossings_;  ///< n(y) / (P(b_y) - P(b_1))
 };
 
