@@ -77,8 +77,8 @@ std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the
 /// chain of foam, the bytes of compression and the chains of snapshots, in this order, without
-/// those that the frame does not have. Foam is a
-/// function of the sea and the time, as all outputs are.
+/// those that the frame does not have, then the drift and the scale; last the level and the ages of
+/// Frame::foam. Foam is a function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
 
 }  // namespace pelagic

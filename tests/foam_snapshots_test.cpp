@@ -211,6 +211,52 @@ TEST(FoamSnapshots, OfTheLastFrameAreNotOverwritten) {
     }
 }
 
+// A snapshot stays for 16 ticks and ages by a 15th in each.
+TEST(FoamSnapshots, AgeFor16Ticks) {
+    const SeaState sea{.cascades = 2, .resolution = 32, .wind_speed_mps = 15, .loop_period_s = 40};
+    Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
+    const TickClock clock(sea.loop_period_s);
+    for (const double ticks : {0.25, 7.5, 15.75, 16.5, 57.25, -7.5}) {
+        const Frame& frame = ocean.frame_at(ticks * clock.tick_s());
+        for (int back = 0; back < 16; ++back) {
+            const double number = std::floor(ticks) - back;
+            const std::size_t slot = SnapshotFoam::slot_of(clock.in_loop(static_cast<std::int64_t>(number)));
+            EXPECT_NEAR(frame.foam.age[slot], (ticks - number) / 15, 1e-6) << ticks << " - " << back;
+        }
+    }
+    const auto bytes_of_tick = [&](int number, int at_tick) {
+        const Cascade& cascade = ocean.frame_at((at_tick + 0.5) * clock.tick_s()).cascades[0];
+        const std::size_t slot = SnapshotFoam::slot_of(number);
+        std::vector<std::uint32_t> bytes;
+        for (const std::uint32_t word : cascade.snapshots_rgba8[slot / 4])
+            bytes.push_back(word >> 8 * (slot % 4) & 255);
+        return bytes;
+    };
+    const std::vector<std::uint32_t> fresh = bytes_of_tick(20, 20);
+    EXPECT_EQ(bytes_of_tick(20, 35), fresh);
+    EXPECT_NE(bytes_of_tick(20, 36), fresh);
+}
+
+TEST(FoamSnapshots, AreHashedWithAllThatFoamIsMadeOf) {
+    const SeaState sea{.cascades = 2, .resolution = 32, .wind_speed_mps = 15};
+    Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
+    const Frame& frame = ocean.frame_at(5);
+    const auto hash_after = [&](auto change) {
+        Frame changed = frame;
+        std::vector<Cascade> cascades(frame.cascades.begin(), frame.cascades.end());
+        change(changed.foam, cascades[1]);
+        changed.cascades = cascades;
+        return foam_hash_of(changed);
+    };
+    const std::uint64_t hash = foam_hash_of(frame);
+    EXPECT_EQ(hash_after([](SnapshotFoam&, Cascade&) {}), hash);
+    EXPECT_NE(hash_after([](SnapshotFoam& foam, Cascade&) { foam.level += 1e-6f; }), hash);
+    EXPECT_NE(hash_after([](SnapshotFoam& foam, Cascade&) { foam.age[15] += 1e-6f; }), hash);
+    EXPECT_NE(hash_after([](SnapshotFoam&, Cascade& cascade) { cascade.drift_columns += 1e-9; }), hash);
+    EXPECT_NE(hash_after([](SnapshotFoam&, Cascade& cascade) { cascade.drift_rows += 1e-9; }), hash);
+    EXPECT_NE(hash_after([](SnapshotFoam&, Cascade& cascade) { cascade.compression_scale *= 1.001f; }), hash);
+}
+
 TEST(FoamSnapshots, VersionsChangeWithTheirImages) {
     const SeaState sea{.cascades = 2, .resolution = 32, .wind_speed_mps = 15};
     Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});

@@ -36,7 +36,12 @@ std::uint64_t foam_hash_of(const Frame& frame) {
         XXH3_64bits_update(&state, cascade.compression_r8.data(), cascade.compression_r8.size());
         for (const std::span<const std::uint32_t> image : cascade.snapshots_rgba8)
             XXH3_64bits_update(&state, image.data(), image.size_bytes());
+        const double placed[] = {cascade.drift_columns, cascade.drift_rows,
+                                 static_cast<double>(cascade.compression_scale)};
+        XXH3_64bits_update(&state, placed, sizeof placed);
     }
+    XXH3_64bits_update(&state, &frame.foam.level, sizeof frame.foam.level);
+    XXH3_64bits_update(&state, frame.foam.age.data(), sizeof frame.foam.age);
     return XXH3_64bits_digest(&state);
 }
 
