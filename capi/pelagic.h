@@ -1091,10 +1091,10 @@ typedef struct pelagic_shore_options {
     /* Width of the strip along the edges over which the coarsest cascade fades; at most half of the
      * shorter side. 0: an eighth of it. */
     double fade_m;
-    double swash_m; /* maximum height that waves reach on dry sand; [0, 10] */
+    double swash_m; /* maximum height that waves reach on dry sand; [0, 10]; 0: from sea and slope */
 } pelagic_shore_options;
 
-/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a swash of 0.25 m.
+/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a derived swash.
  *
  * Threads: any. */
 PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -104,15 +105,16 @@ TEST(Shoaling, EndsWhereWavesBreak) {
     const SeaState sea = one_wave(0.8);
     const OpenWave wave = wave_of(sea);
     ShoreOptions shore = beach(1000, 400, 40, 150, 5);
+    shore.swash_m = 0.25;
     Ocean ocean(sea, {.executor = make_serial_executor(), .shore = shore});
     bool breaks = false;
     for (int i = 0; i < 16; ++i) {
         const ShoreSurface& shown = ocean.frame_at(i * (2 * pi / wave.omega) / 16).shore;
         for (std::size_t texel = 0; texel < shown.height_m.size(); ++texel) {
             const double d = static_cast<double>(shown.depth_m[texel]);
-            // The deviation is 0.42 d over sqrt 8, and an amplitude is sqrt 2 of it. At the
-            // waterline the depth is that of the swash.
-            const double stands = 0.21 * std::max(d, shore.swash_m / 0.66);
+            // The deviation is 0.42 d over sqrt 8, and an amplitude is sqrt 2 of it. Waves run up
+            // on sand to the height of the swash.
+            const double stands = d > 0.02 ? 0.21 * d : shore.swash_m;
             EXPECT_LE(std::fabs(static_cast<double>(shown.height_m[texel])), stands * 1.0001);
             breaks |= shown.foam[texel] > 128;
             if (d > 6) {
@@ -207,6 +209,76 @@ TEST(Breaking, LimitsHeightsToTheDepth) {
             saturated += line.hm0_m > 0.5 * line.depth_m;
         }
         EXPECT_GT(saturated, 6);
+    }
+}
+
+/// A slope of 1:55 from 10 m of water to 3 m of sand, for waves of 3 m and 10 s.
+struct SwashSea {
+    static constexpr double hs_m = 3, wavelength_m = 156.1, slope = 1.0 / 55, waterline_m = 200 + 10 / slope;
+    SeaState sea{.waves = WaveModel::analytic,
+                 .cascades = 2,
+                 .resolution = 64,
+                 .loop_period_s = 1200,
+                 .wave_count = 32,
+                 .longest_wave_m = wavelength_m,
+                 .wave_height_m = hs_m};
+    ShoreOptions shore = shore_of(461, 76, 2, [](double x, double) { return -10 + std::max(0.0, x - 200) * slope; });
+};
+
+// R2 = 0.043 sqrt(H0 L0) on dissipative beaches (Stockdon et al. 2006, equation 18).
+TEST(Swash, ReachesTheRunUpOf2PercentOfTheWaves) {
+    const SwashSea of;
+    Ocean ocean(of.sea, {.executor = make_serial_executor(), .shore = of.shore});
+    constexpr int lines = 8, steps = 2400, half_wave = 10;
+    std::vector<double> run_up[lines];
+    for (int step = 0; step < steps; ++step) {
+        const ShoreSurface& shown = ocean.frame_at(step * of.sea.loop_period_s / steps).shore;
+        for (int line = 0; line < lines; ++line) {
+            double highest_m = 0;
+            for (double ground_m = 0.02; ground_m < 2.5; ground_m += 0.02)
+                if (sample(shown, of.waterline_m + ground_m / of.slope, 40 + 10 * line).height_m >= ground_m)
+                    highest_m = ground_m;
+            run_up[line].push_back(highest_m);
+        }
+    }
+    std::vector<double> crests;
+    for (const std::vector<double>& each : run_up)
+        for (int i = half_wave; i + half_wave < steps; ++i) {
+            const auto at = each.begin() + i;
+            if (*at > 0 && *at == *std::max_element(at - half_wave, at + half_wave + 1) && *at > *(at - 1))
+                crests.push_back(*at);
+        }
+    std::sort(crests.begin(), crests.end());
+    ASSERT_GT(crests.size(), 200u);
+    const double r2_m = crests[static_cast<std::size_t>(0.98 * static_cast<double>(crests.size()))];
+    std::printf("run-up of 2 %%: %.2f m, median %.2f m, %d crests\n", r2_m, crests[crests.size() / 2],
+                static_cast<int>(crests.size()));
+    EXPECT_NEAR(r2_m / (0.043 * std::sqrt(of.hs_m * of.wavelength_m)), 1, 0.2);
+}
+
+TEST(Swash, DoesNotLiftWavesInTheWater) {
+    SwashSea of;
+    for (const double swash_m : {0.0, 1.0, 3.0}) {
+        of.shore.swash_m = swash_m;
+        Ocean ocean(of.sea, {.executor = make_serial_executor(), .queries = true, .shore = of.shore});
+        std::vector<double> x, z;
+        for (const double depth_m : {0.19, 0.3, 0.5, 1.0})
+            for (int place = 0; place < 8; ++place) {
+                x.push_back(of.waterline_m - depth_m / of.slope);
+                z.push_back(40 + 10 * place);
+            }
+        std::vector<float> heights(x.size());
+        std::vector<double> squares(x.size());
+        constexpr int times = 300;
+        for (int i = 0; i < times; ++i) {
+            SurfaceQuery(ocean.frame_at(of.sea.loop_period_s * i / times)).sample({x, z}, {.height_m = heights});
+            for (std::size_t at = 0; at < x.size(); ++at)
+                squares[at] += static_cast<double>(heights[at]) * static_cast<double>(heights[at]) / times;
+        }
+        for (std::size_t at = 0; at < x.size(); ++at) {
+            const double depth_m = (of.waterline_m - x[at]) * of.slope;
+            EXPECT_LE(4 * std::sqrt(squares[at]), 0.64 * depth_m) << depth_m << " m, swash " << swash_m;
+        }
     }
 }
 

@@ -22,12 +22,14 @@ constexpr std::size_t max_shelter_waves = 8;
 // Intervals of a cascade's table of attenuation by depth, uniform in the square root of the depth.
 constexpr int depth_intervals = 256;
 
-// Distance from the water to which waves run up on sand, with a height that falls with each texel.
-constexpr int swash_texels = 8;
 // Run-up distance on any ground, for interpolation at the waterline. Beyond it, waves run up only
 // where the ground is at most max_ground_over_swash times the swash height.
 constexpr int steep_swash_texels = 2;
-constexpr double max_ground_over_swash = 2;
+constexpr double max_ground_over_swash = 1.5;
+
+/// Deviations of a crest that 5 % of all crests exceed: sqrt(2 ln 20), by Rayleigh. They reach the
+/// swash height, and so do the highest 2 % of a sea of few waves.
+constexpr double crest_of_5_percent = 2.448;
 
 // Lower amplitudes are set to 0, so that no sum has denormal numbers, which are slow.
 constexpr double min_shore_amplitude_m = 1e-9;
@@ -66,37 +68,83 @@ void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
     if (j + 1 < bed.rows) take(here + columns);
 }
 
-/// Extrapolates phase and height from water to sand. With each texel, the phase lag grows and the
-/// height falls.
-void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m) {
-    struct Reached {
-        std::size_t texel;
-        double phase, height;
-    };
-    std::vector<std::size_t> sand;
-    for (std::size_t texel = 0; texel < bed.texels(); ++texel)
-        if (!bed.is_water(texel)) sand.push_back(texel);
-    std::vector<Reached> reached;
-    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
-        reached.clear();
-        for (const std::size_t here : sand) {
-            if (phase[here] < Refraction::nowhere) continue;
-            if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m) continue;
-            double nearest = 0 - Refraction::nowhere, highest = 0;
-            const auto columns = static_cast<std::size_t>(bed.columns);
-            for_neighbours(bed, static_cast<int>(here % columns), static_cast<int>(here / columns),
-                           [&](std::size_t texel) {
-                               if (!(phase[texel] < Refraction::nowhere)) return;
-                               nearest = std::max(nearest, phase[texel]);
-                               highest = std::max(highest, height[texel]);
-                           });
-            if (highest > 0)
-                reached.push_back(
-                    {here, nearest + k * bed.texel_m, highest * (1 - 1.0 / (swash_texels + 2 - texel_away))});
+/// Returns the height above still water of the run-up that 2 % of the waves exceed, with the set-up
+/// (H. F. Stockdon et al. 2006, "Empirical parameterization of setup, swash, and runup", equations
+/// 18 and 19). \param slope  of the beach at the waterline
+double run_up_of_2_percent(double wave_height_m, double wavelength_m, double slope) {
+    const double scale = std::sqrt(wave_height_m * wavelength_m);
+    if (!(scale > 0)) return 0;
+    if (slope * wavelength_m < 0.3 * scale) return 0.043 * scale;
+    return 1.1 * scale * (0.35 * slope + 0.5 * std::sqrt(0.563 * slope * slope + 0.004));
+}
+
+/// Returns the median slope of the ground between water and land, 0 if the bed has no land.
+double waterline_slope(const SeaBed& bed) {
+    std::vector<double> slopes;
+    for (int j = 1; j + 1 < bed.rows; ++j)
+        for (int i = 1; i + 1 < bed.columns; ++i) {
+            if (bed.is_water(bed.at(i, j))) continue;
+            bool is_edge = false;
+            for_neighbours(bed, i, j, [&](std::size_t texel) { is_edge |= bed.is_water(texel); });
+            if (!is_edge) continue;
+            const double x = bed.depth_m[bed.at(i + 1, j)] - bed.depth_m[bed.at(i - 1, j)];
+            const double z = bed.depth_m[bed.at(i, j + 1)] - bed.depth_m[bed.at(i, j - 1)];
+            slopes.push_back(std::sqrt(x * x + z * z) / (2 * bed.texel_m));
         }
-        if (reached.empty()) break;
-        for (const Reached& each : reached) phase[each.texel] = each.phase, height[each.texel] = each.height;
+    if (slopes.empty()) return 0;
+    const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return *middle;
+}
+
+/// Calls take(texel, neighbours) for the texels of sand that waves may reach, from the water on: a
+/// texel comes after those of its neighbours that are in `neighbours`.
+/// \param swash_texels  largest distance from the water, in texels
+template <class Take>
+void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Take take) {
+    std::vector<std::uint8_t> is_known(bed.texels());
+    std::vector<std::size_t> edge, next, from;
+    for (std::size_t texel = 0; texel < bed.texels(); ++texel)
+        if ((is_known[texel] = bed.is_water(texel))) edge.push_back(texel);
+    const auto columns = static_cast<std::size_t>(bed.columns);
+    const auto for_those_around = [&](std::size_t texel, auto visit) {
+        for_neighbours(bed, static_cast<int>(texel % columns), static_cast<int>(texel / columns), visit);
+    };
+    for (int texel_away = 1; texel_away <= swash_texels && !edge.empty(); ++texel_away) {
+        next.clear();
+        for (const std::size_t texel : edge)
+            for_those_around(texel, [&](std::size_t here) {
+                if (is_known[here]) return;
+                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m) return;
+                next.push_back(here);
+            });
+        std::sort(next.begin(), next.end());
+        next.erase(std::unique(next.begin(), next.end()), next.end());
+        for (const std::size_t here : next) {
+            from.clear();
+            for_those_around(here, [&](std::size_t texel) {
+                if (is_known[texel]) from.push_back(texel);
+            });
+            take(here, from);
+        }
+        for (const std::size_t here : next) is_known[here] = 1;
+        std::swap(edge, next);
     }
+}
+
+/// Extrapolates phase and height from water to sand. With each texel, the phase lag grows.
+void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m,
+            int swash_texels) {
+    for_sand(bed, swash_m, swash_texels, [&](std::size_t here, const std::vector<std::size_t>& from) {
+        if (phase[here] < Refraction::nowhere) return;
+        double nearest = 0 - Refraction::nowhere, highest = 0;
+        for (const std::size_t texel : from) {
+            if (!(phase[texel] < Refraction::nowhere)) continue;
+            nearest = std::max(nearest, phase[texel]);
+            highest = std::max(highest, height[texel]);
+        }
+        if (highest > 0) phase[here] = nearest + k * bed.texel_m, height[here] = highest;
+    });
 }
 
 }  // namespace
@@ -106,7 +154,6 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     : bed_(options),
       sea_(sea),
       fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
-      swash_m_(std::max(options.swash_m, min_envelope_m)),
       kernels_(kernels),
       waves_(shore_waves(sea, plans.front())),
       amplitudes_(bed_.texels() * 2 * waves_.size(), memory),
@@ -120,8 +167,6 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
       moments_(waves_.size()) {
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
-    std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
-
     const std::size_t shelters = std::min(max_shelter_waves, waves_.size());
     const auto first = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - shelters) / 2);
     bake_->shelter_waves.assign(first, first + static_cast<std::ptrdiff_t>(shelters));
@@ -144,6 +189,19 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
         bake_->variances.push_back(attenuation.variance());
         bake_->depth_attenuations.push_back(attenuation.at(depths_m));
     }
+    double variance = 0;
+    for (const double of_cascade : bake_->variances) variance += of_cascade;
+    const double slope = waterline_slope(bed_), peak_m = WaveReach::of(sea).peak_m;
+    swash_m_ = options.swash_m;
+    if (swash_m_ == 0 && peak_m > 0)
+        swash_m_ = run_up_of_2_percent(4 * std::sqrt(variance),
+                                       peak_m / det::tanh(two_pi / peak_m * sea.depth_m), slope);
+    // Twice the length of the run-up, and no plain of any width.
+    swash_texels_ = steep_swash_texels;
+    if (slope > 0)
+        swash_texels_ += static_cast<int>(std::min(2 * swash_m_ / (slope * bed_.texel_m), 1.0 * bed_.columns));
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        highest_envelope_.data()[texel] = static_cast<float>(std::max(highest_on_sand_m(texel), min_envelope_m));
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
     for (Slot& slot : slots_) {
         slot.allocate(bed_.texels(), items, memory);
@@ -198,7 +256,7 @@ void ShoreSource::bake_wave(std::size_t number) {
     height = refraction.height();
     const double k =
         std::min(wave_number(wave.omega, SeaBed::min_depth_m), two_pi / (Refraction::min_texels * bed_.texel_m));
-    run_up(bed_, phase, height, k, swash_m_);
+    run_up(bed_, phase, height, k, swash_m_, swash_texels_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         const double amplitude_m = wave.amplitude_m * height[texel] * bake_->fade[texel];
         if (!(amplitude_m > min_shore_amplitude_m)) continue;
@@ -246,12 +304,12 @@ void ShoreSource::bake_limits(const Refraction& wave, double omega) {
         const double depth_m = bed_.depth_m[texel], shoaling = wave.shoaling(texel);
         const double stands_m =
             max[texel] < Refraction::nowhere ? max[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
-        highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
+        highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, min_envelope_m));
         // Stokes 1847, second order: crests are higher by k a^2 (3 - t^2) / (4 t^3), t = tanh(k d).
         const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
         const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
         sharpness_.data()[texel] = static_cast<float>(
-            std::min(sharp, max_sharp / std::min(std::max(stands_m, swash_m_), open_m * shoaling)));
+            std::min(sharp, max_sharp / std::min(std::max(stands_m, min_envelope_m), open_m * shoaling)));
     }
 }
 
@@ -285,8 +343,17 @@ ShoreSource::Variance ShoreSource::variance_of_waves(std::size_t texel) const {
     return {.of_all = 0.5 * squares, .here = 0.5 * squares_of_sums};
 }
 
-double ShoreSource::wave_depth_m(std::size_t texel) const {
-    return std::max(bed_.depth_m[texel], swash_m_ / crest_over_depth);
+/// The height grows from 0 at the waterline, where the depth limits waves, with the cube root of the
+/// ground's height, and is the ground's at swash_m_, which is the largest run-up.
+double ShoreSource::highest_on_sand_m(std::size_t texel) const {
+    const double ground_m = 0 - bed_.depth_m[texel];
+    if (!(ground_m > 0 && swash_m_ > 0)) return 0;
+    return swash_m_ * det::pow(std::min(ground_m / swash_m_, 1.0), 1.0 / 3);
+}
+
+double ShoreSource::max_deviation_m(std::size_t texel) const {
+    return bed_.is_water(texel) ? deviation_over_depth * bed_.depth_m[texel]
+                                : highest_on_sand_m(texel) / crest_of_5_percent;
 }
 
 void ShoreSource::bake_weights(std::size_t row) {
@@ -316,42 +383,35 @@ void ShoreSource::bake_weights(std::size_t row) {
 }
 
 /// Limits the amplitudes of the long waves, which have shoaled without breaking, to
-/// deviation_over_depth. Energy lost by breaking stays lost: the attenuation is the minimum along
-/// the path of the wave at the median of the energy. Dry sand has the attenuation of the nearest
-/// water.
+/// max_deviation_m(). Energy lost by breaking stays lost: the attenuation is the minimum along the
+/// path of the wave at the median of the energy. Waves on sand lose only what they lose in water
+/// that limits them more than the sand does.
 void ShoreSource::bake_breaking() {
     std::vector<double>& attenuation = bake_->attenuation;
-    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
-        attenuation[texel] = attenuation_to(deviation_over_depth * wave_depth_m(texel), bake_->deviation_m[texel]);
+    const double runs_up_m = swash_m_ / crest_of_5_percent;
+    std::vector<double> onto_sand(bed_.texels());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        const double max_m = max_deviation_m(texel);
+        attenuation[texel] = attenuation_to(max_m, bake_->deviation_m[texel]);
+        onto_sand[texel] = attenuation_to(std::max(max_m, runs_up_m), bake_->deviation_m[texel]);
+    }
     if (!bake_->main_wave) return;
     const Refraction& wave = bake_->main_wave->refraction;
     for (const std::uint32_t texel : wave.order()) {
         if (wave.comes_in_at(texel)) continue;
         const Refraction::Upstream from = wave.upstream(texel);
-        if (from.share_x + from.share_z > 0)
-            attenuation[texel] =
-                std::min(attenuation[texel], (from.share_x > 0 ? from.share_x * attenuation[from.x] : 0) +
-                                                 (from.share_z > 0 ? from.share_z * attenuation[from.z] : 0));
+        if (!(from.share_x + from.share_z > 0)) continue;
+        for (std::vector<double>* const each : {&attenuation, &onto_sand})
+            (*each)[texel] = std::min((*each)[texel], (from.share_x > 0 ? from.share_x * (*each)[from.x] : 0) +
+                                                          (from.share_z > 0 ? from.share_z * (*each)[from.z] : 0));
     }
-    std::vector<double> before(attenuation.size());
-    std::vector<std::uint8_t> is_known(attenuation.size());
-    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) is_known[texel] = bed_.is_water(texel);
-    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
-        before = attenuation;
-        const std::vector<std::uint8_t> was_known = is_known;
-        for (int j = 0; j < bed_.rows; ++j)
-            for (int i = 0; i < bed_.columns; ++i) {
-                const std::size_t here = bed_.at(i, j);
-                if (was_known[here]) continue;
-                double highest = 0;
-                for_neighbours(bed_, i, j, [&](std::size_t texel) {
-                    if (was_known[texel]) highest = std::max(highest, before[texel]);
-                });
-                if (!(highest > 0)) continue;
-                attenuation[here] = std::min(attenuation[here], highest);
-                is_known[here] = 1;
-            }
-    }
+    for_sand(bed_, swash_m_, swash_texels_, [&](std::size_t here, const std::vector<std::size_t>& from) {
+        double highest = 0;
+        for (const std::size_t texel : from) highest = std::max(highest, onto_sand[texel]);
+        if (!(highest > 0)) return;
+        onto_sand[here] = highest;
+        attenuation[here] = std::min(attenuation[here], highest);
+    });
 }
 
 void ShoreSource::bake_heights(std::size_t row) {
@@ -377,7 +437,7 @@ void ShoreSource::bake_heights(std::size_t row) {
 
         // Waves of one period interfere and form standing patterns, so their variance over the loop
         // is limited too, together with that of the cascades.
-        const double max_m = deviation_over_depth * wave_depth_m(texel), cascades_m = stands * deviation_m;
+        const double max_m = max_deviation_m(texel), cascades_m = stands * deviation_m;
         const double here_m = bake_->attenuation[texel] * std::sqrt(variance_of_waves(texel).here);
         const double attenuation =
             bake_->attenuation[texel] *
@@ -391,8 +451,9 @@ void ShoreSource::bake_heights(std::size_t row) {
         const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
         breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, min_envelope_m));
         if (!bed_.is_water(texel)) continue;
-        const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * cascades_m;
-        highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + max_sharp)));
+        const double crest_m = crest_over_depth * depth_m - high_crest * cascades_m;
+        highest_envelope_.data()[texel] =
+            static_cast<float>(std::max(std::min(breaking_m, crest_m / (1 + max_sharp)), min_envelope_m));
     }
 }
 

@@ -77,16 +77,19 @@ class ShoreSource {
     /// later.
     std::size_t place_of(std::size_t texel, std::size_t wave) const;
     Variance variance_of_waves(std::size_t texel) const;
-    /// Returns the depth of still water, or the depth whose crest limit is the swash height, if
-    /// larger.
-    double wave_depth_m(std::size_t texel) const;
+    /// Returns the largest height of waves on sand, above still water.
+    double highest_on_sand_m(std::size_t texel) const;
+    /// Returns the upper bound of the standard deviation of all waves, in water and on sand.
+    double max_deviation_m(std::size_t texel) const;
     void rows(std::size_t item);
     /// Returns the fade weight: 0 at the rectangle's edges, 1 beyond fade_m from them.
     double inside(std::size_t texel) const;
 
     SeaBed bed_;
     SeaState sea_;
-    double fade_m_, swash_m_;
+    double fade_m_;
+    double swash_m_ = 0;    ///< largest run-up
+    int swash_texels_ = 0;  ///< its largest distance from the water
     const Kernels& kernels_;
     std::vector<ShoreWave> waves_;
 

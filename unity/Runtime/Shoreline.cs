@@ -7,7 +7,7 @@ namespace Pelagic
         /// <summary>Columns * Rows heights above the rest level; sample (i, j) is element j * Columns + i.</summary>
         public float[] HeightsM;
 
-        /// <summary>The defaults: no samples, 1 m between them, 256 texels, a swash of 0.25 m.</summary>
+        /// <summary>The defaults: no samples, 1 m between them, 256 texels, a derived swash.</summary>
         public ShoreOptions()
         {
             var native = new Native.pelagic_shore_options { struct_size = (uint)sizeof(Native.pelagic_shore_options) };
