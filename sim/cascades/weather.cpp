@@ -194,11 +194,9 @@ void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStat
     const double cover = whitecap_cover(sea), tick_s = TickClock(sea.loop_period_s).tick_s();
     statistics.compression_deviation = sea.choppiness * std::sqrt(all);
     if (!(cover > 0 && statistics.compression_deviation >= min_compression_deviation)) return;
-    const FoamAccumulation whole(std::sqrt(all_rates / all), tick_s);
     FoamAccumulation::Contraction contraction = sums.contraction;
     for (double& covariance : contraction) covariance *= sea.choppiness / std::sqrt(all);
-    statistics.foam_level = whole.level_of_area(cover, contraction);
-    const double log_area = det::log(cover / whole.cover(statistics.foam_level));
+    statistics.foam_level = FoamAccumulation(std::sqrt(all_rates / all), tick_s).level_of_area(cover, contraction);
     // Narrow squares leave out little, and take the parabola of a wider one.
     for (std::size_t width = FoamFilter::widths; width-- > 0;) {
         const auto& [kept, kept_rates] = sums.compression_of_width[width];
@@ -212,8 +210,7 @@ void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStat
         const auto log_count = [&](double x) { return det::log(-det::log(1 - foam.cover(x))); };
         const double y_0 = log_count(0.5), y_1 = log_count(2), y_2 = log_count(3.5);
         const double slope = (y_2 - y_0) / 3, bend = (y_2 - 2 * y_1 + y_0) / 4.5;
-        // What the mean leaves out has this share of the contraction, too.
-        filter.a = static_cast<float>(y_1 - 2 * slope + 4 * bend + rest / all * log_area);
+        filter.a = static_cast<float>(y_1 - 2 * slope + 4 * bend);
         filter.b = static_cast<float>(slope - 4 * bend);
         filter.c = static_cast<float>(bend);
     }
