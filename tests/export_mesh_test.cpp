@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/files/digest.hpp"
 
 namespace pelagic {
 namespace {
@@ -62,6 +63,36 @@ TEST(ExportMesh, ResumeReplacesADamagedMesh) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("3 frames (2 of them kept)"), std::string::npos) << outcome.out;
     EXPECT_TRUE(files_in(folder.path()) == whole);
+}
+
+// Frames have several cascades, whose foam is resolved while the ocean computes later frames.
+TEST(ExportMesh, VerifyComputesMeshesAgain) {
+    const TemporaryFolder folder;
+    const Arguments several = {"export", "--out",         folder.path().string(), "--resolution", "32",   "--no-sync",
+                               "--maps", "none",          "--loop-frames",        "3",            "--mesh",
+                               "ply,mdd", "--wind-speed", "20",                   "--mesh-size",  "20"};
+    ASSERT_EQ(run_pelagic(several).exit_code, 0);
+    const Arguments verify = {"verify", folder.path().string(), "--sample", "all"};
+    const Outcome good = run_pelagic(verify);
+    ASSERT_EQ(good.exit_code, 0) << good.err;
+    // A record and files that match, of other meshes.
+    auto record = nlohmann::ordered_json::parse(read_file(folder / "sea_files.json"));
+    const auto replace = [&](auto& file, const std::string& bytes) {
+        write_file(folder / file["name"], bytes);
+        file["xxh3"] = tools::digest_of(bytes);
+    };
+    auto& frame = record["frames"][1];
+    replace(frame["files"][0], "other");
+    replace(record["sequence_files"][0], "foam");
+    frame.erase("record_xxh3");
+    frame["record_xxh3"] = tools::digest_of(frame.dump());
+    write_file(folder / "sea_files.json", record.dump());
+    const Outcome outcome = run_pelagic(verify);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("mesh_0001.ply is computed otherwise here"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("mesh.mdd is computed otherwise here"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 things are wrong"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("--overwrite"), std::string::npos) << outcome.out;
 }
 
 TEST(ExportMesh, ALaterExportWithoutMeshesRemovesThem) {

@@ -5,16 +5,19 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/record/frame_copy.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -138,6 +141,109 @@ TEST(FrameWriter, RecordsFramesAsTheyWerePassed) {
     writer.finish();
     EXPECT_EQ(records.at(0).hash, hash);
     EXPECT_EQ(records.at(0).foam_hash, foam_hash);
+}
+
+// Meshes of several cascades need the snapshots of their foam, too.
+TEST(FrameWriter, WritesMeshesOfFramesAsTheyWerePassed) {
+    image_codec();  // loading it starts the threads of its libraries
+    const TemporaryFolder path;
+    ExportOptions options;
+    options.sea.sea = {.cascades = 2, .resolution = 32, .wind_speed_mps = 20};
+    options.compute.threads = 8;
+    options.folder = path.path();
+    options.maps.maps.clear();
+    options.meshes = {.formats = {MeshFormat::ply}, .patch = {.side_m = 64, .steps = 32, .cascades = 2}};
+    options.times.fps = 24;
+    const OutputFolder folder(options.folder, Sync::no);
+    ExportJournal journal(options, folder);
+    journal.begin();
+    Ocean ocean(options.sea.sea, {.executor = make_serial_executor(), .foam = true});
+    const auto hash_of_mesh = [&](std::size_t max_bytes) {
+        std::map<int, FrameRecord> records;
+        FrameWriter writer(options, folder, journal, records, nullptr, max_bytes);
+        writer.write(0, ocean.frame_at(0));
+        for (const double later : {50.0, 60.0}) ocean.frame_at(later);
+        writer.finish();
+        return records.at(0).files.at(0).xxh3;
+    };
+    const std::string written_at_once = hash_of_mesh(1);
+    const NoThreads none;
+    EXPECT_EQ(hash_of_mesh(std::size_t{1} << 40), written_at_once);
+}
+
+/// Calls `visit` for every view of a cascade.
+template <class Visit>
+void each_view(Cascade& c, Visit visit) {
+    for (PlaneView* plane : {&c.dx, &c.height, &c.dz, &c.velocity_x, &c.velocity_y, &c.velocity_z}) visit(*plane);
+    visit(c.folds), visit(c.contraction.blocks), visit(c.contraction.around), visit(c.gradient_rgba8);
+    visit(c.foam_r8), visit(c.compression_r8);
+    for (auto& image : c.snapshots_rgba8) visit(image);
+}
+/// Calls `visit` for every view of a frame and of its cascades.
+template <class Visit>
+void each_view(Frame& frame, std::vector<Cascade>& cascades, Visit visit) {
+    for (Cascade& cascade : cascades) each_view(cascade, visit);
+    DynamicWavesView& waves = frame.dynamic_waves;
+    visit(waves.height_m), visit(waves.vertical_velocity_mps), visit(waves.foam);
+    ShoreSurface& shore = frame.shore;
+    visit(shore.depth_m), visit(shore.weights_rgba8), visit(shore.height_m), visit(shore.vertical_velocity_mps);
+    visit(shore.potential_m2ps), visit(shore.reach_m), visit(shore.foam);
+}
+
+/// Memory of views, with different contents for each.
+struct ViewMemory {
+    static constexpr int side = 4;
+    std::vector<std::vector<float>> floats;
+    std::vector<std::vector<std::uint32_t>> words;
+    std::vector<std::vector<std::uint8_t>> bytes;
+    int next = 1;
+
+    template <class Texel>
+    std::vector<Texel>& added(std::vector<std::vector<Texel>>& to) {
+        std::vector<Texel>& values = to.emplace_back();
+        while (values.size() < side * side) values.push_back(static_cast<Texel>(next++ % 251));
+        return values;
+    }
+    void operator()(PlaneView& view) { view = {added(floats).data(), side, 2, 2, 2 * side}; }
+    void operator()(std::span<const float>& view) { view = added(floats); }
+    void operator()(std::span<const std::uint32_t>& view) { view = added(words); }
+    void operator()(std::span<const std::uint8_t>& view) { view = added(bytes); }
+};
+
+std::vector<double> contents_of(Frame frame) {
+    std::vector<double> all;
+    const auto add = [&]<class View>(const View& view) {
+        if constexpr (std::is_same_v<View, PlaneView>)
+            for (int j = 0; j < view.resolution; ++j)
+                for (int i = 0; i < view.resolution; ++i) all.push_back(static_cast<double>(view.at(i, j)));
+        else
+            for (const auto value : view) all.push_back(static_cast<double>(value));
+    };
+    std::vector<Cascade> cascades(frame.cascades.begin(), frame.cascades.end());
+    each_view(frame, cascades, add);
+    return all;
+}
+
+TEST(FrameCopy, HasItsOwnMemoryForEveryView) {
+    ViewMemory memory;
+    std::vector<Cascade> cascades(2);
+    Frame frame;
+    each_view(frame, cascades, std::ref(memory));
+    const std::vector<std::uint16_t> halves(4 * 16);
+    for (Cascade& cascade : cascades) {
+        cascade.displacement_rgba16f = halves;
+        cascade.slopes_rgba8 = cascade.moments_rgba8 = cascade.gradient_rgba8;
+    }
+    frame.cascades = cascades;
+    const std::vector<double> passed = contents_of(frame);
+    EXPECT_EQ(passed.size(), (2 * 16 + 10) * 16u);
+    const FrameCopy copy(frame);
+    each_view(frame, cascades, []<class View>(View& view) { view = {}; });
+    memory = {};
+    EXPECT_EQ(contents_of(copy.frame()), passed);
+    for (const Cascade& cascade : copy.frame().cascades)
+        EXPECT_TRUE(cascade.displacement_rgba16f.empty() && cascade.slopes_rgba8.empty() &&
+                    cascade.moments_rgba8.empty());
 }
 
 // Frames of a large sea are not copied, and two files of N = 2048 are written at once for any

@@ -17,6 +17,8 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/export/exported_frame.hpp"
+#include "pelagic/tools/export/mesh_files.hpp"
+#include "pelagic/tools/export/mesh_sequences.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/measure/export_reader.hpp"
@@ -83,34 +85,44 @@ class Verification {
                 progress.show(place);
             });
         if (wrong.empty()) {
-            std::vector<FileRecord> sequence_files = check_head();
-            check_sea_json(height_sum_m / static_cast<double>(frames()), sequence_files, summaries);
-            check.add(frames(), std::move(sequence_files));
+            sequence_files_ = check_head();
+            check_sea_json(height_sum_m / static_cast<double>(frames()), sequence_files_, summaries);
+            check.add(frames(), sequence_files_);
         } else {
             findings_.add(0, path().string() + wrong);
         }
         check.finish();
     }
 
-    /// Computes the frames of the sample again and compares them with their entries.
+    /// Computes the frames of the sample again and compares them, and their meshes, with their
+    /// entries; with all frames the animations, too. Encoders of images are libraries, whose bytes
+    /// depend on their versions.
     void check_sample() {
         if (sample_.empty()) return;
         const OceanOptions how = ocean_options(options_, nullptr);
         Ocean ocean(forecast_of(options_.sea), how);
         const std::unique_ptr<EventPlayer> player = event_player(options_, how);
+        std::vector<std::unique_ptr<SequenceOutput>> animations;
+        if (sample_.size() == frames()) animations = mesh_sequences(options_);
         Progress progress("sample", sample_.size());
         std::size_t done = 0;
         for (const FrameRecord& recorded : sample_) {
-            progress.show(done++);
-            FrameRecord computed = statistics_of(
-                recorded.frame, exported_frame(ocean.frame_at(recorded.time_s), player.get()), options_.has_foam());
+            progress.show(done);
+            const Frame frame = exported_frame(ocean.frame_at(recorded.time_s), player.get());
+            FrameRecord computed = statistics_of(recorded.frame, frame, options_.has_foam());
             computed.files = recorded.files;
+            check_meshes(recorded, frame);
+            for (const auto& output : animations) output->add(done, frame);
+            ++done;
             const Json now = frame_as_json(computed);
             if (now == frame_as_json(recorded)) continue;
             is_other_sea_ = true;
             findings_.add(frames(), "frame " + std::to_string(recorded.frame) + " is computed otherwise here: " +
                                         first_difference(ReadJson(frame_as_json(recorded)), now).is_not());
         }
+        for (const auto& output : animations)
+            for (const SequenceOutput::File& file : output->finish())
+                check_bytes(sequence_files_, file.name, file.bytes);
     }
 
     /// \pre wrong() > 0
@@ -180,11 +192,28 @@ class Verification {
         if (!wrong.empty()) findings_.add(0, (folder_.path() / sea_json_name).string() + wrong);
     }
 
+    void check_meshes(const FrameRecord& recorded, const Frame& frame) {
+        const std::vector<MeshFile> files = mesh_files(options_, recorded.frame);
+        if (files.empty()) return;
+        const Mesh mesh = exported_mesh(frame, options_);
+        for (const MeshFile& file : files)
+            check_bytes(recorded.files, file.name, encode_mesh_file(file.format, mesh));
+    }
+
+    void check_bytes(const std::vector<FileRecord>& recorded, const std::string& name, const Bytes& bytes) {
+        const std::string xxh3 = digest_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const auto is_other = [&](const FileRecord& file) { return file.name == name && file.xxh3 != xxh3; };
+        if (std::none_of(recorded.begin(), recorded.end(), is_other)) return;
+        is_other_sea_ = true;
+        findings_.add(frames(), (folder_.path() / name).string() + " is computed otherwise here");
+    }
+
     const OutputFolder& folder_;
     const std::string name_ = record_name({});
     ReadJson head_;
     ExportOptions options_;
     std::vector<FrameRecord> sample_;
+    std::vector<FileRecord> sequence_files_;
     Findings findings_;
     bool is_other_sea_ = false;
 };
@@ -206,7 +235,7 @@ class VerifyCommand final : public Command {
 void VerifyCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder of a finished export")->type_name("");
     app.option_defaults()->group(help_group::input);
-    app.add_option("--sample", sample_, "number of frames to recompute; 0 to 1000000, or all (default: 8)")
+    app.add_option("--sample", sample_, "number of frames to recompute; 0 to 1000000, or all, with animations (default: 8)")
         ->type_name("NUMBER");
     app.add_option("--seed", seed_, "seed that selects these frames; 0 to 2147483647 (default: 0)")
         ->type_name("NUMBER");

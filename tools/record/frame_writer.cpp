@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -11,92 +10,14 @@
 #include <vector>
 
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/record/frame_copy.hpp"
 
 namespace pelagic::tools {
 namespace {
-
-/// Which planes of a cascade the files need.
-struct NeededViews {
-    explicit NeededViews(const ExportOptions& options)
-        : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
-                 options.maps.has(MapKind::jacobian) || options.maps.has(MapKind::slope) ||
-                 options.maps.has(MapKind::compression) || options.meshes.any()),
-          velocities(options.maps.has(MapKind::velocity)),
-          gradient(options.maps.has(MapKind::gradient)),
-          foam(options.has_foam()),
-          dynamic_waves(options.events.has_value()) {}
-
-    bool planes, velocities, gradient, foam, dynamic_waves;
-};
-
-/// Copies of the planes of a frame that its files need, so that they can be encoded while the ocean
-/// computes.
-class FrameCopy {
-   public:
-    FrameCopy(const Frame& frame, const NeededViews& needed)
-        : frame_(frame), cascades_(frame.cascades.begin(), frame.cascades.end()) {
-        for (Cascade& cascade : cascades_) copies_.push_back(copied(cascade, needed));
-        frame_.cascades = cascades_;
-        if (!needed.dynamic_waves) return;
-        copy_if(true, dynamic_height_m_, frame_.dynamic_waves.height_m);
-        copy_if(true, dynamic_vertical_velocity_mps_, frame_.dynamic_waves.vertical_velocity_mps);
-        copy_if(true, dynamic_foam_, frame_.dynamic_waves.foam);
-    }
-    FrameCopy(const FrameCopy&) = delete;
-
-    /// The frame with views of the needed planes only.
-    const Frame& frame() const { return frame_; }
-
-   private:
-    struct Copies {
-        std::vector<float> planes, velocities;
-        std::vector<std::uint32_t> gradient;
-        std::vector<std::uint8_t> foam;
-    };
-
-    static Copies copied(Cascade& cascade, const NeededViews& needed) {
-        Copies copies;
-        if (needed.planes) copy_planes(copies.planes, {&cascade.dx, &cascade.height, &cascade.dz});
-        if (needed.velocities)
-            copy_planes(copies.velocities, {&cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z});
-        copy_if(needed.gradient, copies.gradient, cascade.gradient_rgba8);
-        copy_if(needed.foam, copies.foam, cascade.foam_r8);
-        cascade.displacement_rgba16f = {};
-        cascade.slopes_rgba8 = cascade.moments_rgba8 = {};
-        return copies;
-    }
-
-    /// Copies the planes one after the other, without gaps, and changes the views to show the
-    /// copies.
-    static void copy_planes(std::vector<float>& copies, std::initializer_list<PlaneView*> planes) {
-        const int side = (*planes.begin())->resolution;
-        const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-        copies.resize(planes.size() * texels);
-        float* to = copies.data();
-        for (PlaneView* plane : planes) {
-            copy_plane(*plane, {to, texels});
-            *plane = {to, side, side, side, 0};
-            to += texels;
-        }
-    }
-
-    template <class Texel>
-    static void copy_if(bool is_needed, std::vector<Texel>& copies, std::span<const Texel>& view) {
-        if (is_needed) copies.assign(view.begin(), view.end());
-        view = copies;
-    }
-
-    Frame frame_;
-    std::vector<Cascade> cascades_;
-    std::vector<Copies> copies_;
-    std::vector<float> dynamic_height_m_, dynamic_vertical_velocity_mps_;
-    std::vector<std::uint8_t> dynamic_foam_;
-};
 
 constexpr const char* file_category = "file";
 
@@ -202,7 +123,8 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
     const auto cascades = static_cast<std::size_t>(cascades_of(options.sea.sea));
     const std::size_t bytes_per_texel =
-        bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
+        bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0) +
+        (options.has_foam() && cascades > 1 ? bytes_per_texel_of_snapshots : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
     const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
     const std::size_t bytes = side * side * cascades * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
@@ -229,7 +151,7 @@ void FrameWriter::write(int number, const Frame& frame) {
         return add(std::move(record));
     }
     while (in_flight_.size() >= plan_.frames) take_oldest();
-    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_));
+    const auto copy = std::make_shared<const FrameCopy>(frame);
     in_flight_.push_back(start([this, copy, record = std::move(record)]() mutable {
         record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
         return std::move(record);

@@ -26,8 +26,10 @@ constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
 }
 
 /// Measured upper bounds, in bytes a texel: a copied frame with one file of each of its cascades
-/// interleaved, encoded and compressed; and the addition for copied velocities.
-inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12;
+/// interleaved, encoded and compressed; and the additions for copied velocities, and for the foam of
+/// several cascades.
+inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12,
+                             bytes_per_texel_of_snapshots = 23;
 
 /// Measured upper bound for such a file alone, in bytes a texel.
 inline constexpr std::size_t bytes_per_texel_of_a_file = 32;
