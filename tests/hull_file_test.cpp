@@ -1,6 +1,8 @@
 // Hulls from mesh files, against closed forms and a file that Assimp wrote.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -88,6 +90,40 @@ TEST(HullFile, BuffersOfGltfMayBeFilesBesideIt) {
     write_file(folder / "hull.gltf", gltf.dump());
     EXPECT_NE(error_of(folder / "hull.gltf").find("none.bin, which can't be read"), std::string::npos)
         << error_of(folder / "hull.gltf");
+}
+
+// Vertices 256 to 259 of records of 20 bytes, the tetrahedron, whose floats begin at the fifth byte.
+// Other vertices, the first index and all other bytes are not used.
+TEST(HullFile, GltfIndicesOfTwoBytesStridesAndOffsetsAreRead) {
+    constexpr std::size_t first = 256, stride = 20, records = (first + 4) * stride, view = 8;
+    const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::uint16_t indices[] = {0xffff, 256, 258, 257, 256, 257, 259, 257, 258, 259, 256, 259, 258};
+    std::string bytes(view + records + sizeof indices, '\x7f');
+    for (std::size_t i = 0; i < 4; ++i) std::memcpy(&bytes[view + (first + i) * stride + 4], corners[i], 12);
+    std::memcpy(&bytes[view + records], indices, sizeof indices);
+    const TemporaryFolder folder;
+    write_file(folder / "a.bin", bytes);
+    json gltf = json::parse(read_file(stored / "tetrahedron.gltf"));
+    gltf["buffers"][0] = {{"uri", "a.bin"}, {"byteLength", bytes.size()}};
+    gltf["bufferViews"] = {{{"buffer", 0}, {"byteOffset", view}, {"byteLength", records}, {"byteStride", stride}},
+                           {{"buffer", 0}, {"byteOffset", view + records}, {"byteLength", sizeof indices}}};
+    gltf["accessors"][0].update({{"byteOffset", 4}, {"count", first + 4}});
+    gltf["accessors"][1].update({{"byteOffset", 2}, {"componentType", 5123}});
+    write_file(folder / "hull.gltf", gltf.dump());
+    const HullMesh mesh = read_hull("--hull", folder / "hull.gltf");
+    EXPECT_EQ(mesh.vertices().size(), 4u);
+    EXPECT_NEAR(mesh.volume_m3(), 1.0 / 3, 1e-14);
+}
+
+// -0 equals 0, so the bits of a hull's results must not depend on it.
+TEST(HullFile, NoVertexHasANegativeZero) {
+    const TemporaryFolder folder;
+    write_file(folder / "hull.obj",
+               "v -0 -0 -0\nv 1 -0 -0\nv -0 1 -0\nv -0 -0 1\nv 0 0 0\nf 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n");
+    const HullMesh mesh = read_hull("--hull", folder / "hull.obj");
+    EXPECT_EQ(mesh.vertices().size(), 4u);
+    for (const glm::dvec3& vertex : mesh.vertices())
+        for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::signbit(vertex[axis])) << "xyz"[axis];
 }
 
 TEST(HullFile, AnInvalidGltfFileIsRejectedInOneLine) {
