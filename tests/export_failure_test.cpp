@@ -216,5 +216,31 @@ TEST(Progress, ShowsFramesAndRemainingTimeOnATerminal) {
     EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
 }
 
+// The query would take many minutes. It is killed once its progress is shown.
+TEST(Progress, ShowsTheTimeOfALongQueryOnATerminal) {
+    const TemporaryFolder folder;
+    const std::string points = (folder / "points.csv").string(), events = (folder / "events.csv").string();
+    write_file(points, "1,2\n");
+    write_file(events, "time,x,z,radius,height\n0,0,0,2,0.5\n");
+    int terminal = -1;
+    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    ASSERT_GE(process, 0);
+    if (process == 0) {
+        ::execl(tested_binary, "pelagic", "query", "--points", points.c_str(), "--events", events.c_str(),
+                "--events-resolution", "1024", "--time", "80000", "--resolution", "16", nullptr);
+        std::_Exit(127);
+    }
+    std::string shown;
+    char buffer[4096];
+    for (ssize_t got; shown.find(" s left") == std::string::npos &&
+                      (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+        shown.append(buffer, static_cast<std::size_t>(got));
+    ::kill(process, SIGKILL);
+    wait_for(process);
+    ::close(terminal);
+    EXPECT_NE(shown.find(" of 80000 s, "), std::string::npos) << shown;
+    EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
+}
+
 }  // namespace
 }  // namespace pelagic

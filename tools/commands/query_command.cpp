@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -31,6 +32,7 @@
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -108,6 +110,23 @@ std::vector<double> series(const std::string& text) {
     for (double i = 0; i <= steps; ++i) times.push_back(std::min(*first + i * *step, *last));
     return times;
 }
+
+/// Shows the computed time on a terminal, with an estimate, after two seconds.
+class TimeProgress {
+   public:
+    TimeProgress(double begins_s, double ends_s) : begins_s_(begins_s), ends_s_(ends_s) {}
+
+    void show(double time_s) {
+        const double all_s = ends_s_ - begins_s_;
+        progress_.show("time " + rounded_text(time_s, 1) + " of " + rounded_text(ends_s_, 1) + " s",
+                       all_s > 0 ? std::clamp((time_s - begins_s_) / all_s, 0.0, 1.0) : 0);
+    }
+    void clear() { progress_.clear(); }
+
+   private:
+    double begins_s_, ends_s_;
+    Progress progress_{"", 1, std::chrono::seconds(2)};
+};
 
 class QueryCommand final : public Command {
    public:
@@ -212,12 +231,15 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     ocean.set_water_frame(water);
     const double first_s = times_s.front();
     EventPlayer waves(events, executor, compute.isa, water, HullPlayer::begins_s(first_s));
+    TimeProgress progress(waves.begins_s(), times_s.back());
+    waves.report_to([&](double time_s) { progress.show(time_s); });
     HullPlayer hull(launch, ocean, waves, first_s, executor);
     std::string rows = json_ ? "[\n" : hull_columns() + "\n";
     for (const double time_s : times_s) {
         rows += hull_row(time_s, hull.at(time_s), json_);
         rows += json_ && time_s != times_s.back() ? ",\n" : "\n";
         if (rows.size() < output_bytes && time_s != times_s.back()) continue;
+        progress.clear();
         write_output(rows);
         rows.clear();
     }
@@ -262,7 +284,10 @@ void QueryCommand::run() {
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         samples.resize(block.size());
         span_note.extend(block);
+        TimeProgress progress(player ? std::min(player->begins_s(), times_s.front()) : times_s.front(), times_s.back());
+        if (player) player->report_to([&](double time_s) { progress.show(time_s); });
         for (const double time_s : times_s) {
+            progress.show(time_s);
             if (!frame || times_s.size() > 1) {
                 frame = ocean.frame_at(time_s);
                 if (player) frame = with_water(*frame, player->at(time_s));
@@ -272,6 +297,7 @@ void QueryCommand::run() {
             for (std::size_t i = 0; i < samples.depths().size(); ++i)
                 samples.depths()[i] =
                     static_cast<float>(pelagic::sample(frame->shore, block.x[i], block.z[i]).depth_m);
+            progress.clear();
             rows.write(block, time_s);
         }
     }

@@ -95,6 +95,7 @@ void EventPlayer::go_to(std::int64_t tick) {
         if (next_command_ < commands_.size()) until = std::min(until, commands_[next_command_].tick - 1);
         waves_.advance(time_of(until));
         tick_ = until;
+        if (show_) show_(time_of(tick_));
     }
 }
 

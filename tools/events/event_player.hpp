@@ -8,9 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "pelagic/floating/hull_plan.hpp"
@@ -34,6 +36,11 @@ class EventPlayer {
     /// Returns the waves at a time, valid until the second call from now. \pre time_s is finite
     DynamicWavesView at(double time_s);
 
+    /// Calls `show` with the time of each tick, or of some, from the beginning on.
+    void report_to(std::function<void(double time_s)> show) { show_ = std::move(show); }
+    /// Returns the time of the tick before the first one that is computed.
+    double begins_s() const { return time_of(first_tick_); }
+
     /// Returns the waves, for sources of a hull. They are lost when at() goes back in time.
     DynamicWaves& waves() { return waves_; }
     /// Moves the grid's centre to a hull, unless the options place it.
@@ -54,6 +61,7 @@ class EventPlayer {
     DynamicWaves waves_;
     bool has_current_;
     std::vector<std::uint8_t> beginning_;
+    std::function<void(double)> show_;
 };
 
 /// Returns the frame with the dynamic waves beside its cascades, and within its bounds.

@@ -10,15 +10,20 @@
 
 namespace pelagic::tools {
 
-Progress::Progress(std::string item, std::size_t total)
-    : item_(std::move(item)), total_(total), on_terminal_(!is_quiet() && ::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string item, std::size_t total, std::chrono::milliseconds delay)
+    : item_(std::move(item)),
+      total_(total),
+      on_terminal_(!is_quiet() && ::isatty(STDERR_FILENO) == 1),
+      delay_(delay) {}
 
-Progress::~Progress() {
-    if (on_terminal_) std::fputs("\r\033[K", stderr);
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+    if (on_terminal_ && last_shown_ >= start_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::note(const std::string& text) {
-    if (on_terminal_) std::fputs("\r\033[K", stderr);
+    clear();
     print_note(text);
 }
 
@@ -29,7 +34,7 @@ void Progress::show(std::size_t done) {
 
 void Progress::show(const std::string& doing, double fraction) {
     const auto now = Clock::now();
-    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && fraction < 1)) return;
+    if (!on_terminal_ || now - start_ < delay_ || (now - last_shown_ < std::chrono::milliseconds(100) && fraction < 1)) return;
     last_shown_ = now;
     std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * fraction));
     if (fraction > 0) {

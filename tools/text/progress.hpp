@@ -11,7 +11,8 @@ namespace pelagic::tools {
 /// Rewrites one line on stderr: "frame 12 of 64, 18 %, 5 s left". The destructor clears the line.
 class Progress {
    public:
-    Progress(std::string item, std::size_t total);
+    /// \param delay  shows nothing before this time has passed
+    Progress(std::string item, std::size_t total, std::chrono::milliseconds delay = {});
     Progress() : Progress("", 1) {}  ///< for work without a count of items
     ~Progress();
     Progress(const Progress&) = delete;
@@ -21,6 +22,8 @@ class Progress {
     /// Shows a description and a percentage.
     /// \param fraction  completed fraction of the work, 0 to 1
     void show(const std::string& doing, double fraction);
+    /// Clears the line, for other output on the terminal.
+    void clear();
     /// Prints a note, see print_note().
     void note(const std::string& text);
 
@@ -30,6 +33,7 @@ class Progress {
     std::string item_;
     std::size_t total_;
     bool on_terminal_;
+    std::chrono::milliseconds delay_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_shown_ = start_ - std::chrono::hours(1);
 };
