@@ -38,6 +38,8 @@ const std::map<std::string, Words> other_values = {
     {"maps", {"--maps", "gradient,compression"}},
     {"format", {"--format", "tif"}},
     {"bit-depth", {"--maps", "normal", "--bit-depth", "16"}},
+    {"foam-size", {"--maps", "foam", "--foam-size", "50"}},
+    {"foam-pixels", {"--maps", "foam", "--foam-pixels", "64"}},
     {"normal-y", {"--maps", "normal", "--normal-y", "down"}},
     {"axes", {"--axes", "z-up"}},
     {"unit", {"--unit", "cm"}},

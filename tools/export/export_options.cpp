@@ -93,6 +93,17 @@ void check_exr(const MapOptions& options) {
                         "--tiled with --mips: levels within an EXR file are in tiles");
 }
 
+/// Throws InputError if --half or --mips applies to no file.
+void check_applying(const MapOptions& options, bool has_dynamic_waves) {
+    const auto any = [&](auto is) { return std::any_of(options.maps.begin(), options.maps.end(), is); };
+    if (options.half && !has_dynamic_waves && !any([&](MapKind map) { return is_floating(options.sample_of(map)); }))
+        throw InputError("--half requires a map of floats, and none is");
+    const bool has_levels = is_texture(options.format) || options.tiled;
+    const auto is_one_image = [&](MapKind map) { return map == MapKind::foam && options.foam_patch; };
+    if (options.mips && !any([&](MapKind map) { return !is_one_image(map) && (has_levels || has_chain(map)); }))
+        throw InputError("--mips requires a map with mip levels, and none has them");
+}
+
 /// Returns the range of `count` frames from `first` on. Throws InputError if the last number is too
 /// large.
 std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
@@ -210,6 +221,8 @@ void ExportFlags::add_to(CLI::App& app) {
         "exr: floats as EXR, others as PNG; tif: all as TIFF; ktx2 and dds: textures (default: exr)");
     add("bit-depth", alternatives(names_of<BitDepth>()), "bits of normal and foam (default: 8)");
     app.add_flag("--half", half_, "write 16-bit instead of 32-bit floats");
+    add("foam-size", "METRES", "side of the foam map of several cascades; [0.001, 1e6] (default: 200)");
+    add("foam-pixels", "NUMBER", "pixels along its side; 1 to 8192 (default: 1024)");
     add("normal-y", alternatives(names_of<NormalY>()),
         "green of normals: OpenGL's up or DirectX's down (default: up)");
     add("axes", alternatives(names_of<UpAxis>()), "axes of maps and meshes; z-up: x east, y north (default: y-up)");
@@ -319,6 +332,15 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     return options;
 }
 
+FoamPatch ExportFlags::foam_patch() const {
+    FoamPatch patch;
+    if (const auto& size = typed("foam-size"))
+        patch.side_m = number_in("--foam-size", *size, 0.001, 1e6, "metres in [0.001, 1e6]");
+    if (const auto& pixels = typed("foam-pixels"))
+        patch.pixels = whole_number_in("--foam-pixels", *pixels, 1, 8192);
+    return patch;
+}
+
 ExportOptions ExportFlags::resolve() const {
     checked_place(typed("out"));  // report errors in --out before errors in the sea
     ExportOptions options = resolve_with(sea_.resolve());
@@ -348,9 +370,11 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
         throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf: glTF is y-up");
     if (is_gltf && options.maps.unit != LengthUnit::metre)
         throw bad_value("--unit", *typed("unit"), "m with --mesh gltf: glTF uses metres");
-    if (const int cascades = cascades_of(sea.sea); options.maps.has(MapKind::foam) && cascades > 1)
-        throw InputError("--maps foam is of a sea of one cascade, and this sea has " + number_text(cascades) +
-                         "; expected compression instead");
+    if (options.maps.has(MapKind::foam) && cascades_of(sea.sea) > 1) options.maps.foam_patch = foam_patch();
+    for (const std::string flag : {"foam-size", "foam-pixels"})
+        if (!options.maps.foam_patch && typed(flag))
+            throw InputError("--" + flag + " is " + *typed(flag) + "; it requires --maps foam and several cascades");
+    check_applying(options.maps, options.events.has_value());
     if (options.maps.maps.empty() && !options.meshes.any() && !options.events)
         throw bad_value("--maps", no_maps, "--mesh or --events with it, or some maps");
     if (const auto& grid = typed("flipbook")) {

@@ -66,6 +66,7 @@ class ExportFlags {
    private:
     FrameTimes times(const ResolvedSea& sea) const;
     MapOptions maps(const std::optional<NamePattern>& names) const;
+    FoamPatch foam_patch() const;
     /// Returns the text of an option; none if it is not given.
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 

@@ -100,15 +100,28 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
             .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
 }
 
-/// Returns the part with the dynamic-wave grid.
-ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& options) {
-    const DynamicWavesView& water = frame.dynamic_waves;
+/// A grid of the water, which does not repeat.
+struct PlainGrid {
+    int side;
+    double texel_m, first_x_m, first_z_m;
+};
+
+/// Returns the part with the dynamic-wave grid, or with the foam of several cascades.
+ExrPart plain_part(MapKind map, const Frame& frame, int number, const ExportOptions& options) {
     const MapOptions& maps = options.maps;
-    const ImagePart of{.map = MapKind::dynamic_waves};
+    const DynamicWavesView& water = frame.dynamic_waves;
+    const ImagePart of{.map = map};
+    const bool is_foam = map == MapKind::foam;
+    const FoamPatch patch = maps.foam_patch.value_or(FoamPatch());
+    const PlainGrid grid =
+        is_foam ? PlainGrid{patch.pixels, patch.pixel_m(), patch.pixel_m() / 2, patch.pixel_m() / 2}
+                : PlainGrid{water.resolution, water.texel_m, static_cast<double>(water.first_x) * water.texel_m,
+                            static_cast<double>(water.first_z) * water.texel_m};
     ExrPart part = empty_part(of, frame, number, options.times, maps);
-    part.side = water.resolution;
-    ExrLayer layer{.channels = {}, .sample = maps.sample_of(of.map), .image_of = [&water, &maps](int) {
-                       return dynamic_waves_map_image(water, maps);
+    part.side = grid.side;
+    ExrLayer layer{.channels = {}, .sample = exr_sample(maps.sample_of(map)), .image_of = [&frame, &maps, is_foam](int) {
+                       return is_foam ? without_bytes(foam_patch_image(frame, maps))
+                                      : dynamic_waves_map_image(frame.dynamic_waves, maps);
                    }};
     for (const ChannelMeaning& channel : channel_meanings(of.map, maps)) layer.channels.emplace_back(channel.channel);
     part.layers.push_back(std::move(layer));
@@ -123,9 +136,9 @@ ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& 
     };
     add("map", std::string(name_of(of.map)));
     add("channels", channels_text(channel_meanings(of.map, maps)));
-    add("texel_m", water.texel_m);
-    add("x_m_of_column_0", static_cast<double>(water.first_x) * water.texel_m);
-    add("lowest_z_m", static_cast<double>(water.first_z) * water.texel_m);
+    add("texel_m", grid.texel_m);
+    add("x_m_of_column_0", grid.first_x_m);
+    add("lowest_z_m", grid.first_z_m);
     return part;
 }
 
@@ -137,8 +150,8 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
     // derive it from the part's name.
     const bool is_packed = options.maps.pack != Pack::files, has_layers = options.maps.pack == Pack::layers;
     for (const ImagePart& of : file.parts) {
-        if (of.map == MapKind::dynamic_waves) {
-            exr.parts.push_back(dynamic_waves_part(frame, number, options));
+        if (of.map == MapKind::dynamic_waves || (of.map == MapKind::foam && options.maps.foam_patch)) {
+            exr.parts.push_back(plain_part(of.map, frame, number, options));
             continue;
         }
         const Cascade& cascade = frame.cascades[static_cast<std::size_t>(of.cascade)];

@@ -102,6 +102,8 @@ class Flipbook : public SequenceOutput {
 
 void check_flipbook(const ExportOptions& options, const std::string& typed) {
     if (options.maps.maps.empty()) throw bad_value("--flipbook", typed, "some --maps");
+    if (options.maps.foam_patch)
+        throw bad_value("--flipbook", typed, "maps of cascades, and the foam of several cascades is none");
     if (options.maps.pack != Pack::files) throw bad_value("--flipbook", typed, "--pack files: it has an image a map");
     const FlipbookGrid& grid = *options.flipbook;
     const auto cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);

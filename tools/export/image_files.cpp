@@ -42,10 +42,14 @@ TextureImage as_texture_image(MapImage image) {
     return {image.side, image.side, image.channels, image.sample, std::move(image.pixels)};
 }
 
+/// Returns true for a map of the sea instead of one cascade, which has no smaller levels.
+bool is_of_patch(MapKind map, const MapOptions& options) { return map == MapKind::foam && options.foam_patch; }
+
 std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
     std::vector<ImagePart> parts;
     for (int cascade = 0; cascade < cascades_of(options.sea.sea); ++cascade)
         for (const MapKind map : options.maps.maps) {
+            if (is_of_patch(map, options.maps)) continue;
             const int levels = stored_levels(options, map);
             const int levels_a_part = has_levels_within(options, map) ? levels : 1;
             for (int level = 0; level < levels; level += levels_a_part)
@@ -65,8 +69,12 @@ std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
 
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     std::vector<ImageFile> files = cascade_files(options, frame);
-    // The dynamic-wave grid always has its own file, because its size differs from that of
-    // cascades.
+    // The foam of several cascades and the dynamic-wave grid always have their own files, because
+    // their sizes differ from those of cascades.
+    if (options.maps.foam_patch)
+        files.push_back({.name = image_name(options.maps, {.map = MapKind::foam, .cascade = 0, .level = 0}, frame,
+                                            files.empty() && !options.events),
+                         .parts = {{.map = MapKind::foam}}});
     if (options.events)
         files.push_back({.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .cascade = 0, .level = 0},
                                             frame, false),
@@ -93,6 +101,8 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
     if (part.map == MapKind::dynamic_waves)
         return encode_pixels(part.map, {as_texture_image(dynamic_waves_map_image(frame.dynamic_waves, options.maps))},
                              options.maps);
+    if (is_of_patch(part.map, options.maps))
+        return encode_pixels(part.map, {as_texture_image(foam_patch_image(frame, options.maps))}, options.maps);
     const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))

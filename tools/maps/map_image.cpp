@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/simd/half_float.hpp"
 #include "pelagic/tools/maps/map_values.hpp"
 
@@ -131,6 +132,21 @@ MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions
         }
     const Sample sample = options.sample_of(MapKind::dynamic_waves);
     MapImage image{values.side, values.channels, sample, stored(values, MapKind::dynamic_waves, sample)};
+    if (options.rows == FirstRow::bottom) flip_rows(image);
+    return image;
+}
+
+MapImage foam_patch_image(const Frame& frame, const MapOptions& options) {
+    const FoamPatch& patch = *options.foam_patch;
+    const double pixel_m = patch.pixel_m();
+    const FoamSampler foam(frame);
+    MapValues values{.side = patch.pixels, .channels = channels_of(MapKind::foam), .values = {}};
+    values.values.reserve(static_cast<std::size_t>(patch.pixels) * static_cast<std::size_t>(patch.pixels));
+    for (int j = 0; j < patch.pixels; ++j)
+        for (int i = 0; i < patch.pixels; ++i)
+            values.values.push_back(foam.at((i + 0.5) * pixel_m, (j + 0.5) * pixel_m));
+    const Sample sample = options.sample_of(MapKind::foam);
+    MapImage image{values.side, values.channels, sample, stored(values, MapKind::foam, sample)};
     if (options.rows == FirstRow::bottom) flip_rows(image);
     return image;
 }

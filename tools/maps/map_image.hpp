@@ -7,6 +7,7 @@
 
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
+#include "pelagic/sim/frame.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
 
 namespace pelagic::tools {
@@ -31,6 +32,10 @@ std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_
 /// Returns the map of dynamic waves: height, vertical velocity and foam. Rows are along z and
 /// columns along x, from the grid's lowest texel on.
 MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions& options);
+
+/// Returns the foam of all cascades, at the centres of the pixels. Rows are along z and columns along
+/// x, from the origin on. \pre options.foam_patch is set, and the frame has foam
+MapImage foam_patch_image(const Frame& frame, const MapOptions& options);
 
 /// Returns true if a value in any image of this process was clamped to +-65504, the largest half.
 /// Thread safety: any thread may call it.

@@ -44,6 +44,14 @@ enum class Pack {
 /// Returns true for GPU texture formats, whose files hold all levels.
 constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
 
+/// The square of the sea, from the origin along +x and +z, whose foam is in one image.
+struct FoamPatch {
+    double side_m = 200;
+    int pixels = 1024;  ///< along a side
+
+    double pixel_m() const { return side_m / pixels; }
+};
+
 struct MapOptions {
     /// Each map at most once, in the order of all_maps.
     std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};
@@ -58,6 +66,7 @@ struct MapOptions {
     Compression compression = Compression::zip;  ///< of EXR, TIFF and KTX2 files
     Pack pack = Pack::files;
     bool tiled = false;                ///< tiled EXR files that contain the levels
+    std::optional<FoamPatch> foam_patch;  ///< replaces the foam maps of several cascades
     std::optional<NamePattern> names;  ///< unset: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }

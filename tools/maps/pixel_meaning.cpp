@@ -187,6 +187,17 @@ OrderedJson dynamic_waves_layout_as_json(const GridRecord& grid, const MapOption
              line_as_json({rows.a_row, rows.offset + first_row_m + 0.0})}};
 }
 
+OrderedJson foam_patch_layout_as_json(const MapOptions& options) {
+    const FoamPatch& patch = *options.foam_patch;
+    const double sign = sign_of_z(options.up_axis), pixel_m = patch.pixel_m();
+    const RowPlaces rows(sign * pixel_m, patch.pixels, options.rows);
+    return {{"side_m", patch.side_m},
+            {"resolution", patch.pixels},
+            {"x_m_of_column", line_as_json({pixel_m, pixel_m / 2})},
+            {std::string(other_axis(options.up_axis)) + "_m_of_row",
+             line_as_json({rows.a_row, rows.offset + sign * pixel_m / 2})}};
+}
+
 std::string pixel_meaning() {
     return R"(Pixel values (sea.json holds the exact conversions for the chosen options):
   displacement  R, G, B = Dx, height, Dz in metres; with --axes z-up: Dx, Dy, height
@@ -196,8 +207,10 @@ std::string pixel_meaning() {
   normal        tangent-space normal map along the cascade's own axes: right = 2R - 1, up the image = 2G - 1
                 (--normal-y down: down the image), out of the water = 2B - 1; floats are stored unscaled. Unit
                 vectors at every level. Normals of an overturned surface are horizontal
-  foam          one channel, of a sea of one cascade: 0 no foam, 1 covered; breaking now, plus foam of earlier
-                breaking, which decays in 2.8 seconds
+  foam          one channel: 0 no foam, 1 covered; breaking now, plus foam of earlier breaking, which decays in 2.8
+                seconds. Of several cascades the map is one image of --foam-size metres, which does not repeat:
+                column i, row j has the reference position x = (i + 0.5) p, z = (j + 0.5) p, p the side of a pixel
+                (sea.json: foam_map)
   velocity      velocity of the displaced point along x, y, z in m/s; for motion blur
   jacobian      one channel: J, not clamped; below 1 the surface is compressed, below 0 overturned
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over reference positions

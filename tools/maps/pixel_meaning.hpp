@@ -41,6 +41,10 @@ struct GridRecord {
 /// "y_m_of_row")}.
 nlohmann::ordered_json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& options);
 
+/// Returns {"side_m", "resolution", "x_m_of_column", "z_m_of_row" (with z up "y_m_of_row")}.
+/// \pre options.foam_patch is set
+nlohmann::ordered_json foam_patch_layout_as_json(const MapOptions& options);
+
 /// Returns the reference positions and texture coordinates of texels: {"axes", "x_m_of_column",
 /// "z_m_of_row" (with z up "y_m_of_row"), "u_of_column", ...}. Each is a scale and an offset of the
 /// index, which starts at 0.

@@ -127,8 +127,9 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
         (options.has_foam() && cascades > 1 ? bytes_per_texel_of_snapshots : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
     const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
+    const auto foam = static_cast<std::size_t>(options.maps.foam_patch ? options.maps.foam_patch->pixels : 0);
     const std::size_t bytes = side * side * cascades * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
-                              row * row * bytes_per_vertex_in_flight;
+                              row * row * bytes_per_vertex_in_flight + foam * foam * bytes_per_texel_of_a_file;
     const std::size_t frames = std::min(threads, max_bytes / bytes);
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, cascades)};
     const std::size_t files = max_bytes / (side * side * bytes_per_texel_of_a_file);

@@ -82,6 +82,10 @@ Json options_as_json(const ExportOptions& options) {
     how["maps"] = maps;
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
+    if (const auto& patch = options.maps.foam_patch) {
+        how["foam_size_m"] = patch->side_m;
+        how["foam_pixels"] = patch->pixels;
+    }
     how["bit_depth"] = name_of(options.maps.bit_depth);
     how["normal_y"] = name_of(options.maps.normal_y);
     how["axes"] = name_of(options.maps.up_axis);
@@ -215,6 +219,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
         json["dynamic_waves"] = dynamic_waves_layout_as_json(
             {options.events->water.resolution, options.events->texel_m(), first_x, first_z}, options.maps);
     }
+    if (options.maps.foam_patch) json["foam_map"] = foam_patch_layout_as_json(options.maps);
     json["repeats_after_m"] = repeats_after_m(options.sea);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
