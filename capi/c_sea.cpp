@@ -46,7 +46,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.longest_wave_m = from.longest_wave_m;
     to.shortest_wave_m = from.shortest_wave_m;
     to.wave_strength = from.wave_strength;
-    to.wave_height_m = from.wave_height_m;
+    to.wave_height_m = from.wave_height_m > 0 ? from.wave_height_m : 0;
     to.wave_drag = from.wave_drag;
     return to;
 }
@@ -86,7 +86,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
             .longest_wave_m = sea.longest_wave_m,
             .shortest_wave_m = sea.shortest_wave_m,
             .wave_strength = sea.wave_strength,
-            .wave_height_m = sea.wave_height_m,
+            .wave_height_m = sea.wave_height_m == 0 ? -1 : sea.wave_height_m,
             .wave_drag = sea.wave_drag};
 }
 

@@ -99,9 +99,9 @@ struct SeaState {
     double shortest_wave_m = 0;
     /// Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].
     double wave_strength = 1;
-    /// Significant wave height; (0, 30]. 0: derived from wave_strength, of a pond 0.017
-    /// longest_wave_m.
-    double wave_height_m = 0;
+    /// Significant wave height; [0, 30], of a pond above 0. -1: derived from wave_strength, of a pond
+    /// 0.017 longest_wave_m.
+    double wave_height_m = -1;
     /// Horizontal drag of a pond's short waves by its long ones; 0: none; [0, 1].
     double wave_drag = 0.38;
 };

@@ -280,7 +280,7 @@ TEST(ExportedFiles, SeaJsonReproducesTheSeaExactly) {
     const TemporaryFolder folder;
     export_small_sea(folder / "out", {"--preset", "rough", "--wind-direction", "33.3", "--wind-speed",
                                       "11.100000000000001", "--fetch", "123456.789", "--loop-period", "61.7",
-                                      "--seed", "4294967295", "--depth", "0.1", "--spectrum", "phillips"});
+                                      "--seed", "4294967295", "--depth", "0.1", "--spreading", "hasselmann"});
     const std::string record = (folder / "out" / "sea.json").string();
     const json recorded = json::parse(read_file(record));
     const Outcome info = run_pelagic({"info", "--json", "--config", record});

@@ -100,9 +100,9 @@ class Sea:
     pond a 45th."""
     wave_strength: float = 1.0
     """Strength of an analytic sea: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]."""
-    wave_height_m: float = 0.0
-    """Hs of an analytic sea or a pond; (0, 30]. 0: from wave_strength, for a pond 0.017 of its
-    longest wave."""
+    wave_height_m: float = -1.0
+    """Hs of an analytic sea or a pond; [0, 30], of a pond above 0. -1: from wave_strength, for a
+    pond 0.017 of its longest wave."""
     wave_drag: float = 0.38
     """Fraction by which a pond's long waves move its short waves; 0: not at all; [0, 1]."""
 

@@ -39,7 +39,7 @@ constexpr std::array sea_state_field_table = {
     SeaStateField{"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen", Among::all,
                   0},
     SeaStateField{"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
-    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], 0: chosen"},
+    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Among::all, -1},
     SeaStateField{"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
 };
 

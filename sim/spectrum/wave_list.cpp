@@ -39,6 +39,8 @@ double turns_of(double rad) {
 }
 
 std::string check_pond(const SeaState& sea) {
+    if (sea.wave_height_m == 0)
+        return invalid_value_message("wave_height_m", sea.wave_height_m, "more where waves is pond");
     const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
         return invalid_value_message("wave_count", asked.octaves,
@@ -114,7 +116,7 @@ AnalyticSea analytic_sea_of(const SeaState& sea) {
                                       .strength = sea.wave_strength,
                                       .direction_rad = sea.wind_direction_rad});
     asked.choppiness = sea.choppiness;
-    return sea.wave_height_m > 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
+    return sea.wave_height_m >= 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
 }
 
 std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade) {

@@ -136,24 +136,19 @@ void print_section(const char* title, const Json& values, int digits = 4) {
     }
 }
 
-/// Returns the options that have an effect in this sea, without values of 0 that select an
-/// automatic value.
+/// Returns the options that have an effect in this sea, without values that select an automatic
+/// value.
 Json sea_for_people(const Json& sea) {
-    const std::string waves = sea.at("waves");
-    const bool is_spectrum = waves == "spectrum", has_swell = is_spectrum && sea.at("swell_height_m") > 0;
+    const SeaState state{.waves = *value_named<WaveModel>(sea.at("waves").get<std::string>()),
+                         .spectrum = *value_named<SpectrumModel>(sea.at("spectrum").get<std::string>()),
+                         .spreading = *value_named<SpreadingModel>(sea.at("spreading").get<std::string>()),
+                         .swell_height_m = sea.at("swell_height_m")};
     const auto counts = [&](const std::string& key) {
-        if (key == "fetch_m") return is_spectrum && sea.at("spectrum") == "jonswap";
-        if (key == "wind_alignment") return is_spectrum && sea.at("spreading") == "paper";
-        if (key.starts_with("swell_")) return has_swell;
-        if (key == "wave_strength") return waves == "analytic";
-        if (key == "wave_drag") return waves == "pond";
-        if (key == "patch_size_m") return sea.at(key) > 0;
-        if (key == "wave_count" || key == "longest_wave_m" || key == "shortest_wave_m" || key == "wave_height_m")
-            return !is_spectrum && sea.at(key) > 0;
-        if (key == "spectrum" || key == "spreading" || key == "depth_m" || key == "short_wave_cutoff" ||
-            key == "seed")
-            return is_spectrum;
-        return true;
+        if (!requirement_of(key, state).empty()) return false;
+        if (key == "swell_height_m" || key == "patch_size_m" || key == "wave_count" || key.ends_with("est_wave_m"))
+            return sea.at(key) > 0;
+        if (key == "wave_height_m") return sea.at(key) >= 0;
+        return key != "depth_m" || state.waves == WaveModel::spectrum;
     };
     Json rows = Json::object();
     for (const auto& [key, value] : sea.items())

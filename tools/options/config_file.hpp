@@ -17,6 +17,8 @@ struct ConfigEntry {
     std::string value;
     std::string place;  ///< "sea.toml:3"
     bool quoted;        ///< true for a quoted string, false for a number
+    /// Of a sea.json, which holds every option: those that do not apply, and 0 for a derived value.
+    bool is_recorded = false;
 };
 
 /// Returns the top-level keys of a TOML text.

@@ -67,6 +67,13 @@ std::string accepted_by(const SeaFlag& flag) {
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
+/// Returns the field of a flag: "wind_speed_mps" for "wind-speed".
+std::string_view field_of_flag(std::string_view flag) {
+    for (const SeaFlag& number : sea_flags)
+        if (number.flag == flag) return number.field;
+    return flag;
+}
+
 /// Returns true if a config file may contain a string for this flag, such as "20kn" or "from-NW".
 bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
 
@@ -115,7 +122,7 @@ std::string accepted_in_help(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees from +x (east) to +z (south), or from-NW";
     if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
     std::string accepted = accepted_by(flag);
-    for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", 0: chosen"})
+    for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", or -1: chosen"})
         if (const std::size_t at = accepted.find(words); at != std::string::npos) accepted.erase(at, words.size());
     return accepted;
 }
@@ -153,7 +160,9 @@ void apply_preset(ResolvedSea& resolved, const std::string& name, const std::str
     throw bad_value(option, name, list_of(few) + nearest_hint(name, all));
 }
 
-void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& option) {
+/// \param is_recorded  accepts the field's value for "derived", such as 0, too
+void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& option,
+                  bool is_recorded) {
     const SeaStateField& field = field_of(flag);
     const std::optional<double> number = parse_value(flag, text);
     if (is_direction(flag) && is_compass_point(text))
@@ -163,6 +172,8 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
     const SeaAngle* const angle = sea_angle(flag.field);
     const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
     if (!number || !field.accepts(value)) throw bad_value(option, text, accepted_by(flag));
+    if (!is_recorded && field.also == value && parse_number(text))
+        throw bad_value(option, text, accepted_in_help(flag));
 
     field.set(resolved.sea, value);
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
@@ -170,7 +181,8 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 }
 
 /// Applies one option other than the preset. \param name  name of the flag
-void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option) {
+void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option,
+           bool is_recorded = false) {
     const auto set = [&]<class Enum>(std::string_view flag, Enum SeaState::*member) {
         if (name == flag) resolved.sea.*member = one_of<Enum>(option, text);
     };
@@ -178,7 +190,7 @@ void apply(ResolvedSea& resolved, std::string_view name, const std::string& text
     set("spectrum", &SeaState::spectrum);
     set("spreading", &SeaState::spreading);
     for (const SeaFlag& flag : sea_flags)
-        if (flag.flag == name) apply_number(resolved, flag, text, option);
+        if (flag.flag == name) apply_number(resolved, flag, text, option, is_recorded);
 }
 
 /// Returns the names of the flags that a config file may contain, the preset first.
@@ -204,8 +216,28 @@ void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config)
                 if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
                     throw bad_value(place, '"' + entry.value + '"',
                                     "a number without quotes: " + accepted_by(number));
-            apply(resolved, flag, entry.value, place);
+            apply(resolved, flag, entry.value, place, entry.is_recorded);
         }
+}
+
+/// Throws InputError if the option has no effect on any of the seas.
+void require_effect(std::string_view flag, const std::string& option, const std::string& value,
+                    const std::vector<SeaState>& seas) {
+    std::string_view required;
+    for (const SeaState& sea : seas) {
+        required = requirement_of(field_of_flag(flag), sea);
+        if (required.empty()) return;
+    }
+    throw InputError(option + " is " + value + "; it requires " + std::string(required));
+}
+
+void require_effects(const std::vector<ConfigEntry>& entries, const std::vector<SeaState>& seas) {
+    for (const ConfigEntry& entry : entries) {
+        if (entry.is_recorded) continue;
+        for (const std::string& flag : configurable_flags())
+            if (entry.key == config_key(flag))
+                require_effect(flag, entry.place + ": " + entry.key, entry.value, seas);
+    }
 }
 
 /// Stores the default cascades and resolution explicitly, so that files do not depend on the
@@ -222,6 +254,24 @@ constexpr std::size_t max_changes = 1000;
 constexpr double max_swell_from_m = 2e7;
 
 }  // namespace
+
+std::string_view requirement_of(std::string_view field, const SeaState& sea) {
+    const bool is_spectrum = sea.waves == WaveModel::spectrum, is_pond = sea.waves == WaveModel::pond;
+    const auto unless = [](bool applies, std::string_view required) { return applies ? "" : required; };
+    if (field == "wave_drag") return unless(is_pond, "--waves pond");
+    if (field == "wave_strength") return unless(sea.waves == WaveModel::analytic, "--waves analytic");
+    if (field.starts_with("wave_") || field.ends_with("est_wave_m"))
+        return unless(!is_spectrum, "--waves analytic or pond");
+    if (field == "choppiness") return unless(!is_pond, "--waves spectrum or analytic");
+    const bool is_of_wind = field == "spectrum" || field == "spreading" || field == "fetch_m" || field == "seed" ||
+                            field == "short_wave_cutoff" || field == "wind_alignment";
+    if (!is_of_wind && !field.starts_with("swell_")) return "";
+    if (!is_spectrum) return "--waves spectrum";
+    if (field == "fetch_m") return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
+    if (field == "wind_alignment") return unless(sea.spreading == SpreadingModel::paper, "--spreading paper");
+    if (is_of_wind || field == "swell_height_m") return "";
+    return unless(sea.swell_height_m > 0, "--swell-height");
+}
 
 void SeaOptions::add_to(CLI::App& app, PresetName preset) {
     const auto add = [&](std::string_view flag, const std::string& type, const std::string& help, const char* group,
@@ -271,19 +321,23 @@ void SeaOptions::add_weather_to(CLI::App& app) {
 
 ResolvedSea SeaOptions::resolve() const {
     const auto file = typed("config"), weather_file = typed("weather");
-    if (!weather_file) return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
-    if (file)
+    if (weather_file && file)
         throw InputError("--config is " + *file + " and --weather is " + *weather_file +
                          "; give one of the two: the first sea stands in both");
-    const WeatherConfig weather = read_weather(*weather_file, config_keys());
-    ResolvedSea sea = resolve_with(weather.first);
-    add_changes(sea, weather, *weather_file);
+    WeatherConfig weather;
+    if (weather_file) weather = read_weather(*weather_file, config_keys());
+    if (file) weather.first = read_config(*file, config_keys());
+    SeaState of_file;
+    ResolvedSea sea = resolve_with(weather.first, of_file);
+    if (weather_file) add_changes(sea, weather, *weather_file);
+    require_effects_in(weather, sea, of_file);
     return sea;
 }
 
 ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::path& file) {
     const WeatherConfig weather = parse_weather_record(text, file, config_keys());
-    ResolvedSea sea = SeaOptions().resolve_with(weather.first);
+    SeaState of_file;
+    ResolvedSea sea = SeaOptions().resolve_with(weather.first, of_file);
     add_changes(sea, weather, file);
     return sea;
 }
@@ -340,7 +394,18 @@ std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
     return found == typed_.end() ? std::nullopt : found->second;
 }
 
-ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) const {
+void SeaOptions::require_effects_in(const WeatherConfig& weather, const ResolvedSea& sea,
+                                    const SeaState& of_file) const {
+    std::vector<SeaState> seas = {sea.sea};
+    for (const ResolvedChange& change : sea.changes) seas.push_back(change.sea.sea);
+    for (const auto& [flag, value] : typed_)
+        if (value) require_effect(flag, "--" + flag, *value, seas);
+    seas.push_back(of_file);
+    require_effects(weather.first, seas);
+    for (const WeatherConfig::Change& change : weather.changes) require_effects(change.entries, seas);
+}
+
+ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, SeaState& of_file) const {
     ResolvedSea resolved;
     if (const auto preset = typed("preset")) {
         apply_preset(resolved, *preset, "--preset");
@@ -349,6 +414,7 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) con
             if (entry.key == "preset") apply_preset(resolved, entry.value, entry.place + ": preset");
     }
     apply_config(resolved, config);
+    of_file = resolved.sea;
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
     // Checks combinations; each option has been checked individually.

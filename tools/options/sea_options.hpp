@@ -63,6 +63,12 @@ std::span<const SeaAngle> sea_angles();
 /// Returns null if the field is not an angle. \param field  a name of sea_state_fields()
 const SeaAngle* sea_angle(std::string_view field);
 
+/// Returns the option without which a field of SeaState has no effect on this sea, as on the command
+/// line: "--spectrum jonswap". Returns an empty string if the field has an effect. The depth always
+/// has one: dynamic waves and sea floors use it, too.
+/// \param field  a name of sea_state_fields(), "spectrum" or "spreading"
+std::string_view requirement_of(std::string_view field, const SeaState& sea);
+
 class SeaOptions {
    public:
     enum class PresetName { option, positional_too };
@@ -89,7 +95,11 @@ class SeaOptions {
     static ResolvedSea of_record(std::string_view text, const std::filesystem::path& file);
 
    private:
-    ResolvedSea resolve_with(const std::vector<ConfigEntry>& config) const;
+    /// \param of_file  receives the sea without flags
+    ResolvedSea resolve_with(const std::vector<ConfigEntry>& config, SeaState& of_file) const;
+    /// Throws InputError for a flag or an entry of a file that has no effect. Entries may have an
+    /// effect on the sea of the file alone, which flags override.
+    void require_effects_in(const WeatherConfig& weather, const ResolvedSea& sea, const SeaState& of_file) const;
     static void add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file);
     std::optional<std::string> typed(const std::string& flag) const;
 

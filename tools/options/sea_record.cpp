@@ -41,7 +41,7 @@ std::vector<ConfigEntry> entries_of_sea(const OrderedJson& sea, const std::strin
             throw InputError(place + ": " + name + " is of type " + value.type_name() +
                              ", expected a number or a text");
         entries.push_back(
-            {key, value.is_string() ? value.get<std::string>() : value.dump(), place, value.is_string()});
+            {key, value.is_string() ? value.get<std::string>() : value.dump(), place, value.is_string(), true});
     }
     return entries;
 }

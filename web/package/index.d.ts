@@ -69,7 +69,7 @@ export interface SeaOptions {
   shortestWaveM?: number;
   /** Strength of an analytic sea: [0, 2]. 0 calm, 1 moderate, 2 intense. Default 1. */
   waveStrength?: number;
-  /** Significant wave height of an analytic sea or pond, metres: [0, 30], 0: chosen. Default 0. */
+  /** Significant wave height of an analytic sea or pond, metres: [0, 30], or -1: chosen. Default -1. */
   waveHeightM?: number;
   /** Displacement of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
   waveDrag?: number;

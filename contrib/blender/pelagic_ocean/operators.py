@@ -86,7 +86,7 @@ def take_preset(settings, name):
     settings.swell_direction = sea.swell_direction_rad
     settings.swell_spread = sea.swell_spread_rad
     settings.wave_strength = sea.wave_strength
-    settings.wave_height = sea.wave_height_m
+    settings.wave_height = max(0, sea.wave_height_m)
     settings.cascades = sea.cascades
     settings.cascade_resolution = str(sea.resolution)
     settings.cascade_side = sea.patch_size_m

@@ -85,7 +85,8 @@ def sea_of(settings):
             "seed": settings.seed,
         }
     else:
-        changes |= {"wave_strength": typed(settings.wave_strength), "wave_height_m": typed(settings.wave_height)}
+        height = typed(settings.wave_height)
+        changes |= {"wave_strength": typed(settings.wave_strength), "wave_height_m": height if height > 0 else -1}
     return dataclasses.replace(sea, **changes)
 
 
