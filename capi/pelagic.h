@@ -1267,8 +1267,8 @@ enum {
 };
 
 /* Positions in the world, in metres, at any distance from the origin: the sea repeats in double
- * precision. A position that is not finite has no sample: its error is infinite and it is not
- * converged. */
+ * precision. A position that is not finite has no sample: its error is infinite, it is not
+ * converged, and its other results are the quiet NaN 0x7fc00000. */
 typedef struct pelagic_points {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */

@@ -64,7 +64,7 @@ struct SurfaceQueryOptions {
 /// Positions in the world, in metres, at any distance from the origin: the sea repeats in double
 /// precision. A position has no sample if it is not finite, or so far away that doubles cannot
 /// distinguish the finest texels (beyond 2^50 of them). Its error is then infinite, it is not
-/// converged, and its other results are those of the origin.
+/// converged, and its other results are the quiet NaN 0x7fc00000.
 struct SurfacePoints {
     std::span<const double> x, z;  ///< equally long
 };
@@ -99,15 +99,16 @@ class SurfaceQuery {
    public:
     static constexpr double default_tolerance_m = SurfaceQueryOptions{}.tolerance_m;
 
-    /// Throws std::invalid_argument if the frame was made without OceanOptions::queries.
+    /// Throws std::invalid_argument if the frame was made without OceanOptions::queries, and for a
+    /// tolerance that is not above 0.
     explicit SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options = {});
     /// As above, with linear interpolation.
     SurfaceQuery(const Frame& frame, double tolerance_m) : SurfaceQuery(frame, {.tolerance_m = tolerance_m}) {}
 
-    /// Samples the surface at the points. Throws std::invalid_argument, before it writes, for
-    /// velocities of a frame made without OceanOptions::velocities, and for foam of a frame made
-    /// without OceanOptions::foam, dynamic_waves and shore.
-    /// \pre spans are as long as the points or empty (asserted)
+    /// Samples the surface at the points. Throws std::invalid_argument, before it writes, for spans
+    /// of another length than the points, for velocities of a frame made without
+    /// OceanOptions::velocities, and for foam of a frame made without OceanOptions::foam,
+    /// dynamic_waves and shore.
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     /// Returns a query of this frame and tolerance with another interpolation.
@@ -126,17 +127,21 @@ class SurfaceQuery {
     bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
     /// Returns whether foam can be sampled.
     bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
-    /// Throws what sample() throws for these arrays.
+    /// Throws what sample() throws for these arrays, whatever their lengths.
     void check(const SurfaceSamples& wanted) const;
+    /// Throws what sample() throws for these arrays.
+    void check(const SurfacePoints& points, const SurfaceSamples& wanted) const;
 
    private:
     bool cascades_have_foam() const { return frame_.has_foam; }
     /// Takes a position in the water.
     bool has_sample(double x, double z) const;
-    void take(const SurfacePoints& points, PointChunk& chunk) const;
-    void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
+    /// Returns whether all positions have samples.
+    bool take(const SurfacePoints& points, PointChunk& chunk) const;
+    void hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const;
     void add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const;
     void move_to_world(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    void remove_missing(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
 
     const Kernels* kernels_;
     Frame frame_;

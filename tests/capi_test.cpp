@@ -1,8 +1,10 @@
 // The C interface: results equal those of C++, and every misuse returns a status and a message of
 // one line. Linked against the shared library only.
 #include <atomic>
+#include <bit>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -446,6 +448,7 @@ TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(error[i], std::numeric_limits<float>::infinity());
         EXPECT_EQ(converged[i], 0);
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(height[i]), 0x7fc00000u);
     }
     points.count = 0, points.x = points.z = nullptr;
     EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK);

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <random>
@@ -164,7 +166,7 @@ TEST(CascadeStackQuery, DensePointsHaveTheBitsOfLonePoints) {
     }
 }
 
-TEST(CascadeStackQuery, InvalidPositionsDoNotConverge) {
+TEST(CascadeStackQuery, InvalidPositionsHaveNoSample) {
     const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3, 1e9}, {0, 0, 0, nan, 0, 4, -1e9}};
@@ -173,7 +175,8 @@ TEST(CascadeStackQuery, InvalidPositionsDoNotConverge) {
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(samples.error[i], infinity);
         EXPECT_FALSE(samples.converged[i]);
-        EXPECT_TRUE(std::isfinite(samples.height[i]));
+        for (const auto* values : {&samples.height, &samples.normal_x, &samples.normal_y, &samples.normal_z})
+            EXPECT_EQ(std::bit_cast<std::uint32_t>((*values)[i]), 0x7fc00000u);
     }
     EXPECT_TRUE(samples.converged[5]);
     EXPECT_TRUE(samples.converged[6]) << "a million kilometres away";

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/query/one_cascade_query.hpp"
@@ -19,6 +22,15 @@
 
 namespace pelagic {
 namespace {
+
+/// Quiet NaN with equal bits on every machine.
+constexpr float no_sample = std::bit_cast<float>(std::uint32_t{0x7fc00000});
+
+const Cascade& finest_of(const Frame& frame) {
+    if (frame.cascades.empty())
+        throw std::invalid_argument("the frame has no cascades, expected a frame of an ocean");
+    return frame.cascades.back();
+}
 
 bool has_velocity(const SurfaceSamples& samples) {
     return !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
@@ -54,10 +66,12 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
       frame_(frame),
       origin_(frame.water_frame.origin_at(frame.time_s)),
       bounds_(frame.bounds),
-      texel_m_(frame.cascades.back().texel_m()),
+      texel_m_(finest_of(frame).texel_m()),
       options_(options),
       tolerance_m_(static_cast<float>(options.tolerance_m)) {
-    assert(options.tolerance_m > 0);
+    if (!(options.tolerance_m > 0))
+        throw std::invalid_argument(
+            invalid_value_message("tolerance_m", options.tolerance_m, "a number above 0"));
     assert(frame.cascades.size() > 1 || !frame.cascades.front().grid.is_rotated());
     const bool is_one = frame.cascades.size() == 1;
     for (const Cascade& cascade : frame.cascades)
@@ -82,14 +96,34 @@ void SurfaceQuery::check(const SurfaceSamples& wanted) const {
         throw std::invalid_argument("the frame has no foam: the ocean was created without OceanOptions::foam");
 }
 
-void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
+void SurfaceQuery::check(const SurfacePoints& points, const SurfaceSamples& wanted) const {
     const std::size_t count = points.x.size();
-    [[maybe_unused]] const auto fits = [count](const auto& span) { return span.empty() || span.size() == count; };
-    assert(points.z.size() == count && fits(samples.height_m) && fits(samples.normal_x) && fits(samples.normal_y) &&
-           fits(samples.normal_z) && fits(samples.jacobian) && fits(samples.velocity_x_mps) &&
-           fits(samples.velocity_y_mps) && fits(samples.velocity_z_mps) && fits(samples.error_m) &&
-           fits(samples.converged) && fits(samples.foam));
-    check(samples);
+    const auto need = [count](const char* name, std::size_t size, const char* else_accepted) {
+        if (size != count)
+            throw std::invalid_argument(std::string(name) + " has " + number_text(size) + " elements, expected " +
+                                        number_text(count) + else_accepted);
+    };
+    const auto need_room = [&](const char* name, const auto& span) {
+        if (!span.empty()) need(name, span.size(), " or none");
+    };
+    need("z", points.z.size(), ", as x has");
+    need_room("height_m", wanted.height_m);
+    need_room("normal_x", wanted.normal_x);
+    need_room("normal_y", wanted.normal_y);
+    need_room("normal_z", wanted.normal_z);
+    need_room("jacobian", wanted.jacobian);
+    need_room("velocity_x_mps", wanted.velocity_x_mps);
+    need_room("velocity_y_mps", wanted.velocity_y_mps);
+    need_room("velocity_z_mps", wanted.velocity_z_mps);
+    need_room("error_m", wanted.error_m);
+    need_room("converged", wanted.converged);
+    need_room("foam", wanted.foam);
+    check(wanted);
+}
+
+void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
+    check(points, samples);
+    const std::size_t count = points.x.size();
 
     const DefaultFloatEnvironment environment;
     PointChunk chunk;
@@ -98,7 +132,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             chunk.first = first;
             chunk.count = std::min(PointChunk::capacity, count - first);
             chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
-            take(points, chunk);
+            const bool all_have_samples = take(points, chunk);
             query.place(chunk);
             query.find_reference_points(chunk);
             query.read(outputs_of(samples, chunk), chunk);
@@ -109,9 +143,10 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
                 else
                     std::fill(foam.begin(), foam.end(), 0.f);
             }
-            hand_out(points, samples, chunk);
+            hand_out(samples, chunk);
             if (frame_.dynamic_waves || frame_.shore) add_water_of_place(samples, chunk);
             if (frame_.water_frame != WaterFrame{}) move_to_world(samples, chunk);
+            if (!all_have_samples) remove_missing(points, samples, chunk);
         }
     };
     if (frame_.cascades.size() == 1)
@@ -125,15 +160,20 @@ bool SurfaceQuery::has_sample(double x, double z) const {
     return std::fabs(x) <= max_m && std::fabs(z) <= max_m;  // false for NaN
 }
 
-void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
+bool SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
     for (std::size_t i = 0; i < chunk.count; ++i) {
         chunk.x[i] = points.x[chunk.first + i] - origin_.x_m;
         chunk.z[i] = points.z[chunk.first + i] - origin_.z_m;
     }
     std::fill(chunk.x + chunk.count, chunk.x + chunk.padded, 0.0);
     std::fill(chunk.z + chunk.count, chunk.z + chunk.padded, 0.0);
-    for (std::size_t i = 0; i < chunk.count; ++i)
-        if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
+    bool all_have_samples = true;
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        if (has_sample(chunk.x[i], chunk.z[i])) continue;
+        chunk.x[i] = chunk.z[i] = 0;
+        all_have_samples = false;
+    }
+    return all_have_samples;
 }
 
 // Adds dynamic waves and a shore, which are functions of the world position. With the cascades'
@@ -189,8 +229,7 @@ void SurfaceQuery::move_to_world(const SurfaceSamples& samples, const PointChunk
     add(samples.velocity_z_mps, frame_.water_frame.current_z_mps);
 }
 
-void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& samples,
-                            const PointChunk& chunk) const {
+void SurfaceQuery::hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto copy = [&](std::span<float> to, const float* from) {
         if (!to.empty()) std::memcpy(to.data() + chunk.first, from, chunk.count * sizeof(float));
     };
@@ -202,14 +241,22 @@ void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& s
     copy(samples.velocity_x_mps, chunk.velocity_x);
     copy(samples.velocity_y_mps, chunk.velocity_y);
     copy(samples.velocity_z_mps, chunk.velocity_z);
-    if (samples.error_m.empty() && samples.converged.empty()) return;
-    for (std::size_t i = 0; i < chunk.count; ++i) {
-        const float error_m =
-            has_sample(points.x[chunk.first + i] - origin_.x_m, points.z[chunk.first + i] - origin_.z_m)
-                ? chunk.error[i]
-                : std::numeric_limits<float>::infinity();
-        if (!samples.error_m.empty()) samples.error_m[chunk.first + i] = error_m;
-        if (!samples.converged.empty()) samples.converged[chunk.first + i] = error_m <= tolerance_m_;
+    copy(samples.error_m, chunk.error);
+    if (!samples.converged.empty())
+        for (std::size_t i = 0; i < chunk.count; ++i)
+            samples.converged[chunk.first + i] = chunk.error[i] <= tolerance_m_;
+}
+
+void SurfaceQuery::remove_missing(const SurfacePoints& points, const SurfaceSamples& samples,
+                                  const PointChunk& chunk) const {
+    for (std::size_t at = chunk.first; at < chunk.first + chunk.count; ++at) {
+        if (has_sample(points.x[at] - origin_.x_m, points.z[at] - origin_.z_m)) continue;
+        for (const std::span<float> values :
+             {samples.height_m, samples.normal_x, samples.normal_y, samples.normal_z, samples.jacobian,
+              samples.velocity_x_mps, samples.velocity_y_mps, samples.velocity_z_mps, samples.foam})
+            if (!values.empty()) values[at] = no_sample;
+        if (!samples.error_m.empty()) samples.error_m[at] = std::numeric_limits<float>::infinity();
+        if (!samples.converged.empty()) samples.converged[at] = 0;
     }
 }
 
