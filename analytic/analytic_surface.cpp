@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -105,7 +104,7 @@ void AnalyticSurface::sample(double time_s, const AnalyticPoints& world, const A
 
 void AnalyticSurface::sample_points(bool in_world, double time_s, const AnalyticPoints& points,
                                     const AnalyticSamples& samples) const {
-    assert(std::isfinite(time_s));
+    need_finite_time(time_s);
     const DefaultFloatEnvironment environment;
     std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)

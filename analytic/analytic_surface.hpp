@@ -32,7 +32,7 @@ struct AnalyticKernels;
 struct GerstnerJob;
 struct GerstnerTerms;
 
-/// Positions in metres, finite, at most 1e9 from the origin (asserted).
+/// Positions in metres, finite, at most 1e9 from the origin.
 struct AnalyticPoints {
     std::span<const double> x, z;  ///< equally long
 };
@@ -68,12 +68,12 @@ class AnalyticSurface {
     AnalyticSurface& operator=(AnalyticSurface&&) noexcept;
 
     /// Samples the water whose undisplaced positions are `rest`.
-    /// \pre time_s is finite; spans are as long as the points or empty (asserted)
+    /// \throws std::invalid_argument  before it writes, if the time or a point is out of range, or a
+    ///                                span differs in length from the points and is not empty
     void sample_undisplaced(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const;
 
     /// Samples the water that is at the points `world`. Its reference point is the point minus
-    /// `horizontal`.
-    /// \pre time_s is finite; spans are as long as the points or empty (asserted)
+    /// `horizontal`. Throws what sample_undisplaced() throws.
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
     /// Returns the waves of the sea.

@@ -3,21 +3,40 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 
 namespace pelagic {
 
 inline constexpr double furthest_analytic_point_m = 1e9;
 
+/// Throws std::invalid_argument for a time that is not finite.
+inline void need_finite_time(double time_s) {
+    if (!std::isfinite(time_s))
+        throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
+}
+
 /// Output arrays of the application; an empty one is not written.
 template <std::size_t Kinds>
 struct OutputArrays {
     std::array<std::span<float>, Kinds> of;
+
+    /// Throws std::invalid_argument for points or arrays that kernels cannot take.
+    void check(std::span<const double> x, std::span<const double> z) const {
+        if (z.size() != x.size()) throw std::invalid_argument("x and z of the points differ in length");
+        for (const std::span<float> array : of)
+            if (!array.empty() && array.size() != x.size())
+                throw std::invalid_argument("an array differs in length from the points, expected as many or none");
+        for (const std::span<const double> along : {x, z})
+            for (const double at : along)
+                if (!(std::fabs(at) <= furthest_analytic_point_m))
+                    throw std::invalid_argument(invalid_value_message("a coordinate", at, "[-1e9, 1e9]"));
+    }
 
     template <class... Spans>
     OutputArrays(Spans... spans) : of{spans...} {}
@@ -45,7 +64,7 @@ template <std::size_t Kinds, class Sample>
 void for_each_group(std::span<const double> x, std::span<const double> z, const OutputArrays<Kinds>& arrays,
                     std::size_t multiple, Sample sample) {
     constexpr std::size_t max = 8 * analytic_group;
-    assert(x.size() == z.size());
+    arrays.check(x, z);
     float scratch[Kinds][max];
     for (std::size_t first = 0; first < x.size();) {
         const std::size_t remaining = x.size() - first;
@@ -61,14 +80,8 @@ void for_each_group(std::span<const double> x, std::span<const double> z, const 
                                 is_tail ? tail_x : x.data() + first,
                                 is_tail ? tail_z : z.data() + first,
                                 {}};
-        assert(std::all_of(group.x, group.x + group.count,
-                           [](double at) { return std::fabs(at) <= furthest_analytic_point_m; }));
-        assert(std::all_of(group.z, group.z + group.count,
-                           [](double at) { return std::fabs(at) <= furthest_analytic_point_m; }));
-        for (std::size_t kind = 0; kind < Kinds; ++kind) {
-            assert(arrays.of[kind].empty() || arrays.of[kind].size() == x.size());
+        for (std::size_t kind = 0; kind < Kinds; ++kind)
             group.outputs[kind] = is_tail || arrays.of[kind].empty() ? scratch[kind] : arrays.of[kind].data() + first;
-        }
         sample(static_cast<const PointGroup<Kinds>&>(group));
         if (is_tail)
             for (std::size_t kind = 0; kind < Kinds; ++kind)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -121,7 +120,8 @@ PondWaves PondWaves::of(std::vector<PondOctave> octaves, std::optional<Isa> isa)
 
 PondWaves::PondWaves(std::optional<Isa> isa, std::vector<PondOctave> octaves)
     : octaves_(std::move(octaves)), height_m_(0) {
-    assert(!octaves_.empty() && octaves_.size() <= max_analytic_waves);
+    if (octaves_.empty() || octaves_.size() > max_analytic_waves)
+        throw std::invalid_argument(invalid_value_message("octaves", octaves_.size(), "1 to 64"));
     const DefaultFloatEnvironment environment;
     kernels_ = &analytic_kernels_for(choose_isa(isa));
     double max_turns_per_m = 0;
@@ -142,8 +142,9 @@ double PondWaves::highest_m() const { return height_m_ * (1 - mean_exp); }
 
 void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
                        std::span<const float> footprint_m) const {
-    assert(std::isfinite(time_s));
-    assert(footprint_m.empty() || footprint_m.size() == points.x.size());
+    need_finite_time(time_s);
+    if (!footprint_m.empty() && footprint_m.size() != points.x.size())
+        throw std::invalid_argument("footprint_m differs in length from the points, expected as many or none");
     const DefaultFloatEnvironment environment;
     std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
@@ -180,7 +181,12 @@ std::optional<PondHit> PondWaves::first_hit(double time_s, std::array<double, 3>
     const DefaultFloatEnvironment environment;
     const auto [dx, dy, dz] = direction;
     const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
-    assert(length > 0 && std::isfinite(length) && std::isfinite(reach_m));
+    if (!(length > 0 && std::isfinite(length)))
+        throw std::invalid_argument(
+            invalid_value_message("direction's length", length, "a finite number above 0"));
+    for (const double number : {origin_m[0], origin_m[1], origin_m[2], reach_m})
+        if (!std::isfinite(number))
+            throw std::invalid_argument(invalid_value_message("origin_m or reach_m", number, "a finite number"));
     const std::array<double, 3> unit{dx / length, dy / length, dz / length};
     const auto along = [&](double distance_m, std::size_t axis) { return origin_m[axis] + distance_m * unit[axis]; };
 

@@ -92,7 +92,8 @@ class PondWaves {
     /// set
     explicit PondWaves(const PondSea& sea, std::optional<Isa> isa = {});
     /// Returns an evaluator of given octaves, for example octaves on a cascade's grid.
-    /// \pre 1 to 64 octaves with finite numbers (asserted)
+    /// \pre finite numbers
+    /// \throws std::invalid_argument  unless there are 1 to 64 octaves
     static PondWaves of(std::vector<PondOctave> octaves, std::optional<Isa> isa = {});
     ~PondWaves();
     PondWaves(PondWaves&&) noexcept;
@@ -103,7 +104,8 @@ class PondWaves {
     ///                     metres; empty: 0. An octave fades out from 0.4 of half its wavelength to
     ///                     half its wavelength. Height and normal are of the weighted octaves,
     ///                     slope_variance of the filtered slopes.
-    /// \pre time_s is finite; spans are as long as the points or empty (asserted)
+    /// \throws std::invalid_argument  what AnalyticSurface::sample() throws, and if footprint_m differs
+    ///                                in length from the points and is not empty
     void sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
                 std::span<const float> footprint_m = {}) const;
 
@@ -113,7 +115,7 @@ class PondWaves {
     /// than that. The error along the ray is at most 1e-6 m, or 1e-12 of the distance if that is
     /// larger.
     /// \param direction  any length except 0
-    /// \pre finite numbers (asserted)
+    /// \throws std::invalid_argument  for a number that is not finite, and a direction of 0
     std::optional<PondHit> first_hit(double time_s, std::array<double, 3> origin_m, std::array<double, 3> direction,
                                      double reach_m) const;
 

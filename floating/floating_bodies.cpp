@@ -142,6 +142,7 @@ std::size_t FloatingBodies::index_of(std::uint32_t number) const {
 }
 
 std::uint32_t FloatingBodies::add(std::shared_ptr<const Hull> hull, const HullState& state) {
+    if (!hull) throw std::invalid_argument("hull is null, expected a hull");
     require(Hull::check(state));
     const Kind& kind = kind_of(std::move(hull));
     FloatingHull floating{.hull = kind.hull.get(), .state = state};

@@ -41,8 +41,8 @@ class FloatingBodies {
 
     /// Adds a body without inputs and returns its number, which is never reused. The set keeps
     /// the hull, also after the body is removed, for restore_state().
-    /// \throws std::invalid_argument  Hull::check(state), and what DynamicWaves::add_footprint()
-    ///                                throws; nothing is changed then
+    /// \throws std::invalid_argument  for a null hull, Hull::check(state), and what
+    ///                                DynamicWaves::add_footprint() throws; nothing is changed then
     std::uint32_t add(std::shared_ptr<const Hull> hull, const HullState& state);
     /// Removes a body, and its pressure from the next tick on. Does nothing if there is none of
     /// that number.

@@ -48,6 +48,7 @@ struct FloatingHulls::State {
 };
 
 FloatingHulls::FloatingHulls(std::shared_ptr<Executor> executor) : state_(new State) {
+    if (!executor) throw std::invalid_argument("executor is null, expected an executor");
     state_->executor = std::move(executor);
     state_->graph.add(
         {.name = "hulls", .count = jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
@@ -60,9 +61,11 @@ FloatingHulls::~FloatingHulls() = default;
 
 bool FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
     Hull::check_step(water, step_s);
-    for (std::size_t i = 0; i < hulls.size(); ++i)
+    for (std::size_t i = 0; i < hulls.size(); ++i) {
+        if (!hulls[i].hull) throw std::invalid_argument("hull " + std::to_string(i) + " is null, expected a hull");
         for (const std::string& reason : {Hull::check(hulls[i].state), Hull::check(hulls[i].inputs)})
             if (!reason.empty()) throw std::invalid_argument("hull " + std::to_string(i) + ": " + reason);
+    }
     state_->water = &water;
     state_->hulls = hulls;
     const Hull::Steps steps(step_s);

@@ -23,6 +23,7 @@ struct FloatingHull {
 class FloatingHulls {
    public:
     /// Creates jobs for an executor.
+    /// \throws std::invalid_argument  if it is null
     explicit FloatingHulls(std::shared_ptr<Executor> executor);
     ~FloatingHulls();
     FloatingHulls(const FloatingHulls&) = delete;  // the stage points into it
@@ -32,7 +33,7 @@ class FloatingHulls {
     /// thread takes part.
     /// Allocates nothing in Pelagic's code once each job has had as many vertices.
     /// \throws std::invalid_argument  what Hull::step() throws, after the number of the hull, such
-    ///                                as "hull 3: "; no hull is changed then
+    ///                                as "hull 3: ", or for a null hull; no hull is changed then
     bool step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s);
 
    private:

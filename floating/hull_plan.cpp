@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -59,6 +61,9 @@ struct Verticals {
 }  // namespace
 
 HullPlan plan_of(const HullMesh& mesh, int columns, int rows) {
+    for (const auto& [name, count] : {std::pair("columns", columns), {"rows", rows}})
+        if (count < 1 || count > 1024)
+            throw std::invalid_argument(invalid_value_message(name, count, "[1, 1024]"));
     const DefaultFloatEnvironment environment;
     const Verticals lines(mesh, columns, rows);
     const glm::dvec3 size = mesh.upper_m() - mesh.lower_m(), middle = 0.5 * (mesh.upper_m() + mesh.lower_m());

@@ -19,7 +19,7 @@ struct HullPlan {
 };
 
 /// Returns the plan of a mesh, from 4 x 4 verticals a cell.
-/// \pre columns and rows are in [1, 1024]
+/// \throws std::invalid_argument  if columns or rows are not in [1, 1024]
 HullPlan plan_of(const HullMesh& mesh, int columns, int rows);
 
 }  // namespace pelagic

@@ -245,6 +245,10 @@ struct HullWake::Hollow {
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                          std::span<float> height_m, std::span<float> velocity_y_mps,
                          std::span<double> wake_m) const {
+    const std::size_t count = x.size();
+    if (z.size() != count || height_m.size() != count || velocity_y_mps.size() != count ||
+        !(wake_m.empty() || wake_m.size() == count))
+        throw std::invalid_argument("x, z, height_m, velocity_y_mps and wake_m differ in length");
     const DefaultFloatEnvironment environment;
     const Hollow hollow(*this, frame);
     const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);

@@ -59,15 +59,16 @@ class HullWake {
     /// dynamic waves at the hull by those at its pressure. Where the two are apart, the hull would
     /// otherwise slide down the wave that its moving pressure pushes ahead, and push it on.
     /// \param wake_m  if not empty, receives the height of dynamic waves in the results
+    /// \throws std::invalid_argument  if the spans differ in length
     void leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                    std::span<float> height_m, std::span<float> velocity_y_mps,
                    std::span<double> wake_m = {}) const;
 
     /// Returns the horizontal force of the last completed frame's dynamic waves on the pressure, and
-    /// its torque about the vertical through the hull's centre of mass: rho g times the integral of h grad d, over the
-    /// texels on which the depth d acts. It is the adjoint of how a moving pressure makes waves, so
-    /// that a hull cannot gain the energy of its own wake. Heights at the vertices of a mesh, whose
-    /// edges are longer than short waves, could drive it.
+    /// its torque about the vertical through the hull's centre of mass: rho g times the integral of
+    /// h grad d, over the texels on which the depth d acts. It is the adjoint of how a moving pressure
+    /// makes waves, so that a hull cannot gain the energy of its own wake. Heights at the vertices of a
+    /// mesh, whose edges are longer than short waves, could drive it.
     HullForce push(const Frame& frame, const HullState& state) const;
 
     /// Returns the pressure of the next tick.

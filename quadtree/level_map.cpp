@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "pelagic/message/require.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -24,7 +25,7 @@ std::int32_t to_cell(double x, std::int32_t cells) {
 }  // namespace
 
 LevelMap::LevelMap(const QuadtreeOptions& options)
-    : size_m_(options.size_m),
+    : size_m_(checked(options).size_m),
       lod_scale_(options.lod_scale),
       deepest_(pelagic::deepest_level(options.size_m, options.finest_patch_m)),
       windows_(static_cast<std::size_t>(deepest_)) {

@@ -33,7 +33,7 @@ class LevelMap {
     /// from 0 to 1.
     static constexpr double morph_zone = 0.25;
 
-    /// \pre check(options) is empty
+    /// \throws std::invalid_argument  check(options), unless it is empty
     explicit LevelMap(const QuadtreeOptions& options);
 
     /// Computes the levels for a viewer. Never allocates.

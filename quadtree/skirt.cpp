@@ -1,8 +1,14 @@
 #include "pelagic/quadtree/skirt.hpp"
 
+#include <stdexcept>
+
+#include "pelagic/message/invalid_value_message.hpp"
+
 namespace pelagic {
 
 SkirtMesh::SkirtMesh(int v) : vertices(v) {
+    if (v < 2 || v > 128 || v % 2 != 0)
+        throw std::invalid_argument(invalid_value_message("vertices", v, "an even number from 2 to 128"));
     // Seen from above, the outside lies to the right of the direction of increasing t: see
     // skirt_position().
     for (int t = 0; t < v; ++t) {

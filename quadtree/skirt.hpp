@@ -17,7 +17,8 @@ inline constexpr double skirt_reach = 10;
 /// The mesh of every piece: vertex pairs t = 0 ... V along the border, outer = 0 or 1, index 2 t +
 /// outer.
 struct SkirtMesh {
-    /// Makes the mesh for patches with this number of vertex steps along a side.
+    /// Makes the mesh for patches with this number of vertex steps along a side; even, 2 to 128.
+    /// \throws std::invalid_argument  if the number is out of range
     explicit SkirtMesh(int vertices);
 
     int vertices;

@@ -146,24 +146,27 @@ class DynamicWaves {
     /// A jump ahead computes the ticks of at most this time, seconds.
     static constexpr double max_jump_s = 0.5;
     /// Returns the number of the last tick at a time, counted from t = 0.
+    /// Throws std::invalid_argument if the time is not finite.
     std::int64_t tick_at(double time_s) const;
 
     /// Computes the ticks up to a time and returns the waves. The view is a tick late: it is
     /// interpolated between the last two ticks. A time before that of the last call computes no
     /// tick, and later ticks are counted from it. The view stays valid until the second advance()
-    /// from now. Throws what executors throw; the view of the last advance stays then. \pre time_s
-    /// is finite; no ocean owns the object
+    /// from now. Throws what executors throw; the view of the last advance stays then. Throws
+    /// std::invalid_argument if time_s is not finite, and std::logic_error if an ocean owns the
+    /// object.
     const DynamicWavesView& advance(double time_s);
     /// Returns the waves of the last advance, or of the ocean's frame completed last; empty before
     /// the first.
     const DynamicWavesView& view() const;
 
     /// Returns all that later ticks depend on, except commands since the last advance; slightly
-    /// more than 17 N^2 bytes. \pre no frame of an ocean is in flight
+    /// more than 17 N^2 bytes. Throws std::logic_error while a frame of an ocean is in flight.
     std::vector<std::uint8_t> save_state() const;
     /// Restores a state saved with equal options, on any machine of equal byte order. Discards
     /// commands since the last advance. Throws std::invalid_argument and changes nothing if the
-    /// options differ or the bytes are damaged, by a checksum. \pre no frame of an ocean is in flight
+    /// options differ or the bytes are damaged, by a checksum, and std::logic_error while a frame of
+    /// an ocean is in flight.
     void restore_state(std::span<const std::uint8_t> saved);
 
     /// Returns the options of construction.
@@ -186,6 +189,7 @@ class DynamicWaves {
 
     struct State;
     std::unique_ptr<State> state_;
+    bool has_ocean_ = false;
 };
 
 }  // namespace pelagic

@@ -80,7 +80,8 @@ struct OceanOptions {
 /// Not thread-safe: one thread at a time calls its methods; the work runs on the executor. After
 /// construction a frame allocates nothing in Pelagic's code, except tables of inputs in the first
 /// frame. It throws only if an executor (GraphRun::complete()) or an input (WaveInput) fails. That
-/// frame or sea is lost then, and the next may be scheduled. Violated preconditions are asserted.
+/// frame or sea is lost then, and the next may be scheduled. A violated precondition throws
+/// std::logic_error, and a time that is not finite std::invalid_argument; nothing is changed then.
 class Ocean {
    public:
     /// Computes the spectrum of a sea. Throws std::invalid_argument(check(sea)) if an option is out

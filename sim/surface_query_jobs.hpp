@@ -15,7 +15,8 @@ namespace pelagic {
 /// of an ocean whose frames are in flight.
 class SurfaceQueryJobs {
    public:
-    /// Creates jobs for an executor. Batches of several threads need an object each.
+    /// Creates jobs for an executor. Batches of several threads need an object each. Throws
+    /// std::invalid_argument if it is null.
     explicit SurfaceQueryJobs(std::shared_ptr<Executor> executor);
     ~SurfaceQueryJobs();
     SurfaceQueryJobs(const SurfaceQueryJobs&) = delete;  // the stage points into it

@@ -42,7 +42,8 @@ std::string check(const SurfaceRay& ray, const Frame& frame);
 /// tolerance, or to 1e-9 of the distance where that is larger.
 ///
 /// Thread-safe; allocates nothing; results are bit-identical on every machine.
-/// \pre finite numbers, a direction that is not 0, a reach that is not negative (asserted)
+/// \throws std::invalid_argument  for a number that is not finite, a direction of 0, and a negative
+///                                reach
 std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray);
 
 }  // namespace pelagic

@@ -106,6 +106,9 @@ struct DynamicWaves::State {
         std::size_t footprint = 0;  ///< index in `footprints`
     };
 
+    void need_no_frame_in_flight() const {
+        if (frame_in_flight) throw std::logic_error("a frame is in flight; call complete() first");
+    }
     std::uint32_t new_source();
     void add_footprint_command(Command::Kind kind, std::uint32_t number, const PressureFootprint& footprint);
 
@@ -224,11 +227,14 @@ void DynamicWaves::set_rain(const Rain& rain) {
 }
 
 std::int64_t DynamicWaves::tick_at(double time_s) const {
+    if (!std::isfinite(time_s))
+        throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
     const double ticks = time_s * options().ticks_per_s + clock_slack;
     return static_cast<std::int64_t>(std::floor(std::clamp(ticks, -farthest_tick, farthest_tick)));
 }
 
 const DynamicWavesView& DynamicWaves::advance(double time_s) {
+    if (has_ocean_) throw std::logic_error("the ocean advances these waves");
     turn();
     try {
         begin_frame(time_s);
@@ -373,7 +379,7 @@ void DynamicWaves::drop_frame() {
 
 std::vector<std::uint8_t> DynamicWaves::save_state() const {
     const State& s = *state_;
-    assert(!s.frame_in_flight);
+    s.need_no_frame_in_flight();
     SavedClock clock = {0, digest_of(options()), s.has_clock, s.last_tick, s.last_time_s};
     std::vector<std::uint8_t> bytes(sizeof clock);
     std::memcpy(bytes.data(), &clock, sizeof clock);
@@ -386,7 +392,7 @@ std::vector<std::uint8_t> DynamicWaves::save_state() const {
 
 void DynamicWaves::restore_state(std::span<const std::uint8_t> saved) {
     State& s = *state_;
-    assert(!s.frame_in_flight);
+    s.need_no_frame_in_flight();
     SavedClock clock{};
     if (saved.size() < sizeof clock)
         throw std::invalid_argument(

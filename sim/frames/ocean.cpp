@@ -1,7 +1,6 @@
 #include "pelagic/sim/ocean.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -20,6 +19,9 @@ namespace {
 // A frame of 64 x 64 takes 20 microseconds, and distributing it to threads takes as long again. See
 // docs/performance.md.
 constexpr std::size_t max_texels_without_jobs = 64 * 64;
+
+constexpr const char *frame_is_in_flight = "a frame is in flight; call complete() first",
+                     *sea_is_computed = "a sea is being computed; call complete_sea() first";
 
 /// Returns an empty string, or which option needs planes that are off.
 std::string check_planes(const OceanOptions& options) {
@@ -83,6 +85,7 @@ struct Ocean::State {
                 *options.dynamic_waves,
                 DynamicWaves::Resources{
                     .executor = executor, .isa = isa, .trace = options.trace, .memory = options.memory});
+        if (dynamic_waves) dynamic_waves->has_ocean_ = true;
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
@@ -205,6 +208,12 @@ struct Ocean::State {
         executor->prepare(graph)->run();
         shore->end_bake();
     }
+    void need_no_frame_in_flight() const {
+        if (frame_in_flight) throw std::logic_error(frame_is_in_flight);
+    }
+    void need_no_other_sea() const {
+        if (bake_in_flight == Bake::other || bake_in_flight == Bake::staged) throw std::logic_error(sea_is_computed);
+    }
     void require_constant_sea() const {
         if (shore) throw std::invalid_argument("the sea of an ocean with a shore cannot change");
     }
@@ -240,8 +249,9 @@ struct Ocean::State {
     }
     /// \param is_ahead  whether work starts before complete()
     void begin_frame(double time_s, std::span<const TextureTargets> cascades, bool is_ahead) {
-        assert(!frame_in_flight && "complete() the frame in flight first");
-        assert(std::isfinite(time_s));
+        need_no_frame_in_flight();
+        if (!std::isfinite(time_s))
+            throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
         adopt_ahead();
         ensure_resident(Pass::frame, time_s);
         bake_ahead(time_s);
@@ -308,7 +318,8 @@ bool Ocean::is_ready() const {
 }
 
 const Frame& Ocean::complete() {
-    assert((state_->frame_in_flight || state_->completed) && "schedule() a frame first");
+    if (!state_->frame_in_flight && !state_->completed)
+        throw std::logic_error("there is no frame; call schedule() first");
     if (state_->frame_in_flight) {
         state_->frame_in_flight = false;
         try {
@@ -346,9 +357,7 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascade
 }
 
 void Ocean::schedule_sea(const SeaState& sea) {
-    using Bake = State::Bake;
-    assert((state_->bake_in_flight == Bake::nothing || state_->bake_in_flight == Bake::ahead) &&
-           "complete_sea() first");
+    state_->need_no_other_sea();
     state_->require_constant_sea();
     checked(sea);
     if (const auto cascades = static_cast<std::size_t>(cascades_of(sea)); cascades != cascade_count())
@@ -368,7 +377,7 @@ void Ocean::schedule_sea(const SeaState& sea) {
         state_->frames.drop_sea();
         throw;
     }
-    state_->bake_in_flight = Bake::other;
+    state_->bake_in_flight = State::Bake::other;
 }
 
 bool Ocean::sea_is_ready() const {
@@ -378,7 +387,7 @@ bool Ocean::sea_is_ready() const {
 
 void Ocean::complete_sea() {
     using Bake = State::Bake;
-    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    state_->need_no_frame_in_flight();
     if (state_->bake_in_flight != Bake::other && state_->bake_in_flight != Bake::staged) return;
     if (state_->bake_in_flight == Bake::staged)
         state_->frames.stage_sea();
@@ -389,8 +398,7 @@ void Ocean::complete_sea() {
 }
 
 void Ocean::schedule_sea(const SeaChange& change) {
-    assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
-           "complete_sea() first");
+    state_->need_no_other_sea();
     state_->require_constant_sea();
     Weather& weather = state_->frames.weather();
     checked(weather.with(change));

@@ -1,6 +1,7 @@
 #include "pelagic/sim/surface_query_jobs.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace pelagic {
 namespace {
@@ -46,6 +47,7 @@ struct SurfaceQueryJobs::State {
 };
 
 SurfaceQueryJobs::SurfaceQueryJobs(std::shared_ptr<Executor> executor) : state_(new State) {
+    if (!executor) throw std::invalid_argument("executor is null, expected an executor");
     state_->executor = std::move(executor);
     state_->graph.add(
         {.name = "queries", .count = query_jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
@@ -59,7 +61,7 @@ SurfaceQueryJobs::~SurfaceQueryJobs() = default;
 void SurfaceQueryJobs::sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples) {
     const std::size_t count = points.x.size();
     if (count <= min_points_a_job) return query.sample(points, samples);
-    query.check(samples);
+    query.check(points, samples);
     state_->query = &query;
     state_->points = points;
     state_->samples = samples;

@@ -1,9 +1,9 @@
 #include "pelagic/sim/surface_ray.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/query/height_change.hpp"
@@ -30,7 +30,13 @@ class RayWalk {
     RayWalk(const SurfaceQuery& query, const SurfaceRay& ray) : query_(query), origin_(ray.origin_m) {
         const auto& d = ray.direction;
         const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        assert(length > 0 && std::isfinite(length) && ray.reach_m >= 0 && std::isfinite(ray.reach_m));
+        const auto need = [](bool is_usable, const char* name, double value, const char* accepted) {
+            if (!is_usable) throw std::invalid_argument(invalid_value_message(name, value, accepted));
+        };
+        for (const double along : origin_) need(std::isfinite(along), "origin_m", along, "a finite number");
+        need(length > 0 && std::isfinite(length), "direction's length", length, "a finite number above 0");
+        need(ray.reach_m >= 0 && std::isfinite(ray.reach_m), "reach_m", ray.reach_m,
+             "a finite number of 0 or more");
         direction_ = {d[0] / length, d[1] / length, d[2] / length};
     }
 
