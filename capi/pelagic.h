@@ -809,6 +809,9 @@ PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast*
 
 /* Appends a change to the forecast, whose spectrum is computed together with frames from now on.
  * The ocean keeps the last two changes: frames of earlier times show the oldest sea that it has.
+ * The call takes about 2 ms. A change from before the frame that was scheduled last starts at that
+ * frame's time, so that the water does not jump; pelagic_ocean_frame_at() with a frame completed
+ * before does not count.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an invalid change, and for an ocean with a shore;
  *   PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea() and pelagic_ocean_complete_sea().

@@ -156,7 +156,10 @@ class Ocean {
     /// on (Forecast describes what may change). The ocean keeps the last two changes, and frames of
     /// earlier times show the oldest sea that it has. Throws std::invalid_argument(check(forecast))
     /// if the preceding change ends after `from_s`, if the sea is incompatible, and if the ocean
-    /// has a shore.
+    /// has a shore. The call takes about 2 ms, in which it searches the new sea's spectrum.
+    ///
+    /// A change from before the frame that was scheduled last, except by frame_at() with buffers,
+    /// starts at that frame's time, so that the water does not jump. forecast() has the start.
     ///
     /// A frame may be in flight; it belongs to the forecast in which it was scheduled.
     /// \pre no sea is between schedule_sea(sea) and complete_sea()

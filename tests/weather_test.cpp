@@ -275,13 +275,14 @@ TEST(Weather, FramesAreBitIdenticalInAnyOrder) {
     for (int jump = 0; jump < (is_sanitized ? 5 : 40); ++jump) expect_same(random() % times.size());
 }
 
-// Foam computed before a change stays valid unless the change is in the past.
+// Foam computed before a change stays valid unless the change begins before it.
 TEST(Weather, FoamFollowsChangesOfALiveOcean) {
     const double peak_m = WaveReach::of(storm_sea).peak_m;
     Ocean live({.first = calm_sea, .largest_peak_m = peak_m}, {.executor = make_serial_executor(), .foam = true});
     for (const double over_s : {0.5, 0.4}) {
         const double from_s = live.forecast().changes.empty() ? 1 : 2;
         live.frame_at(2.9);
+        live.frame_at(from_s);
         live.schedule_sea(over_s == 0.5 ? storm_sea : calm_sea, from_s, over_s);
         const Forecast now = live.forecast();
         for (const double time_s : {3.0, 3.3}) {
@@ -537,6 +538,21 @@ TEST(Weather, ALiveOceanAcceptsSeveralChanges) {
     EXPECT_EQ(ocean.frame_at(9).sea.wind_speed_mps, storm_sea.wind_speed_mps) << "the oldest that is left";
     EXPECT_EQ(ocean.frame_at(47).sea.wind_speed_mps, calm_sea.wind_speed_mps);
     EXPECT_EQ(ocean.frame_at(56).sea.wind_speed_mps, storm_sea.wind_speed_mps);
+}
+
+TEST(Weather, AChangeInThePastStartsWithTheFrameScheduledLast) {
+    const double peak_m = WaveReach::of(storm_sea).peak_m, next_s = 9 + 1.0 / 90;
+    Ocean ocean({.first = calm_sea, .largest_peak_m = peak_m}, serial());
+    ocean.schedule(9);
+    ocean.schedule_sea(storm_sea, -3, 20);  // a frame is in flight
+    ocean.complete();
+    EXPECT_EQ(ocean.forecast().changes[0].from_s, 9);
+    EXPECT_EQ(hash_of(ocean.frame_at(next_s)), forecast_hash(calm_to_storm(9, 20), next_s));
+
+    const std::vector<FrameBuffers> no_buffers(ocean.cascade_count());
+    ocean.frame_at(1e4, no_buffers);
+    ocean.schedule_sea(calm_sea, 30, 20);
+    EXPECT_EQ(ocean.forecast().changes[1].from_s, 30) << "a frame in buffers is not the current one";
 }
 
 TEST(Weather, ALiveOceanRejectsALongerPeakThanItsLargest) {

@@ -460,8 +460,9 @@ class Ocean:
         """
     def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
         """Schedules a transition to another sea, from a time on and over a number of seconds.
-        Cascades, depth, loop and seed must be the same. If swell_from_m, the distance of the
-        swell's origin in metres, is not 0, long waves arrive first."""
+        Cascades, depth, loop and seed must be the same. A transition from before the frame computed
+        last starts at that frame's time. If swell_from_m, the distance of the swell's origin in
+        metres, is not 0, long waves arrive first."""
     def set_water_frame(self, sea_level_m: float = 0.0, current_mps: Tuple[float, float] = (0.0, 0.0)) -> None:
         """Sets the sea level, [-1000, 1000], and the velocity of a uniform current along x and z,
         each [-10, 10], for frames that are scheduled from now on. Queries and dynamic waves then

@@ -192,6 +192,8 @@ struct Ocean::State {
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< false: complete() does all the work
     bool frame_in_flight = false;
+    /// Time of the frame scheduled last, except to buffers of the application.
+    double now_s = -std::numeric_limits<double>::infinity();
     /// Null if complete() starts the run: for a frame that needs several ticks, and in frame_at().
     GraphRun* run_in_flight = nullptr;
     Bake bake_in_flight = Bake::nothing;
@@ -268,6 +270,7 @@ struct Ocean::State {
             throw;
         }
         frame_in_flight = true;
+        now_s = time_s;
     }
     /// Swaps all of a frame's buffers, before any step that may fail; drop_frame() swaps them back.
     void turn() {
@@ -346,10 +349,12 @@ const Frame& Ocean::frame_at(double time_s) {
 
 FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascades) {
     const Frame* const completed = state_->completed;
+    const double now_s = state_->now_s;
     require(check(cascades, cascade_count(), resolution(), state_->frames.contents()));
     const Frame& frame = frame_at(time_s);
     copy_frame(frame, cascades);
     state_->completed = completed;
+    state_->now_s = now_s;
     state_->frames.drop_frame();
     if (state_->dynamic_waves) state_->dynamic_waves->drop_frame();
     if (state_->shore) state_->shore->drop_frame();
@@ -397,11 +402,16 @@ void Ocean::complete_sea() {
     state_->frames.adopt_other_weather();
 }
 
-void Ocean::schedule_sea(const SeaChange& change) {
+void Ocean::schedule_sea(const SeaChange& asked) {
     state_->need_no_other_sea();
     state_->require_constant_sea();
     Weather& weather = state_->frames.weather();
-    checked(weather.with(change));
+    checked(weather.with(asked));
+    SeaChange change = asked;
+    if (change.from_s < state_->now_s) {
+        change.from_s = state_->now_s;
+        checked(weather.with(change));
+    }
     state_->end_bake();
     state_->frames.keep_foam_of(change);
     weather.add(change);

@@ -235,7 +235,9 @@ namespace Pelagic
             using (var use = new Use(handle)) CheckWithCallbacks(Native.pelagic_ocean_complete_sea(use.Pointer));
         }
 
-        /// <summary>Appends a change to the forecast.</summary>
+        /// <summary>
+        /// Appends a change to the forecast. From before the frame scheduled last, it starts at that frame's time.
+        /// </summary>
         public void ScheduleChange(Change change)
         {
             var sea = change.Sea.Sized();

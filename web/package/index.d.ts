@@ -348,7 +348,10 @@ export class Ocean {
   completeSea(): void;
   /** Schedules and completes another sea. */
   changeSea(options: SeaOptions): void;
-  /** Schedules a transition to another sea: its start in the sea's time, and its duration. */
+  /**
+   * Schedules a transition to another sea: its start in the sea's time, and its duration. One from before the frame
+   * scheduled last starts at that frame's time.
+   */
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): void;
 
   /** Throws if the ocean has no dynamic waves. */
