@@ -234,6 +234,8 @@ glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {
 }
 
 HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
+    if (!std::isfinite(heading_rad))
+        throw std::invalid_argument(invalid_value_message("heading_rad", heading_rad, "a finite number"));
     const DefaultFloatEnvironment environment;
     HullState state;
     state.position_m = {x_m, afloat_.height_m, z_m};

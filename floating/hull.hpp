@@ -198,6 +198,7 @@ class Hull {
 
     /// Returns a state at rest in still water, upright, with the hull's x axis turned from +x
     /// towards +z by the heading.
+    /// \throws std::invalid_argument  if the heading is not finite
     HullState at_rest(double x_m, double z_m, double heading_rad = 0) const;
     /// As above, but on the surface of a frame, with the velocity of the water there.
     /// \throws std::invalid_argument  if the frame has no velocities

@@ -45,6 +45,13 @@ void write_escaped(std::string_view text, Write write) {
     }
 }
 
+/// Returns the text with control characters escaped, of any length: names in summaries.
+inline std::string escaped(std::string_view text) {
+    std::string line;
+    write_escaped(text, [&](std::string_view piece) { line += piece; });
+    return line;
+}
+
 /// Escapes the text and, if it exceeds max_line_bytes, replaces its middle by " ... ". Keeps the
 /// beginning, "--wind-speed ...", and the end, "... is out of range (0, 60]". Allocates no memory.
 ///

@@ -117,7 +117,7 @@ SineCosine sine_cosine_of_turns(double turns) {
         cosine = 1 - cosine * z / (term * (term - 1));
     }
     sine *= angle;
-    switch (static_cast<std::int64_t>(quarters) & 3) {
+    switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
         case 0: return {sine, cosine};
         case 1: return {cosine, -sine};
         case 2: return {-sine, -cosine};

@@ -106,6 +106,11 @@ TEST(DetMath, QuarterTurnsAreExact) {
         EXPECT_EQ(got.sine, expected_sine[quarter & 3]);
         EXPECT_EQ(got.cosine, expected_sine[(quarter + 1) & 3]);
     }
+    // whole turns beyond the integers
+    for (const double turns : {0x1p62, -0x1p62, 0x1p70, -0x1p1000}) {
+        EXPECT_EQ(det::sine_cosine_of_turns(turns).sine, 0) << turns;
+        EXPECT_EQ(det::sine_cosine_of_turns(turns).cosine, 1) << turns;
+    }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Hulls from mesh files, against closed forms and a file that Assimp wrote.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstdint>
@@ -54,6 +55,17 @@ TEST(HullFile, ObjFacesMayHaveMoreThanThreeCorners) {
     EXPECT_EQ(mesh.triangles().size(), 12u);
     EXPECT_NEAR(mesh.volume_m3(), 8, 1e-14);
     expect_near(mesh.centre_m(), {0, 0.5, 0}, 1e-14);
+}
+
+// A backslash at the end of a line continues it. Errors name the first line.
+TEST(HullFile, ObjLinesMayBeContinued) {
+    const TemporaryFolder folder;
+    const std::string vertices = "# C:\\\nv 0 0 \\\n 0\nv 1 0 0\r\nv 0 1 0\nv \\\r\n0 0 1\n";
+    write_file(folder / "hull.obj", vertices + "f 1 \\\n3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\\");
+    EXPECT_NEAR(read_hull("--hull", folder / "hull.obj").volume_m3(), 1.0 / 6, 1e-15);
+    write_file(folder / "hull.obj", vertices + "f 1 \\\n3 \\\n9\n");
+    EXPECT_NE(error_of(folder / "hull.obj").find("hull.obj:8: a corner of a face is 9"), std::string::npos)
+        << error_of(folder / "hull.obj");
 }
 
 // Assimp 5.2 wrote the octahedron |x| + |y| + |z| <= 2: volume 4/3 2^3.
@@ -124,6 +136,32 @@ TEST(HullFile, NoVertexHasANegativeZero) {
     EXPECT_EQ(mesh.vertices().size(), 4u);
     for (const glm::dvec3& vertex : mesh.vertices())
         for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::signbit(vertex[axis])) << "xyz"[axis];
+}
+
+TEST(HullFile, LinksAndPipesDoNotLeadBuffersOfGltfElsewhere) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const fs::path here = folder / "here";
+    fs::create_directory(here);
+    json gltf = json::parse(read_file(stored / "tetrahedron.gltf"));
+    const std::string bytes(60, '\0');
+    write_file(folder / "outside.bin", bytes);
+    write_file(here / "own.bin", bytes);
+    fs::create_symlink("own.bin", here / "own_link.bin");
+    fs::create_symlink(folder / "outside.bin", here / "link.bin");
+    fs::create_directory_symlink("..", here / "up");
+    ASSERT_EQ(::mkfifo((here / "pipe.bin").c_str(), 0666), 0);
+    const auto error_of_uri = [&](const std::string& uri) {
+        gltf["buffers"][0]["uri"] = uri;
+        write_file(here / "hull.gltf", gltf.dump());
+        return error_of(here / "hull.gltf");
+    };
+    for (const char* uri : {"link.bin", "up/outside.bin"})
+        EXPECT_NE(error_of_uri(uri).find(std::string(uri) + ", expected a file in the folder of"), std::string::npos)
+            << error_of_uri(uri);
+    for (const char* uri : {"pipe.bin", "up"})
+        EXPECT_NE(error_of_uri(uri).find("expected a"), std::string::npos) << error_of_uri(uri);
+    EXPECT_EQ(error_of_uri("own_link.bin").find("buffers[0]"), std::string::npos) << "the hull is flat, and read";
 }
 
 TEST(HullFile, AnInvalidGltfFileIsRejectedInOneLine) {

@@ -143,6 +143,7 @@ TEST_F(MisuseTest, ExecutorsAndHullsAreNotNull) {
 
 TEST_F(MisuseTest, HullsKeepToTheirArrays) {
     const Hull hull(box_mesh({4, 2, 2}), {.mass_kg = 5000});
+    EXPECT_EQ(invalid([&] { hull.at_rest(0, 0, no_number); }), "heading_rad is nan, expected a finite number");
     EXPECT_EQ(invalid([&] { plan_of(hull.mesh(), 0, 4); }), "columns 0 is out of range [1, 1024]");
     EXPECT_EQ(invalid([&] { plan_of(hull.mesh(), 4, 99999); }), "rows 99999 is out of range [1, 1024]");
     DynamicWaves waves({.resolution = 64}, {.executor = make_serial_executor()});

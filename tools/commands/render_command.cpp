@@ -24,6 +24,7 @@
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/gl/water/camera_water_plane.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spray.hpp"
@@ -434,14 +435,14 @@ Json render_images(const RenderOptions& options, const gl::Sky& sky, const Outpu
 
 void print_render_summary(const RenderOptions& options, const Json& json, std::size_t frames) {
     if (!options.sky_file.empty())
-        std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
+        std::printf("%s: the sky, %dx%d\n", escaped(options.sky_file.string()).c_str(), panorama_width, panorama_height);
     if (!json.contains("statistics")) {
         if (options.resume) std::printf("all %d images exist\n", options.frames);
         return;
     }
     const Json& statistics = json["statistics"];
     std::printf("%s: %zu %s%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
-                json["file"].get<std::string>().c_str(), frames, options.is_film() ? "frame" : "image",
+                escaped(json["file"].get<std::string>()).c_str(), frames, options.is_film() ? "frame" : "image",
                 frames == 1 ? "" : "s", options.scene.width, options.scene.height,
                 statistics["sea_draw_calls_a_view"].get<int>(),
                 static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/export/exported_frame.hpp"
@@ -257,7 +258,7 @@ void VerifyCommand::run() {
         verification.check_sample();
         if (verification.wrong() > 0) verification.reject();
         if (!is_quiet())
-            std::fprintf(stderr, "%s: %zu frame%s as written, %zu of them recomputed\n", folder_->c_str(),
+            std::fprintf(stderr, "%s: %zu frame%s as written, %zu of them recomputed\n", escaped(*folder_).c_str(),
                          verification.frames(), verification.frames() == 1 ? "" : "s", verification.sampled());
     } catch (const DamagedRecord&) {
         throw FileError((folder.path() / record_name({})).string() +

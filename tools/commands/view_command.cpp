@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/encode/encode_image.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
@@ -137,7 +138,7 @@ void ViewCommand::run() {
         const std::filesystem::path file = next_image(folder);
         const std::vector<unsigned char> png = encode_png({pixels.begin(), pixels.end()}, width, height);
         OutputFile(file).write(std::as_bytes(std::span(png)));
-        std::printf("saved %s\n", file.c_str());
+        std::printf("saved %s\n", escaped(file.string()).c_str());
         std::fflush(stdout);
     };
     const viewer::ViewResult result = viewer::show_sea(options);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -369,10 +370,22 @@ class GltfReader {
             return std::move(*content);
         }
         const std::optional<std::string> path = decode_percent(text);
-        if (!path || !is_inside(*path))
+        if (!path || !is_inside(*path) || leads_elsewhere(*path))
             reject(buffer.name + ".uri is " + text.substr(0, 80) + ", expected a file in the folder of " + name_);
         return InputFile(name_ + ": " + buffer.name + ".uri", file_.parent_path() / *path, "a file of the buffer")
             .read_all(HullFile::max_bytes);
+    }
+
+    /// Returns true if links lead out of the folder, or to a pipe or device, whose reading may never
+    /// end. InputFile names the reason for a file that does not exist.
+    bool leads_elsewhere(const std::string& path) const {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::canonical(file_.parent_path() / ".", error);
+        const std::filesystem::path buffer = std::filesystem::canonical(file_.parent_path() / path, error);
+        if (error) return false;
+        const bool is_below =
+            std::mismatch(folder.begin(), folder.end(), buffer.begin(), buffer.end()).first == folder.end();
+        return !is_below || !std::filesystem::is_regular_file(buffer, error);
     }
 
     const std::filesystem::path& file_;

@@ -24,8 +24,10 @@ class ObjReader {
    public:
     explicit ObjReader(const std::string& name) : name_(name) {}
 
-    void take_line(std::string_view line) {
-        ++line_number_;
+    /// \param lines  of the file that the line continues over
+    void take_line(std::string_view line, std::size_t lines) {
+        line_number_ = next_line_;
+        next_line_ += lines;
         const std::string_view keyword = take_word(line);
         if (keyword == "v") take_vertex(line);
         if (keyword == "f") take_face(line);
@@ -78,7 +80,7 @@ class ObjReader {
     }
 
     const std::string& name_;
-    std::size_t line_number_ = 0;
+    std::size_t line_number_ = 0, next_line_ = 1;
 };
 
 bool is_gltf(std::string_view bytes) {
@@ -91,10 +93,22 @@ bool is_gltf(std::string_view bytes) {
 
 HullFile parse_obj_hull(const std::string& name, std::string_view text) {
     ObjReader reader(name);
+    std::string continued;  // from lines that end with a backslash
+    std::size_t lines = 0;
     while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        reader.take_line(line);
+        std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
+        ++lines;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.ends_with('\\') && !line.starts_with('#')) {
+            continued.append(line.substr(0, line.size() - 1)).append(" ");
+            if (!text.empty()) continue;
+            line = {};
+        }
+        if (!continued.empty()) line = continued.append(line);
+        reader.take_line(line, lines);
+        continued.clear();
+        lines = 0;
     }
     if (reader.hull.triangles.empty()) throw InputError(name + " has no faces, expected an OBJ or glTF 2.0 file");
     return std::move(reader.hull);

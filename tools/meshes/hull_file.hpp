@@ -26,7 +26,7 @@ struct HullFile {
 HullFile parse_obj_hull(const std::string& name, std::string_view text);
 
 /// Parses a glTF file, JSON or binary: the triangles of its scene with the transforms of its nodes.
-/// Buffers are in the file, data URIs, or files in its folder or below.
+/// Buffers are in the file, data URIs, or regular files in its folder or below, also behind links.
 /// \param file  its path; also its name in messages
 /// \throws InputError  in one line with the file's name and the element
 HullFile parse_gltf_hull(const std::filesystem::path& file, std::string_view bytes);

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
@@ -23,7 +24,7 @@ void Findings::add(std::size_t place, const std::string& what) {
 }
 
 void Findings::print() const {
-    for (const auto& [place, what] : first_) std::fprintf(stderr, "pelagic: %s\n", what.c_str());
+    for (const auto& [place, what] : first_) std::fprintf(stderr, "pelagic: %s\n", escaped(what).c_str());
     if (count_ > first_.size())
         std::fprintf(stderr, "pelagic: and %zu more, %zu in all\n", count_ - first_.size(), count_);
 }

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "pelagic/message/one_line.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -14,7 +16,7 @@ void set_quiet(bool quiet) { quiet_process = quiet; }
 bool is_quiet() { return quiet_process; }
 
 void print_note(const std::string& text) {
-    if (!is_quiet()) std::fprintf(stderr, "note: %s\n", text.c_str());
+    if (!is_quiet()) std::fprintf(stderr, "note: %s\n", escaped(text).c_str());
 }
 
 }  // namespace pelagic::tools
